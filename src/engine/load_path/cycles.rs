@@ -141,7 +141,8 @@ impl<'g> Cycles<'g> {
         self.path.end_of_small_motions().map(|end| end.what.clone())
     }
 
-    /// The index of the present leg within the cycle, and the fraction of this leg covered.
+    /// The index of the present leg within the present cycle, and the fraction of this leg covered. The path counts legs from the first cycle on, and
+    /// `completed` includes the present cycle.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
         (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)

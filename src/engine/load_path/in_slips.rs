@@ -9,7 +9,7 @@
 //! ```
 //!
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. This is one equation for each sliding
-//! contact, whereas an [arc](super::arc) has one for each coordinate. Some cases give no answer here and are left to a load path: an onset that does
+//! contact, where an [arc](super::arc) has one for each coordinate. Some cases give no answer here and are left to a load path: an onset that does
 //! not begin from clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
 
 use nalgebra::SVector;
@@ -30,9 +30,9 @@ use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, sol
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The result of following a growing load: the contacts that slide, the load factor from which each contact slides, and the end of the path.
+/// The result of following a growing load: the contacts that slide, the load factor from which each does, and the end of the path.
 pub(crate) struct InSlips {
-    /// Indices of the contacts that slide, in the order in which they begin to slide, each with the load factor from which it slides.
+    /// Indices of the contacts that slide, in the order in which they begin to, each with the load factor from which it slides.
     pub(crate) slid: Vec<(usize, f64)>,
     /// The load factor from which all contacts slide; `None` if some stick up to the end.
     pub(crate) all_slide: Option<f64>,
@@ -103,8 +103,8 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the place `at`, where the contact `first` begins to slide, and writes the result to `path`. `None` if this is left to a
-    /// `LoadPath`.
+    /// Follows the load from the place `at`, where the contact `first` begins to slide, and writes the result to `path`. `None` where this is left to
+    /// a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -161,8 +161,8 @@ impl Slips<'_> {
     }
 
     /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
-    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if it is not clear which of both holds, or
-    /// if there are too many sliding contacts.
+    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if there are too
+    /// many sliding contacts.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -206,8 +206,9 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // The bits of `combination` are the contacts on the edge of their cones that slip. It is a continuation if no slip rate is negative and no
-        // margin `μ F_n - |F_t|` decreases. If any combination but that of all contacts is a continuation, a load path decides.
+        // The path may instead continue with only some of these contacts slipping. Bit i of `combination` is set if contact i on the edge of its cone
+        // slips, else it sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases. If one may,
+        // `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -279,8 +280,8 @@ impl Slips<'_> {
     }
 }
 
-/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. The slip rates of all
-/// other contacts are zero. `None` if the equations do not determine them.
+/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. Those of all other
+/// contacts are zero. `None` if the equations do not determine them.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {

@@ -1,4 +1,4 @@
-//! Memory that the computation of one onset leaves to the computation of the next onset.
+//! Memory that the computation of one onset leaves to that of the next.
 
 use alloc::sync::Arc;
 
@@ -25,11 +25,11 @@ pub(super) struct OnsetMemory {
     pub(super) solution: SolutionMemory,
     /// Contact forces and twist under the base load.
     pub(super) base: PieceState,
-    /// Derivatives of contact forces and twist with respect to the load factor.
+    /// The derivatives of contact forces and twist with respect to the load factor.
     pub(super) rate: PieceState,
     /// Contact forces and twist at the onset.
     pub(super) there: PieceState,
-    /// Offsets of all contacts at the onset.
+    /// The offsets of the contacts' springs at the onset: commands minus clearances and slips.
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
     pub(super) active_sets: Vec<ActiveSet>,
@@ -38,7 +38,6 @@ pub(super) struct OnsetMemory {
     pub(super) sites: Vec<usize>,
     /// Memory for the coordinates beyond those of one object (of joints and further bodies) of three vectors: twist, load and load rate at the onset.
     pub(super) coordinates: [Vec<f64>; 3],
-    /// The box of an event that the caller no longer needs, for the next event.
     place: Option<Box<OnsetEvent<3>>>,
     /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.
     pub(super) rest: Option<Rest>,

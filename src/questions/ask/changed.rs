@@ -136,8 +136,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.growing_together(&inside(load), &named.list()))
     }
 
-    /// This grasp with other coefficients of friction. `friction` gets the index of a contact and its present coefficient, and returns the new one.
-    /// Coefficients of [kinetic friction](crate::grasp::Contact::kinetic) change in proportion.
+    /// This grasp with other coefficients of friction. `friction` gets the index of a contact and its present coefficient, and returns the new
+    /// coefficient. Coefficients of [kinetic friction](crate::grasp::Contact::kinetic) change in proportion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -174,7 +174,7 @@ impl<const C: usize> Grasp<C> {
         Ok((pressing, self.changed(Ok(engine))?))
     }
 
-    /// This grasp with the overlaps of its contacts, clearances below zero, multiplied by `factor`.
+    /// This grasp with the overlaps of its contacts (clearances below zero) multiplied by `factor`.
     pub(crate) fn with_overlaps(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.with_overlaps(factor))
     }
@@ -184,7 +184,7 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.squeezed(factor))
     }
 
-    /// This grasp with its squeeze, all that presses without load, multiplied by `factor`: commands of contacts, joints and tendons, constant torques
+    /// This grasp with its squeeze (all that presses without load) multiplied by `factor`: commands of contacts, joints and tendons, constant torques
     /// of joints and tensions of tendons, forces that hold contacts, vacuums, and the tensions that [links](crate::grasp::Link::tension) have without
     /// load.
     ///

@@ -12,9 +12,9 @@ use crate::prelude::*;
 impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states. The equilibrium that [`Self::solve`] returns is
     /// among them. On the round cone the list has that equilibrium, and those that Newton's method reaches from the equilibria on the polygonal cone;
-    /// others may be missing. An empty list is no proof that there is none: [`Self::solve`] returns the proof, if one is found. An equilibrium that
-    /// satisfies several combinations, such as a contact exactly on the edge of its cone, is listed once. Of a line of equilibria one point is
-    /// listed, with its [`neutral_motions`](Equilibrium::neutral_motions).
+    /// others may be missing. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
+    /// equilibrium that satisfies several combinations, such as a contact exactly on the edge of its cone, is listed once. Of a line of equilibria
+    /// one point is listed, with its [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -59,7 +59,7 @@ impl<const C: usize> Grasp<C> {
     /// For each contact, whether its state (open, sticking, sliding) can be distinguished from neighbouring states in working precision.
     ///
     /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
-    /// these terms, and ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the data decide
+    /// these terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last digits of the data decide
     /// between, say, sticking and just sliding. Forces and displacements hardly depend on that decision. `None` for an equilibrium with another
     /// number of contacts.
     ///
@@ -81,8 +81,8 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
     }
 
-    /// The proof, by cases, that no equilibrium exists under a load with round friction cones. `None` where an equilibrium exists, where
-    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or where no cone is round, as in the plane.
+    /// The proof, by cases, that no equilibrium exists under a load with round friction cones. `None` if an equilibrium exists, if
+    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or if no cone is round, as in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -110,8 +110,8 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The [kinematic form](crate::forms) of the linear complementarity problem under a load. Its unknowns are gaps and slips, added to the elastic
-    /// trial state in which everything sticks. `None` if no contact can open or slide, if the load does work on a motion that no contact resists, or
-    /// if a number overflows. If `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
+    /// trial state in which everything sticks. `None` if no contact can open or slide, if the load does work along a motion that no contact resists,
+    /// or if a number overflows. If `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -171,8 +171,8 @@ impl<const C: usize> Grasp<C> {
 
 impl<const C: usize> Refutation<C> {
     /// Verifies this proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The result is a
-    /// lower bound on their norm over all contacts (in √J), relative to that of the elastic trial state. `None` if the proof does not hold for this
-    /// grasp and this load, or if the bound is below 1e4.
+    /// lower bound on their norm over all contacts (in √J), relative to their norm in the elastic trial state. `None` if the proof does not hold for
+    /// this grasp and this load, or if the bound is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

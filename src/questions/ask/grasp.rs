@@ -29,14 +29,14 @@ use crate::prelude::*;
 /// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
 /// | the load factor at first slip | [`onset`](Self::onset) |
 /// | the angle at first slip while the load turns, such as a tilted weight | [`onset_of_turn`](Self::onset_of_turn) |
-/// | the behaviour just beyond a first slip, and the equilibrium there | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
+/// | the behaviour just beyond a first slip, and the equilibrium at first slip | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
 /// | squeeze, friction, load, arm or angle needed to hold | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
 /// | the places of the fingers, and their squeezes, with the latest first slip | [`improve`](Self::improve) |
 /// | friction, squeeze, stiffness and loads of supports, from observed slips | [`identify`](Self::identify) |
 /// | the direction in which the least force makes a contact stop sticking | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
-/// | the load at first slip where data are uncertain | [`reserve`](Self::reserve) |
+/// | the load at first slip if data are uncertain | [`reserve`](Self::reserve) |
 /// | whether any contact forces could balance a load | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
@@ -172,7 +172,7 @@ impl<const C: usize> Grasp<C> {
     /// slip and gross slip, up to [`Settings::most_load`].
     ///
     /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by
-    /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only where the path is undecided. If the load is lost,
+    /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only if the path is undecided. If the load is lost,
     /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium near the loss holds it.
     ///
     /// ```
@@ -200,9 +200,10 @@ impl<const C: usize> Grasp<C> {
         self.engine.hold(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium under a load, or the proof that none exists, or undecided.
+    /// The equilibrium under a load, or the proof that no equilibrium exists; undecided if neither is found.
     ///
-    /// If several equilibria exist, one in which everything sticks is preferred; for the others see [`FoundBy`](crate::equilibrium::FoundBy).
+    /// If several equilibria exist, an equilibrium in which everything sticks is preferred; for other equilibria see
+    /// [`FoundBy`](crate::equilibrium::FoundBy).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
@@ -248,7 +249,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.is_squeezed()
     }
 
-    /// Whether contacts overlap, by clearances below zero.
+    /// Whether contacts overlap, i.e. have clearances below zero.
     pub(crate) fn overlaps(&self) -> bool {
         self.engine.overlaps()
     }
@@ -312,7 +313,7 @@ impl<const C: usize> Grasp<C> {
         Statics(self)
     }
 
-    /// Questions about derivatives of answers by the data of the grasp.
+    /// Questions about derivatives of answers with respect to the data of the grasp.
     #[must_use]
     pub fn sensitivity(&self) -> Sensitivity<'_, C> {
         Sensitivity(self)
@@ -368,14 +369,15 @@ impl<const C: usize> Grasp<C> {
         self.engine.label_of(part)
     }
 
-    /// End points of the rigid links of the hand, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last one
-    /// to the contacts.
+    /// End points of the rigid links of the hand, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last
+    /// joint to the contacts.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
         &self.door().links
     }
 
-    /// Centre of each joint of the hand, m, in the initial posture, for pictures. `None` for a prismatic joint, and for one given by Jacobians alone.
+    /// Centre of each joint of the hand, m, in the initial posture, for pictures. `None` for a prismatic joint, and for a joint given by Jacobians
+    /// alone.
     #[must_use]
     pub fn joint_centres(&self) -> &[Option<SVector<f64, C>>] {
         &self.door().joint_centres

@@ -22,7 +22,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// With [`Settings::most_load`] at 1 loads are followed no farther than the whole load. A row of two to 64 points in which everything sticks then
     /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The factor of the first slip comes from screening
-    /// and equals that of [`Self::hold`] up to rounding. Where contacts slide one after another, and none opens or sticks again, a row takes some ten
+    /// and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes some ten
     /// times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row takes as
     /// long as [`Self::hold`].
     ///

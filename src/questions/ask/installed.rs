@@ -1,4 +1,4 @@
-//! Links that are to have a given tension without load: Newton's method finds the commands under which they have it.
+//! Links that are to have a given tension without load: Newton's method finds the commands that give them this tension.
 
 use alloc::sync::Arc;
 
@@ -78,7 +78,7 @@ impl Grasp<3> {
         }
     }
 
-    /// For each link with a given tension, this tension minus the tension that it has under these commands without load, N. An error if no
+    /// For each link with a given tension, this tension minus the tension that the link has under these commands without load, N. An error if no
     /// equilibrium is found.
     fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;

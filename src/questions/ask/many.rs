@@ -66,7 +66,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The answers with vectors of `C` components, from those with three.
+/// The answers with vectors of `C` components, from answers with vectors of three.
 fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
     moved(answers, &|answer| answer.map(outside))
 }

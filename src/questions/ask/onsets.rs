@@ -9,7 +9,7 @@ use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 impl<const C: usize> Grasp<C> {
     /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
     /// stop sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection:
-    /// a linear equation for each facet in the plane, a quadratic one for each contact on the round cone.
+    /// a linear equation for each facet in the plane, a quadratic equation for each contact on the round cone.
     ///
     /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour beyond it, [`Self::beyond`].
     ///
@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium at a first slip: all contacts stick, those that stop sticking there on the edge of their cone. `None` for the event of a grasp
-    /// with another number of contacts.
+    /// The equilibrium at a first slip. All contacts stick, and the contacts that stop sticking at this load are on the edge of their cones. `None`
+    /// for the event of a grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

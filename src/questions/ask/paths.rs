@@ -8,10 +8,10 @@ use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone:
-    /// in space the round one. Events beyond the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for an
-    /// example. The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves freely until a gap closes.
-    /// If that motion is small, the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts and more
-    /// use [`Self::follow_in_steps`].
+    /// in space the round cone. Events beyond the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for an
+    /// example. The path ends as soon as a suction cup is open all around. If nothing resists the object any more, it moves freely until a gap
+    /// closes. If that motion is small, the path continues after it ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts
+    /// and more use [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
@@ -55,13 +55,13 @@ impl<const C: usize> Grasp<C> {
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone, such as a patch under shear
     /// and torsion. `error` is the estimated error that one leg may add to the contact forces, relative to the largest of them, such as 1e-5. A step
     /// costs a few passes over all contacts, with the same result for any number of threads. The length of a step is proportional to the square root
-    /// of `error`. Suction cups keep their vacuum even where their lips open. A path in steps ends where nothing resists the object any more. See
+    /// of `error`. Suction cups keep their vacuum even if their lips open. A path in steps ends as soon as nothing resists the object any more. See
     /// [`SteppedPath`].
     ///
-    /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object, or the rates of contacts on the edge
+    /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) if the speed of the object, or the rates of contacts on the edge
     /// of their cones, give the motion of the loss. Otherwise it is [undecided](crate::load_path::PathEnd::Undecided).
     ///
-    /// In the plane friction forces do not turn: a step errs only where contacts begin to slide, stop, open or close within it.
+    /// In the plane friction forces do not turn: a step errs only if contacts begin to slide, stop, open or close within it.
     ///
     /// ```
     /// use grasp_lcp::load_path::PathEnd;

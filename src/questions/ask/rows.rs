@@ -30,7 +30,7 @@ pub(crate) fn answers_of_rows<T: Send>(
 }
 
 /// First slip of each row, and the larger rotation under the base load and the whole load. `None` for a row whose contacts screening does not
-/// support, or for whose contacts and base load `is_meant` is false.
+/// support, or if `is_meant` returns false for its contacts and base load.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,

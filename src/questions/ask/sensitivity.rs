@@ -1,16 +1,16 @@
-//! Derivatives of answers (equilibria, load factors at first slip) by the data of the grasp.
+//! Derivatives of answers (equilibria, load factors at first slip) with respect to the data of the grasp.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{inside, outside};
 use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter};
 
-/// Questions about derivatives of a grasp's answers by its data, made by [`Grasp::sensitivity`].
+/// Questions about derivatives of a grasp's answers with respect to its data, made by [`Grasp::sensitivity`].
 #[derive(Debug, Clone, Copy)]
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<'g, const C: usize> Sensitivity<'g, C> {
-    /// The margins of sticking that vanish at a first slip. They give the derivatives of its load factor by every parameter.
+    /// The margins of sticking that vanish at a first slip. They give the derivatives of its load factor with respect to every parameter.
     ///
     /// `None` if a contact closed before the first slip, which then depends on that history, or if a contact closes at the first slip and slides at
     /// once. Also `None` if the event has another number of contacts.
@@ -38,10 +38,10 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         OnsetMargins::new(&self.0.engine, &inside(event))
     }
 
-    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path earlier
-    /// slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None` if the change has no
-    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where changed geometry would resist a motion
-    /// that is free now.
+    /// Derivative of an equilibrium of this grasp with respect to one parameter while every contact keeps its state: one linear solve, exact. On a
+    /// load path earlier slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None`
+    /// for the position of a contact of a hand, and if changed geometry would resist a motion that is free now. Finally `None` if the change has no
+    /// equilibrium in these states, because a load does work along a free motion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

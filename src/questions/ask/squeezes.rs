@@ -10,7 +10,8 @@ impl<const C: usize> Grasp<C> {
     /// round.
     ///
     /// The margin of every sticking condition is linear in the factor or concave, so the sufficient factors form an interval. The search begins at a
-    /// lower bound. A condition broken at this bound gives a larger one, until the bound itself suffices. Clearances do not change.
+    /// lower bound of these factors. A condition broken at this bound gives a larger bound, until the bound itself is sufficient. Clearances do not
+    /// change.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};

@@ -99,7 +99,7 @@ impl<const C: usize> Statics<'_, C> {
     /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. It is computed
     /// with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round cone in space.
     ///
-    /// Vacuums of suction cups pull in addition: a load counts as balanced if forces within the budget balance it together with them.
+    /// Vacuums of suction cups pull in addition: a load counts as balanced if forces within the budget balance it together with these pulls.
     ///
     /// ε measures which loads some contact forces *could* balance. [`Self::onset`](Grasp::onset) is about these fingers with their squeeze.
     ///

@@ -19,12 +19,12 @@ use crate::prelude::*;
 ///
 /// Load and commands are affine in the factor τ. So is the vector of the complementarity problem of the [quadratic program](super::MinimumEnergy),
 /// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. It ends once the multiplier
-/// of a friction constraint enters the basis: from there on this multiplier pushes the object, and Coulomb's law is violated. The paper (see
-/// [`energy`](crate::energy)) predicts sliding in this way.
+/// of a friction constraint enters the basis: from this load factor on, the multiplier pushes the object, and Coulomb's law is violated. The paper
+/// (see [`energy`](crate::energy)) predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
-    /// The minimum is an equilibrium up to this load factor. There the listed friction constraints begin to bind.
+    /// The minimum is an equilibrium up to this load factor. At this factor the listed friction constraints begin to bind.
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
@@ -34,9 +34,10 @@ pub enum Agreement<const C: usize> {
     },
     /// The minimum is an equilibrium at every load factor from 0.
     Always,
-    /// The minimum at load factor 0 is no equilibrium, or there is no such minimum. The variant has the answer there.
+    /// The minimum at load factor 0 is no equilibrium, or there is no such minimum. The variant holds the answer at load factor 0.
     Never(MinimumOutcome<C>),
-    /// The load direction works on a motion that no spring resists with all contacts closed: the quadratic program has no minimum for any τ > 0.
+    /// The load direction does work along a motion that no spring resists with all contacts closed: the quadratic program has no minimum for any τ >
+    /// 0.
     Unbounded,
     /// Lemke's method did not reach the load factor at which a friction constraint binds, nor the end of the path.
     Unsolved,
@@ -86,8 +87,8 @@ struct Line<'g> {
 }
 
 impl Line<'_> {
-    /// The contact forces at load factor 0, and their rates by the load factor, if only the springs in `springs` are active. `None` if they do not
-    /// resist the load.
+    /// The contact forces at load factor 0, and their derivatives with respect to the load factor, if only the springs in `springs` are active.
+    /// `None` if these springs do not resist the load.
     fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -114,13 +115,13 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The answer if the multiplier of friction constraint `row` enters the basis of the active set `faces`. Its load factor is computed anew from
-    /// the active springs. `seen` is the load factor by the pivots.
+    /// The answer if the multiplier of friction constraint `row` enters the basis of the active set `faces`. The load factor at which it enters is
+    /// computed anew from the active springs. `seen` is this load factor as the pivots give it.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // If the margin of the constraint does not fall with the load factor, the load factor by the pivots counts.
+        // If the margin of the constraint does not fall with the load factor, the load factor from the pivots counts.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

@@ -22,9 +22,10 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Comparison<const C: usize> {
-    /// Answer of the complementarity problem: the equilibrium, a proof that there is none, or undecided.
+    /// Answer of the complementarity problem: the equilibrium, a proof that no equilibrium exists, or undecided.
     pub equilibrium: Outcome<C>,
-    /// Answer of the quadratic program: its minimum, with the binding friction constraints and the imbalance of forces, or the reason for none.
+    /// Answer of the quadratic program: its minimum, with the binding friction constraints and the imbalance of forces, or the reason why it has no
+    /// minimum.
     pub minimum: MinimumOutcome<C>,
     /// The differences between the equilibrium and the minimum; `None` unless both exist.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -64,7 +65,8 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals one read back from JSON.
+    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals a comparison read back
+    /// from JSON.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -91,11 +93,11 @@ impl Difference {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ComparisonVerdict {
-    /// The minimum of energy is an equilibrium, and the complementarity problem gives the same one. This is also the verdict if the complementarity
-    /// problem gave no equilibrium.
+    /// The minimum of energy is an equilibrium, and the complementarity problem gives the same equilibrium. This is also the verdict if the
+    /// complementarity problem gave no equilibrium.
     Agree,
-    /// The minimum is an equilibrium, and the complementarity problem has another one; they differ by more than 1e-9 of the largest contact force or
-    /// displacement. With friction there may be several equilibria, and where a contact carries nothing the object may have several positions.
+    /// The minimum is an equilibrium, and the complementarity problem has another equilibrium; they differ by more than 1e-9 of the largest contact
+    /// force or displacement. With friction there may be several equilibria, and if a contact carries nothing the object may have several positions.
     TwoEquilibria,
     /// An equilibrium exists, but at the minimum of energy contact forces and load do not balance.
     OutOfEquilibrium {
@@ -124,7 +126,8 @@ pub enum ComparisonVerdict {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
-    /// The quadratic program has no minimum: its constraints contradict each other, or the load works on a motion that no spring resists.
+    /// The quadratic program has no minimum: its constraints contradict each other, or the load does positive work along a motion that no spring
+    /// resists.
     NoMinimum,
     /// The quadratic program was not solved, because of rounding or its limit of pivots.
     Unsolved,

@@ -125,7 +125,7 @@ pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Opti
     (rows <= 10_000).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
-/// The limit of pivots of Lemke's method for a dense matrix with this many rows: the caller's limit if given. Else it is the default, or less where a
+/// The limit of pivots of Lemke's method for a dense matrix with this many rows: the caller's limit if given. Else it is the default, or less if a
 /// pivot takes long.
 pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     let entries = (rows * rows).max(1) as f64;

@@ -31,11 +31,11 @@ pub enum MinimumOutcome<const C: usize> {
     Minimum(Box<MinimumEnergy<C>>),
     /// The friction constraints contradict each other, or the energy has no lower bound as contacts open.
     NoMinimum,
-    /// The load works on a motion that no spring resists with all contacts closed: the energy has no lower bound.
+    /// The load does positive work along a motion that no spring resists with all contacts closed: the energy has no lower bound.
     Unbounded {
-        /// A motion without resistance, of unit size as in [`MinimumEnergy::free_motions`], in the direction in which the load drives it.
+        /// A motion without resistance, of unit size as in [`MinimumEnergy::free_motions`], in the sense in which the load does positive work.
         motion: Twist<C>,
-        /// Work of the load on the motion, positive, J.
+        /// Work of the load along the motion, positive, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
@@ -45,7 +45,7 @@ pub enum MinimumOutcome<const C: usize> {
 }
 
 impl<const C: usize> MinimumOutcome<C> {
-    /// The minimum, if the quadratic program has one and it was found; else `None`.
+    /// The minimum, if the quadratic program has a minimum that was found; else `None`.
     #[must_use]
     pub fn minimum(&self) -> Option<&MinimumEnergy<C>> {
         match self {
@@ -74,7 +74,8 @@ impl<const C: usize> MinimumOutcome<C> {
 pub struct MinimumEnergy<const C: usize> {
     /// The load of the question, N and N m, without the permanent loads of bodies.
     pub load: Wrench<C>,
-    /// Motion of the object about the origin at the minimum, m and rad; if some motions stretch no active spring, usually the least one.
+    /// Motion of the object about the origin at the minimum, m and rad. If some motions stretch no active spring, it is usually the motion of least
+    /// size.
     pub twist: Twist<C>,
     /// Forces, displacement and gap of each contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
@@ -87,7 +88,7 @@ pub struct MinimumEnergy<const C: usize> {
     /// Energy stored in the springs of all contacts, joints and tendons, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// The minimum of the potential energy, J: stored energy less the work `W·q` of the load W on the motion q.
+    /// The minimum of the potential energy, J: stored energy less the work `W·q` of the load W along the motion q.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
     /// Motions that stretch no active spring: the twist is determined up to them. They are orthogonal to each other and have unit size, in which a
@@ -103,7 +104,7 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// Motion and motions without resistance of a minimum, in the engine's coordinates, in which the latter are orthonormal.
+/// Motion and motions without resistance of a minimum, in the engine's coordinates, in which the motions without resistance are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,
@@ -143,7 +144,7 @@ pub struct Binding {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
     /// Multiplier λ >= 0 of the constraint on the friction margin `μ F_n - h·F_t` at the facet h, m: energy per unit of the margin. Zero if the force
-    /// lies on the facet without being held there.
+    /// lies on the facet without being held on it.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub multiplier: f64,
 }

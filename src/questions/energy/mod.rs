@@ -7,8 +7,8 @@
 //! orthogonal factors.
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
-//! external force. The quadratic program still has a minimum, but the object is not in equilibrium there. [`Comparison`] classifies one load,
-//! [`Agreement`] gives the load factor up to which the minimum is an equilibrium.
+//! external force. The quadratic program still has a minimum, but the object is not in equilibrium at this minimum. [`Comparison`] classifies one
+//! load, [`Agreement`] gives the load factor up to which the minimum is an equilibrium.
 //!
 //! Coulomb's law and the quadratic program differ in one factor. Let x = K^{-1/2} F be the contact forces in energy coordinates, with the stiffness
 //! K. Let x⁰ be these forces if everything sticks, and Π the projector on the motions of the object. Each row of N x >= 0 is the condition of one

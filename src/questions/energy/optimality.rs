@@ -171,7 +171,7 @@ impl<'g> EnergyProgram<'g> {
         let free = springs.free_motions().to_vec();
         if gaps.iter().any(|gap| *gap < 0.0) {
             // Some motions stretch no active spring, but change open gaps. The motion of Lemke's solution makes no gap negative, so its part along
-            // them is added.
+            // these motions is added.
             twist += free.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
             gaps = gaps_at(&twist);
         }

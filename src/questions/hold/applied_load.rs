@@ -28,11 +28,11 @@ use crate::prelude::*;
 pub(crate) enum Extent {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
-    /// Like `Whole`, but a path on which motions cease to be small before the whole load is followed further, to the whole load or the loss. This
-    /// gives the largest ratio of a motion to its limit.
+    /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
+    /// This gives the largest ratio of a motion to its limit.
     Measured,
-    /// Like `Measured`, but without the proof near the loss, without the data that only sentences need, and without the loss of the base load as it
-    /// grows from zero.
+    /// Like `Measured`, but without the proof near the loss and without the data that only sentences need. The base load is not followed from zero to
+    /// find out whether it is lost.
     Decided,
     /// Without equilibria, proofs and the data that only sentences need: for [`super::ShortVerdict`]. The path is followed as far as for `Whole`.
     Brief,
@@ -44,7 +44,7 @@ pub(crate) struct OfThePath {
     /// The largest ratio of a rotation, slip or opening to its limit in [small motions](crate::Settings::small_motions), up to the whole load or the
     /// end of the path. For [`Extent::Brief`] the path may reach beyond the whole load.
     pub(crate) farthest: f64,
-    /// The equilibrium under the base load. `None` if it has none, and for [`Extent::Brief`].
+    /// The equilibrium under the base load. `None` if no such equilibrium was found, and for [`Extent::Brief`].
     pub(crate) at_rest: Option<AtRest>,
     /// Number of jumps while the load is put on: a contact catches the object, or friction falls. It is 0 for [`Extent::Brief`].
     pub(crate) jumps: usize,
@@ -64,7 +64,7 @@ pub(crate) struct RestingContact {
     /// Whether the contact is open, sticks, slides or has no friction.
     pub(crate) kind: Discriminant<ContactState<3>>,
     /// Two quantities that are positive in this state; one of them is zero where the state ends. Open: the gap. Sticking: normal force and friction
-    /// margin. Sliding: normal force and slip. Frictionless: normal force. Infinity where there is no second one.
+    /// margin. Sliding: normal force and slip. Frictionless: normal force. Infinity if there is no second quantity.
     pub(crate) margins: [f64; 2],
 }
 
@@ -162,7 +162,7 @@ impl Engine {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
-            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss by cups whose lips are open all around.
+            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss at which the lips of cups are open all around.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }
@@ -251,9 +251,9 @@ impl Engine {
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
-    /// The [`Holding`] where the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
-    /// under the whole load, slipped in a jump, or began to slide at an event. Slips in the equilibrium are no sign of that: a contact that was open
-    /// has a slip, too.
+    /// The [`Holding`] if the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
+    /// under the whole load, slipped in a jump, or began to slide at an event. A slip in the equilibrium does not show that a contact has slid: a
+    /// contact that was open has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,
@@ -267,7 +267,7 @@ impl Engine {
                 || slips.contains(&i)
                 || events.iter().any(|event| begins_to_slide(event, i))
         };
-        // Zero force at every contact means that the object lies loose. In a grasp with a vacuum it does not: the vacuum may hold the object.
+        // Zero force at every contact means that the object lies loose, unless a vacuum acts, which may hold the object.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
@@ -343,8 +343,8 @@ impl Engine {
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
-        // Any virtual motion may give the proof. Tried are the motion of the loss, which usually gives it, and the direction of the load. The larger
-        // radius counts.
+        // Any virtual motion may give the proof. The motion of the loss, which usually gives it, and the direction of the load are tried. The proof
+        // with the larger radius counts.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;

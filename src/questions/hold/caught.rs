@@ -25,7 +25,7 @@ pub struct Caught {
     pub factor: f64,
     /// The contacts that slip in the jump, each with the length of its slip.
     pub slips: Vec<SlippedBy>,
-    /// The motion in the jump of the body that moves farthest, if it closes gaps. `None` where contacts that are closed already catch the object.
+    /// The motion in the jump of the body that moves farthest, if it closes gaps. `None` if contacts that are closed already catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
     /// Whether the object snaps over from the end of its path (a fold, a corner or an asymptote) to another equilibrium ([`Jump::snaps`]).
@@ -66,7 +66,7 @@ pub struct MovesTo {
     /// Rotation of this body in the jump, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
-    /// Root mean square displacement of the body's contact points by the rotation, m: the angle times their root mean square distance from the
+    /// Root mean square displacement of the body's contact points due to the rotation, m: the angle times their root mean square distance from the
     /// centroid.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub turning: f64,
@@ -99,7 +99,8 @@ impl fmt::Display for MovesTo {
 }
 
 impl Engine {
-    /// The load factor up to which the grasp holds if all contacts have kinetic friction from the start. `None` if that path does not end in a loss.
+    /// The load factor up to which the grasp holds if all contacts have kinetic friction from the start. `None` if the load path with this friction
+    /// does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
@@ -109,8 +110,8 @@ impl Engine {
 }
 
 impl Caught {
-    /// Writes the clause about all jumps, with the load and the motion of the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left".
-    /// `size`: magnitude and unit of the whole load, if one number describes it.
+    /// Writes the clause about all jumps, with the load and the motion of the last jump. An example is ", caught at 7.5 N of 12 N after slipping 0.4
+    /// mm at left". `size` is the magnitude and unit of the whole load, if one number describes it.
     pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,

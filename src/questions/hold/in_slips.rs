@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens, a slip ends, no contact slides, or a factor
-    /// is within rounding of 1. The caller then follows the full load path.
+    /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens or stops sliding, if no contact slides, or if
+    /// a factor is within rounding of 1. The caller then follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,

@@ -9,7 +9,7 @@
 //! | Could any contact forces carry the load? | [`Grasp::statics`](crate::ask::Grasp::statics) |
 //!
 //! The first question is the usual one. [`Grasp::hold`](crate::ask::Grasp::hold) follows one load path ([`Grasp::follow`](crate::ask::Grasp::follow))
-//! without a search for other equilibria. Its verdict is undecided only where the path is undecided. If equilibrium is lost before the whole load is
+//! without a search for other equilibria. Its verdict is undecided only if the path is undecided. If equilibrium is lost before the whole load is
 //! applied, the [`Verdict`] names the motion of the object ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium
 //! ([`NothingNear`]): a proof that holds whatever contacts have slipped before.
 //!
@@ -21,9 +21,9 @@
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the motion v of the loss and the motion q at
-//! the loss, the terms of opposed contacts balance as h grows with q, until one contact opens. `h` bounds the work of all contacts. The neighbourhood
-//! has the radius at which h could reach `W·v` first.
+//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. So `h` bounds the work of all contacts. Let v be
+//! the motion of the loss. As q grows from the motion at the loss, the terms of opposed contacts in h change in opposite senses, until one contact
+//! opens. The neighbourhood has the radius at which h could reach `W·v` first.
 
 mod applied_load;
 mod caught;

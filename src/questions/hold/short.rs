@@ -18,7 +18,7 @@ use crate::words::Words;
 pub struct ShortVerdict {
     /// The conclusion, as in [`Verdict::holding`], without contacts and proofs.
     pub how: How,
-    /// The load factor of the first slip; `None` where every contact sticks as far as the load was followed.
+    /// The load factor of the first slip; `None` if every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub first_slip: Option<f64>,
     /// Largest load factor that is reached with the load held and motions small; see [`Verdict::held_to`].
@@ -29,7 +29,7 @@ pub struct ShortVerdict {
     pub everything_slides: Option<f64>,
     /// The verb for the loss, also for a loss beyond the whole load; `None` if the load is held as far as it was followed.
     pub motion: Option<LossVerb>,
-    /// The reason why the verdict is undecided; `None` for every decided one.
+    /// The reason why the verdict is undecided; `None` for every decided verdict.
     pub doubt: Option<Doubt>,
 }
 
@@ -61,7 +61,7 @@ pub enum How {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossVerb {
-    /// The object moves down within 25° of the vertical, and no contact slides with it.
+    /// The object moves down within 25° of the vertical, and no contact slides at the loss.
     Drops,
     /// All contacts that touch open, and the object does not fall.
     LiftsOff,
@@ -80,13 +80,13 @@ pub enum LossVerb {
 }
 
 impl ShortVerdict {
-    /// The verdict where every contact sticks up to the whole load, and the path was not followed further.
+    /// The verdict if every contact sticks up to the whole load, and the path was not followed further.
     pub(crate) const fn sticks(first_slip: Option<f64>) -> Self {
         let (everything_slides, motion, doubt) = (None, None, None);
         Self { how: How::Sticks, first_slip, held_to: 1.0, everything_slides, motion, doubt }
     }
 
-    /// Whether the whole load is held; `None` where that is undecided.
+    /// Whether the whole load is held; `None` if that is undecided.
     #[must_use]
     pub fn holds(&self) -> Option<bool> {
         match self.how {

@@ -34,8 +34,8 @@ pub struct Verdict<const C: usize> {
     /// friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// Largest load factor that is reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold
-    /// the base load.
+    /// Largest load factor that is reached with the load held and motions [small](crate::Settings::small_motions); 0 if the grasp does not hold the
+    /// base load.
     ///
     /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -52,27 +52,28 @@ pub struct Verdict<const C: usize> {
     /// loss.
     ///
     /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
-    /// of the change of load over the motion q. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no
-    /// resistance is left. This fraction is not computed for several bodies, nor where commands or joints change.
+    /// of the change of load along the motion q. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no
+    /// resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
     ///
-    /// Or, if that is lower and at most -1/2: minus the largest fraction of the resistance to any motion that the forces under the whole load take.
-    /// Near -1 a strut buckles. `None` if the first is between -0.1 and 0.1 and the second above -1/2.
+    /// A second number replaces this fraction if it is lower and at most -1/2. It is minus the largest fraction of the springs' resistance to any
+    /// motion that the forces under the whole load take away. Near -1 a strut buckles. `None` if the fraction is between -0.1 and 0.1 and the second
+    /// number above -1/2.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub left_out: Option<f64>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
-    /// if neither comes as far as the load was followed.
+    /// if neither comes before the load factor at which following ended.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lost: Option<Lost<C>>,
-    /// The equilibrium under the whole load, with the slips up to it; `None` where the whole load is not reached with small motions.
+    /// The equilibrium under the whole load, with the slips up to it; `None` if the whole load is not reached with small motions.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Whether the whole load is held; `None` where that is undecided.
+    /// Whether the whole load is held; `None` if that is undecided.
     #[must_use]
     pub fn holds(&self) -> Option<bool> {
         match self.holding {
@@ -82,7 +83,7 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether the whole load is held and every contact sticks up to it; `None` where holding is undecided.
+    /// Whether the whole load is held and every contact sticks up to the whole load; `None` if it is undecided whether the load is held.
     #[must_use]
     pub fn sticks(&self) -> Option<bool> {
         self.holds().map(|_| matches!(self.holding, Holding::Sticks))
@@ -103,14 +104,14 @@ pub enum Holding<const C: usize> {
     Sticks,
     /// The load is held, but contacts slide under it, or have slid, slipped in a jump, opened or given way before.
     Slides {
-        /// The contacts that slide under the whole load or have slid before; contacts that only opened are not in it.
+        /// The contacts that slide under the whole load or have slid before; contacts that only opened are not listed.
         contacts: Vec<WholeContact>,
     },
     /// No contact carries a force under the whole load: the object lies loose between the fingers.
     Loose,
     /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
-    /// The grasp has no equilibrium even under the base load. The variant carries the proof that there is none.
+    /// The grasp has no equilibrium even under the base load. The variant carries the proof.
     NoRest(NoEquilibrium<C>),
     /// The grasp loses the base load as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].
@@ -131,10 +132,10 @@ pub enum Holding<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FirstSlip {
-    /// The load factor of the first slip; 0 where a contact slides under the base load.
+    /// The load factor of the first slip; 0 if a contact slides under the base load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Contacts that begin to slide; at factor 0 those that slide under the base load.
+    /// Contacts that begin to slide; at factor 0 the contacts that slide under the base load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
     /// Contacts that begin to open at this load factor.
@@ -161,10 +162,10 @@ pub struct Lost<const C: usize> {
     pub kind: LossKind,
     /// The motion with which the object leaves; [`WayOut::NotKnown`] at the end of small motions.
     pub way_out: WayOut<C>,
-    /// The rotation, slip or opening that exceeds the limit of small motions; `None` where equilibrium is lost.
+    /// The rotation, slip or opening that exceeds the limit of small motions; `None` if equilibrium is lost.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// Contacts that slide at the loss; of several bodies only those whose two surfaces move relative to each other.
+    /// Contacts that slide at the loss; in a grasp of several bodies only contacts whose two surfaces move relative to each other.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
     /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given and no link
@@ -183,14 +184,14 @@ pub struct Lost<const C: usize> {
     /// Joints and tendons of a hand that have reached their limit at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion of all bodies with which the object leaves; `None` where it is not determined, suction cups let go, or motions cease to be
+    /// The unit motion of all bodies with which the object leaves. `None` if it is not determined, if suction cups let go, or if motions cease to be
     /// small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The last equilibrium, at the loss; `None` where it could not be computed, for a loss of the base load, and in brief verdicts.
+    /// The last equilibrium, at the loss; `None` if it could not be computed, for a loss of the base load, and in brief verdicts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
-    /// Proof that no equilibrium under the whole load exists near the loss. `None` where the whole load is held, suction cups let go, or no proof was
+    /// Proof that no equilibrium under the whole load exists near the loss. `None` if the whole load is held, suction cups let go, or no proof was
     /// found.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub nothing_near: Option<NothingNear>,
@@ -198,14 +199,15 @@ pub struct Lost<const C: usize> {
 
 /// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
 ///
-/// From the state of the loss, the centroid of the contact points may move by up to `translation`, and the object may turn by up to `rotation`. The
-/// joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding of the sums in the proof.
+/// The proof covers displacements of the centroid of the contact points from the state of the loss by up to `translation`, and rotations of the
+/// object by up to `rotation`. The joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding of the
+/// sums in the proof.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NothingNear {
-    /// Largest displacement from the state of the loss that is covered, m; infinite where no equilibrium exists at all.
+    /// Largest displacement from the state of the loss that is covered, m; infinite if no equilibrium exists at all.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub translation: f64,
     /// Largest rotation from the state of the loss that is covered, rad.

@@ -11,7 +11,7 @@ use crate::serial::AsComputed;
 use crate::words::Words;
 
 /// Speed, relative to the fastest contact, body or rotation, below which a contact counts as fixed and a rotation as zero. It only chooses the name
-/// of a motion. A larger fraction calls slow contacts fixed; a smaller one finds no contact to tip over.
+/// of a motion. A larger fraction calls slow contacts fixed; a smaller fraction finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves at a loss, in everyday words.
@@ -94,7 +94,7 @@ impl BodyWay<3> {
     }
 }
 
-/// [`WayOut::SlidesOut`] along this displacement if the displacement `spin` of contacts by the rotation is at most [`STANDS`] times as long; else
+/// [`WayOut::SlidesOut`] along this displacement if the displacement `spin` of contacts due to the rotation is at most [`STANDS`] times as long; else
 /// `None`.
 fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
     let direction = || along.try_normalize(0.0);
@@ -203,7 +203,7 @@ fn seen_from(
     let mut about = parts.with(&touches);
     about.retain(stays);
     if about.is_empty() {
-        // An object that tips on a soft fingertip turns about some points of that tip, while all other points open.
+        // An object that tips on a soft fingertip turns about some points of that fingertip, while all other points open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
         let either = points.iter().all(|i| point_stays(*i) || point_opens(*i));
         if either && !about.is_empty() {

@@ -13,7 +13,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
-/// Appended to the sentence where motions pass the limit of small motions.
+/// Appended to the sentence if motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
 impl<const C: usize> fmt::Display for Verdict<C> {
@@ -124,7 +124,7 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence where motions cease to be small. It begins with gross slip if that comes before; the motion that is too large follows in either
+    /// The sentence if motions cease to be small. It begins with gross slip if that comes before; the motion that is too large follows in either
     /// case.
     fn write_small_motion_limit(
         &self,
@@ -198,7 +198,8 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more than [`MOST_NAMES`].
+    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more straps and ropes than
+    /// [`MOST_NAMES`].
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all = self.state.iter().flat_map(|state| &state.contacts);
         let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();
@@ -240,7 +241,7 @@ impl<const C: usize> Verdict<C> {
         format!("{}{beside}", size.as_deref().unwrap_or("the load"))
     }
 
-    /// A fraction of the whole load: "8 N of 10 N" where it is a force, in N m where it is a moment, else "0.8 of it".
+    /// A fraction of the whole load: "8 N of 10 N" if it is a force, in N m if it is a moment, else "0.8 of it".
     fn part(&self, factor: f64, words: Words) -> String {
         match self.load.measure() {
             Some(_) => format!("{} of {}", amount_of(self.load.measure(), factor, words), self.whole(words)),

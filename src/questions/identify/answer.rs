@@ -23,8 +23,7 @@ pub struct Identified {
     /// Number of groups of slips that may share errors; `None` if the slips have no groups.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are no more observations than they determine
-    /// combinations of unknowns.
+    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are no [degrees of freedom](Self::degrees_of_freedom).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
     /// Root mean square of the residuals divided by the given scatter; `None` if the scatter was not given. If it is much more than one, the model is
@@ -36,8 +35,8 @@ pub struct Identified {
     /// Combinations of unknowns along which no predicted slip changes, so that the slips do not determine them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
-    /// If several assignments of slips to unknowns fit equally well, the estimates of all unknowns in each, the best first. Assignments differ in
-    /// which contact slips first. Empty if only one assignment fits.
+    /// If several assignments of slips to unknowns fit equally well, the estimates of all unknowns in each assignment, the best first. Assignments
+    /// differ in which contact slips first. Empty if only one assignment fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
@@ -46,7 +45,7 @@ pub struct Identified {
     /// The weight of each slip in the search: 1, or less if its residual is large.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub weights: Vec<f64>,
-    /// Number of slips whose derivatives by the unknowns are difference quotients of predictions instead of exact.
+    /// Number of slips without exact derivatives with respect to the unknowns. Their derivatives are difference quotients of predictions.
     pub by_differences: usize,
     /// Number of steps of the search from the first starting point to the estimates.
     pub iterations: usize,
@@ -65,7 +64,7 @@ pub struct Estimate {
     /// The estimate; if the slips do not determine the unknown, one of many values that fit as well.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub value: f64,
-    /// Whether the slips determine the unknown: not too loosely for an error to be given, and alike in all [`Identified::assignments`].
+    /// Whether the slips determine the unknown: closely enough for an error to be given, and with the same value in all [`Identified::assignments`].
     pub is_fixed: bool,
     /// The standard error of the estimate, in its unit; `None` if the slips do not determine the unknown, or if their scatter is not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -74,7 +73,7 @@ pub struct Estimate {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
     /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. If slips
-    /// share errors in groups, the number of groups counts rather than that of slips; few degrees of freedom make the interval wide.
+    /// share errors in groups, the number of groups limits them rather than the number of slips; few degrees of freedom make the interval wide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub degrees_of_freedom: Option<f64>,
 }

@@ -1,8 +1,8 @@
 //! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
 //!
-//! Where several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
-//! alone. A search from one side usually ends there. An assignment says on which unknowns each slip depends. To find others, two unknowns exchange
-//! their values and the search starts anew.
+//! If several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
+//! alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find others, two unknowns
+//! exchange their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -23,9 +23,9 @@ const MOST_PAIRS: usize = 10;
 const MOST_HALVINGS: u8 = 5;
 /// Between two points at which slips depend on different unknowns, a third assignment is sought by at most this many bisections.
 const MOST_BISECTIONS: usize = 4;
-/// Limits of the work: the number of fits, and in the next constant the number of points at which all slips are predicted in order to find other
-/// assignments.
+/// Limit of the work: the number of fits.
 const MOST_FITS: usize = 12;
+/// Limit of the work: the number of points at which all slips are predicted in order to find other assignments.
 const MOST_LOOKS: usize = 240;
 
 /// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them beside this kink,
@@ -68,8 +68,8 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches by bisection between two points for a third assignment, and starts a search for a fit there. As one unknown falls from one point to
-    /// the other, slips begin to depend on it one after the other.
+    /// Searches by bisection between two points for a third assignment, and starts a search for a fit from the point where it finds one. As one
+    /// unknown falls from one point to the other, slips begin to depend on it one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -87,7 +87,7 @@ impl Assignments<'_> {
     }
 
     /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until slips depend on other unknowns, and starts
-    /// searches for fits there.
+    /// searches for fits from these points.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -155,7 +155,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // Another unknown of this kind that is as small as `weak` is doubled; else its contact would slip together with that of `weak`.
+        // Another unknown of this kind that is as small as `weak` is doubled; else its contact would slip together with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }
@@ -178,9 +178,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair, some slip depends on one unknown alone.
-/// No slip depends on both, since such a slip would distinguish the two unknowns (unless the slips leave some unknown undetermined). Or the fit ended
-/// on the kink between the two.
+/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. Either some slip depends on one unknown of the pair alone,
+/// and no slip on both. A slip that depends on both would distinguish the two, unless the slips leave some unknown undetermined. Or the fit ended on
+/// the kink between the two.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -199,8 +199,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink at which these two unknowns are equal. There a slip depends on both, by the mean of one-sided derivatives; beside the
-/// kink it depends on one of them.
+/// Whether the fit is on a kink at which these two unknowns are equal. On the kink a slip depends on both unknowns, because its derivative is the
+/// mean of one-sided derivatives. Beside the kink it depends on one of the two.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -226,8 +226,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Each may change at its own point in
-/// between.
+/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Each of these slips may change at
+/// its own point in between.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };
@@ -246,7 +246,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// The answer `answer` with the estimates of the fits `others`, which are as good. An unknown on which the fits disagree counts as not determined.
+/// The answer `answer` with the estimates of the fits `others`, which fit as well. An unknown on which the fits disagree counts as not determined.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;

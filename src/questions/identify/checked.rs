@@ -120,7 +120,7 @@ impl Unknown {
         Ok(())
     }
 
-    /// An error for contacts that one of its layouts does not have, and, for a carried force, for contacts that a given constant force presses.
+    /// An error for contacts that a layout of the unknown does not have. For a carried force, also an error for contacts that a given force presses.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.iter().flatten();

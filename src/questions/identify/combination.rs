@@ -9,7 +9,7 @@ use crate::prelude::*;
 use crate::words::listed;
 
 /// Unknowns that may change together without changing any predicted slip. To first order no slip changes if each unknown is multiplied by a common
-/// factor to its power in [`powers`](Self::powers).
+/// factor raised to the power of this unknown in [`powers`](Self::powers).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -78,10 +78,10 @@ impl FreeCombination {
     }
 }
 
-/// The function of several unknowns that slips do not determine one by one, but whose value they determine.
+/// The function of several unknowns whose value the slips determine, although they do not determine each of the unknowns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
-    /// The product of powers of the unknowns, whatever the size of the changes.
+    /// A product of powers of the unknowns, for changes of any size.
     Powers,
     /// The sum of the unknowns, for changes in proportion to the powers.
     Sum,

@@ -1,4 +1,4 @@
-//! Prediction of first slip by the model of a grasp, and its exact derivatives by the unknowns.
+//! Prediction of first slip by the model of a grasp, and its exact derivatives with respect to the unknowns.
 
 use crate::numerics::IntoList;
 use core::f64::consts::TAU;
@@ -11,7 +11,8 @@ use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::numerics::numbered;
 use crate::prelude::*;
 
-/// The load factor or angle, rad, at which the model predicts first slip for one observation, with derivatives if asked for; or the reason for none.
+/// The load factor or angle, rad, at which the model predicts first slip for one observation, with derivatives if asked for. The inner error is the
+/// reason why no slip is predicted.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match target.slip.growing_load() {
         Grown::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,
@@ -35,15 +36,15 @@ pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, 
     })
 }
 
-/// Derivatives of the logarithm of the load factor at first slip by the logarithms of the unknowns. If several contacts slip together, the factor has
-/// a kink, and the mean of their derivatives is returned. `None` where exact derivatives do not hold.
+/// Derivatives of the logarithm of the load factor at first slip with respect to the logarithms of the unknowns. If several contacts slip together,
+/// the factor has a kink, and the mean of the contacts' derivatives is returned. `None` if an exact derivative is not known.
 fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
     let margins = OnsetMargins::new(&target.grasp.engine, event)?;
     let space = target.grasp.engine.space();
     let axes = space.axes();
     let leavers = margins.leavers().len();
     let contacts = target.grasp.contacts();
-    // The data of a contact that depend on an unknown of this kind, each with its derivative by the logarithm of the unknown.
+    // The data of a contact that depend on an unknown of this kind, each with its derivative with respect to the logarithm of the unknown.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
         let data = &contacts[contact];
         let springs = data.stiffness.series();
@@ -67,8 +68,8 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
     };
     let presses = target.is_pressed_by_commands();
     target.by_unknowns(&|kind, unknown, value| {
-        // An unknown squeeze of some contacts scales their normal commands alone, so derivatives by all components of the commands are wrong if
-        // tangential ones exist.
+        // An unknown squeeze of some contacts scales their normal commands alone. If tangential commands exist, derivatives with respect to all
+        // components would be wrong.
         let along = |i: usize| contacts[i].command.iter().skip(1).any(|x| *x != 0.0);
         let of_some = target.asked.unknowns[unknown].contacts.is_some();
         if kind == UnknownKind::Squeeze && (!presses || of_some && target.contacts_of(unknown).any(along)) {
@@ -77,7 +78,7 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
         let mut sum = 0.0;
         for contact in target.contacts_of(unknown) {
             for (parameter, change) in changes(kind, contact, value) {
-                // A load component that is zero stays zero. It is skipped, because a derivative by it may be infinite.
+                // A load component that is zero stays zero. It is skipped, because a derivative with respect to it may be infinite.
                 if change != 0.0 {
                     sum += change * margins.by(parameter)?.iter().sum::<f64>();
                 }

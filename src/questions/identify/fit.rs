@@ -10,7 +10,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The result of a search for the unknowns with the least loss; `linear` has predictions and derivatives there, if all slips are predicted.
+/// The result of a search for the unknowns with the least loss. `linear` has the predictions and derivatives at the result, if all slips are
+/// predicted.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -41,8 +42,8 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. For slips they are the given ones, or one for all slips is estimated from the residuals,
-    /// with `rank` combinations of unknowns fitted.
+    /// Relative standard deviations of the observations. For slips they are given, or one standard deviation common to all slips is estimated from
+    /// the residuals, with `rank` combinations of unknowns fitted.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -75,8 +76,8 @@ type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
 
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips: the given values of the unknowns, or these values with
 /// all friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost
-/// before the load grows. Once both have occurred, its logarithm is bisected. If no friction is unknown, squeezes and carried forces are multiplied
-/// instead.
+/// before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes and carried forces
+/// are multiplied instead.
 fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -162,8 +163,8 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((stepped, linear));
                 }
-                // Damping grows, so the steps that are tried become shorter. Only the last and shortest one shows whether the region with predictions
-                // ends at this point.
+                // Damping grows, so the steps that are tried become shorter. Only the last and shortest step shows whether the region in which the
+                // model predicts all slips ends at this point.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
@@ -189,17 +190,19 @@ pub(super) fn rank(linear: &Linear) -> usize {
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one point, decomposed by singular values, from which damped steps follow.
+/// The linearised least-squares problem at one point, as a singular value decomposition, from which damped steps follow.
 struct Steps {
-    /// Singular values of the weighted derivatives, and their right singular vectors as columns.
+    /// Singular values of the weighted derivatives.
     values: Vec<f64>,
+    /// Right singular vectors of the weighted derivatives, as columns.
     directions: DMatrix<f64>,
     /// Components of the weighted residuals along the left singular vectors.
     along: Vec<f64>,
 }
 
 impl Steps {
-    /// The linearised least-squares problem at the point of `linear`. Each observation has the weight of its scatter and of the size of its residual.
+    /// The linearised least-squares problem at the point of `linear`. Each observation is weighted by its scatter and by Huber's weight of its
+    /// residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
@@ -230,7 +233,7 @@ impl Steps {
 }
 
 /// The singular values of the matrix of weighted derivatives, its right singular vectors as columns, and the components of the weighted residuals
-/// along the left singular vectors. There is one of each for every unknown.
+/// along the left singular vectors. Each of the three lists has one entry for every unknown.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,
     residuals: &[f64],

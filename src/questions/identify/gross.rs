@@ -1,7 +1,7 @@
 //! Prediction of gross slip, the loss of the object.
 //!
-//! The observer sees an object slip as soon as it leaves, even if a gap closes on its way and its load path continues from there. Gross slip is
-//! therefore where the object first leaves.
+//! The observer sees an object slip as soon as it leaves, even if a gap closes on its way and its load path continues afterwards. The model's gross
+//! slip is therefore the first event at which the object leaves.
 
 use core::f64::consts::TAU;
 
@@ -16,7 +16,8 @@ use crate::load_path::{Leg, PathEnd};
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// The load factor or angle, rad, at which the model predicts gross slip for one observation, with derivatives if asked for; or the reason for none.
+/// The load factor or angle, rad, at which the model predicts gross slip for one observation, with derivatives if asked for. The inner error is the
+/// reason why no slip is predicted.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
     let (start, leg, most) = match target.slip.growing_load() {
         Grown::Load(load) => {

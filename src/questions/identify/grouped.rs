@@ -9,8 +9,9 @@
 //! ```
 //!
 //! This is the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The
-//! variance of an unknown, c in this basis, is `Σ (c'w_g)²`. If the rows were independent, the numbers `c'w_g` would have the covariances
-//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+//! variance of an unknown with the components c in this basis is `Σ (c'w_g)²`. If the rows were independent, the numbers `c'w_g` would have the
+//! covariances `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)` with `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)²
+//! / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -71,8 +72,8 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines it, or a share of more than 1
-    /// % of its variance.
+    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or more than 1 %
+    /// of its variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));

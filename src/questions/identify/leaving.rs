@@ -1,4 +1,4 @@
-//! The last motion of the object at gross slip, and the derivatives of the load factor there by the unknowns.
+//! The last motion of the object at gross slip, and the derivatives of the load factor at gross slip with respect to the unknowns.
 //!
 //! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The load factor λ at
 //! gross slip is then a root of
@@ -38,7 +38,7 @@ pub(super) struct GrossSlip<'a, 's> {
 
 impl<'a, 's> GrossSlip<'a, 's> {
     /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a pressing contact opens as the object
-    /// leaves, or the equations of this module do not describe the grasp or have no root there.
+    /// leaves. Also `None` if the equations of this module do not describe the grasp or have no root near that end.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -94,7 +94,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.residual().norm() <= SOLVED_ROUNDING * forces
     }
 
-    /// Directions in which the object does not move as it leaves: along the normals of pressing contacts, and along the tangents of those that stick.
+    /// Directions in which the object does not move as it leaves: along the normals of pressing contacts, and along the tangents of contacts that
+    /// stick.
     fn fixed_directions(&self) -> Vec<DVector<f64>> {
         let mut fixed_directions = Vec::new();
         for contact in &self.pressing {
@@ -147,8 +148,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.at += step[step.len() - 1];
     }
 
-    /// Derivatives of the logarithm of the load factor (or angle) at gross slip by the logarithms of the unknowns. `None` at a kink of the load
-    /// factor, where the linearised equations have no solution for a change of some datum.
+    /// Derivatives of the logarithm of the load factor (or angle) at gross slip with respect to the logarithms of the unknowns. `None` at a kink of
+    /// the load factor, where the linearised equations are inconsistent for a change of some unknown.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
         self.target.by_unknowns(&|kind, unknown, value| {
@@ -159,7 +160,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         })
     }
 
-    /// The derivative of [`Self::residual`] by the logarithm of an unknown with this kind, index and value.
+    /// The derivative of [`Self::residual`] with respect to the logarithm of an unknown with this kind, index and value.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
         let contacts = self.target.grasp.contacts();
@@ -186,13 +187,15 @@ impl<'a, 's> GrossSlip<'a, 's> {
 /// The linearised equations of equilibrium at gross slip. Their unknowns are small changes of the displacement y, of the direction of the motion m,
 /// of the tangential forces of sticking contacts, and of the load factor.
 struct Equations {
-    /// Orthonormal bases: `springs` of the displacements y that change normal forces, `turns` of the possible changes of the direction of m.
+    /// Orthonormal basis of the displacements y that change normal forces, as columns.
     springs: DMatrix<f64>,
+    /// Orthonormal basis of the possible changes of the direction of the motion m, as columns.
     turns: DMatrix<f64>,
-    /// The matrix of the linearised equations with columns scaled to length one, the scales of the columns, and the singular value decomposition of
-    /// the matrix.
+    /// The matrix of the linearised equations with columns scaled to length one.
     matrix: DMatrix<f64>,
+    /// The factors by which the columns were multiplied.
     scales: DVector<f64>,
+    /// The singular value decomposition of `matrix`.
     parts: Singular,
 }
 
@@ -247,8 +250,8 @@ impl Equations {
         ((component - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
-    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it is the one of least norm in units
-    /// of the scaled columns.
+    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it has the least norm in units of the
+    /// scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }

@@ -9,21 +9,21 @@
 //! | [`Unknown::friction`] | one coefficient of friction common to some contacts | |
 //! | [`Unknown::carried`] | the normal force that a contact carries at rest: the load of a support | N |
 //! | [`Unknown::squeeze`] | factor on the given squeeze of some contacts | |
-//! | [`Unknown::stiffness`] | factor on the given tangential stiffness of some contacts, the normal one and that of other contacts kept | |
+//! | [`Unknown::stiffness`] | factor on the given tangential stiffness of some contacts; their normal stiffness and other contacts stay as given | |
 //!
 //! **Method.** All unknowns are positive, so that the search is in their logarithms x. The residual of a slip observed at load factor λ and predicted
 //! at λ(x) is `ln λ - ln λ(x)`. Gauss-Newton steps with Levenberg's damping minimise the sum of [Huber's loss](Identify::with_outliers_beyond).
 //! Derivatives of first slip are exact, see [`OnsetMargins`](crate::load_path::OnsetMargins). At gross slip the object leaves with a motion m. If m
-//! opens no contact, λ is a root of the equations below. The sums are over the contacts i that press, with normal nᵢ, tangents Tᵢ and normal force
-//! Nᵢ:
+//! opens no contact, λ is a root of the equations below, with the constant load W₀ and the growing load W. The sums are over the contacts i that
+//! press, with normal nᵢ, tangents Tᵢ, friction μᵢ, normal stiffness kᵢ and normal force Nᵢ:
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   dNᵢ = −kᵢ nᵢᵀ dy
 //! ```
 //!
-//! in which sticking contacts carry arbitrary tangential forces. Their unknowns λ, m and y, the displacement that has changed the normal springs,
-//! have derivatives by the implicit function theorem. Where these equations do not hold, for instance where the object wedges or friction falls,
-//! derivatives are difference quotients of predictions.
+//! Sticking contacts carry arbitrary tangential forces in addition. The unknowns of these equations are λ, m and y, the displacement that has changed
+//! the normal forces. The implicit function theorem gives their derivatives. If these equations do not hold, because the object wedges or friction
+//! falls, derivatives are difference quotients of predictions.
 //!
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
 //! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. If nothing but the
@@ -32,8 +32,8 @@
 //!
 //! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw
 //! this is may depend on the start of the search. Therefore pairs of unknowns of one kind exchange their values at the solution, and the search is
-//! repeated where slips then depend on other unknowns. If another assignment of slips to unknowns fits as well, at 95 %, [`Identified::assignments`]
-//! has the estimates of each. An unknown on which the assignments disagree has no unique estimate.
+//! repeated if slips then depend on other unknowns. Another assignment of slips to unknowns may fit as well, at 95 %. Then
+//! [`Identified::assignments`] has the estimates of each assignment. An unknown on which the assignments disagree has no unique estimate.
 //!
 //! # Errors
 //!
@@ -41,21 +41,22 @@
 //! confidence intervals use Student's distribution. The singular values of all derivatives show directions in which no slip changes. Such a direction
 //! is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
 //!
-//! These errors assume independent slips. Slips in one direction, of one specimen or of one day share errors: a surface that is rougher one way, a
-//! finger that slides along the object. Their mean is then less certain than their number suggests. For slips with [groups](Slip::in_group) the
-//! errors come from the sums of residuals over each group, whatever error the slips of a group share. The covariance is the sandwich of Liang and
-//! Zeger (Biometrika 73, 1986)
+//! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is
+//! rougher one way, or a finger that slides along the object. Their mean is then less certain than their number suggests. For slips with
+//! [groups](Slip::in_group) the errors come from the sums of residuals over each group, whatever error the slips of a group share. The covariance is
+//! the sandwich of Liang and Zeger (Biometrika 73, 1986)
 //!
 //! ```text
 //! V = B⁻¹ (Σ_g X_g' A_g ψ_g ψ_g' A_g X_g + Σ_k x_k' x_k) B⁻¹,   B = c Σ_g X_g' X_g + Σ_k x_k' x_k,   A_g = (1 - H_gg)^(-1/2)
 //! ```
 //!
-//! The rows of X are derivatives of the slips by the unknowns, divided by standard deviations. `ψ` are residuals divided by standard deviations,
-//! limited where Huber's loss becomes linear, and c is their mean derivative by the residuals. Rows `x_k` are known sums, and H is the derivative of
-//! fitted values by the slips. `A_g` is the correction CR2 of Bell and McCaffrey (Survey Methodology 28, 2002): V then has the right mean for
-//! independent slips. With few groups the scatter from group to group is poorly known. Intervals are therefore Student's with Satterthwaite's degrees
-//! of freedom, [`Estimate::degrees_of_freedom`] (Pustejovsky and Tipton, J. Bus. Econ. Stat. 36, 2018). Groups do not change the estimates. An
-//! unknown that one group determines alone has no error.
+//! The rows of X are derivatives of the predicted slips with respect to the unknowns, both in logarithms, divided by standard deviations. `ψ` is
+//! Huber's psi: residuals divided by standard deviations, clamped where Huber's loss becomes linear. The number c is the mean derivative of ψ with
+//! respect to these residuals. Rows `x_k` are the derivatives of known sums, and H is the derivative of fitted values with respect to observed ones.
+//! `A_g` is the correction CR2 of Bell and McCaffrey (Survey Methodology 28, 2002): V then has the right mean for independent slips. With few groups
+//! the scatter from group to group is poorly known. Intervals are therefore Student's with Satterthwaite's degrees of freedom,
+//! [`Estimate::degrees_of_freedom`] (Pustejovsky and Tipton, J. Bus. Econ. Stat. 36, 2018). Groups do not change the estimates. An unknown that one
+//! group determines alone has no error.
 
 mod answer;
 mod assignments;

@@ -1,4 +1,4 @@
-//! The model of a grasp: predicted loads at slips, and their derivatives by the unknowns.
+//! The model of a grasp: predicted loads at slips, and their derivatives with respect to the unknowns.
 
 use nalgebra::DMatrix;
 
@@ -22,7 +22,7 @@ pub(super) struct Model<'a> {
     pub(super) asked: &'a Identify<3>,
 }
 
-/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the constant load that unknown carried forces need at rest.
+/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the load at rest that balances unknown carried forces.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
@@ -46,10 +46,12 @@ impl NoSlip {
     }
 }
 
-/// The load factor or angle (rad) of a predicted slip, and its derivatives by the logarithms of the unknowns if exact ones are known.
+/// A predicted slip.
 #[derive(Clone)]
 pub(super) struct Predicted {
+    /// The load factor, or the angle of a turning load, rad.
     pub(super) at: f64,
+    /// The derivatives of the logarithm of `at` with respect to the logarithms of the unknowns, if exact derivatives are known.
     pub(super) exact: Option<Vec<f64>>,
 }
 
@@ -58,14 +60,14 @@ pub(super) struct Predicted {
 pub(super) struct Linear {
     /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.
     pub(super) residuals: Vec<f64>,
-    /// Derivatives of the logarithm of the predicted value by the logarithms of the unknowns, one row for each residual.
+    /// Derivatives of the logarithm of the predicted value with respect to the logarithms of the unknowns, one row for each residual.
     pub(super) jacobian: DMatrix<f64>,
-    /// Number of slips whose derivatives are difference quotients of predictions, not exact.
+    /// Number of slips without exact derivatives. Their derivatives are difference quotients of predictions.
     pub(super) by_differences: usize,
 }
 
 impl Model<'_> {
-    /// The grasps of all layouts with the unknowns whose logarithms are `logs`, each with its constant load.
+    /// The grasps of all layouts with the unknowns whose logarithms are `logs`, each with the load at rest of carried forces.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
@@ -126,8 +128,9 @@ impl Model<'_> {
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of the logarithms of the predicted loads of the slips `those` by the logarithm of one unknown, as central differences. A
-    /// difference is one-sided where the model predicts no slip on the other side, zero where on neither.
+    /// Derivatives of the logarithms of the predicted loads of the slips `those` with respect to the logarithm of unknown number `column`, as central
+    /// differences. If the model predicts no slip on one side, the difference is one-sided; if it predicts no slip on either side, the derivative is
+    /// zero.
     fn differences(
         &self,
         logs: &[f64],
@@ -215,7 +218,7 @@ impl Model<'_> {
         mapped(&alike, &|place| prediction[*place].clone())
     }
 
-    /// Predicts one slip: its load factor or angle, and if asked for its derivatives; else the reason why there is none.
+    /// Predicts one slip: its load factor or angle, with derivatives if asked for. The inner error is the reason why no slip is predicted.
     fn slip(
         &self,
         layouts: &[LayoutGuess],
@@ -256,7 +259,7 @@ pub(super) struct SlipToPredict<'a> {
     pub(super) slip: &'a Slip<3>,
     pub(super) asked: &'a Identify<3>,
     pub(super) logs: &'a [f64],
-    /// Whether the prediction shall include derivatives by the unknowns.
+    /// Whether the prediction shall include derivatives with respect to the unknowns.
     pub(super) derivatives: bool,
 }
 
@@ -269,7 +272,7 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The derivative of the total load by the load factor; for a turning load, by the angle.
+    /// The derivative of the total load with respect to the load factor; for a turning load, with respect to the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
             Grown::Load(load) => load,
@@ -286,8 +289,8 @@ impl SlipToPredict<'_> {
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// The derivatives by the logarithms of all unknowns, in order. `by` returns the derivative for the kind, index and value of an unknown. Unknowns
-    /// that belong to other layouts have derivative zero. `None` if one derivative is not known or not finite.
+    /// The derivatives with respect to the logarithms of all unknowns, in order. `by` returns the derivative for the kind, index and value of an
+    /// unknown. Unknowns that belong to other layouts have derivative zero. `None` if one derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

@@ -11,8 +11,9 @@ use crate::prelude::*;
 /// A contact that presses on the object while the object leaves at gross slip, or that cannot open.
 pub(super) struct Pressing {
     pub(super) contact: usize,
-    /// The wrenches on the object of 1 N along the normal and, in the next field, along each tangent as columns.
+    /// The wrench on the object of 1 N along the normal.
     pub(super) normal: DVector<f64>,
+    /// The wrenches on the object of 1 N along each tangent, as columns.
     pub(super) tangents: DMatrix<f64>,
     /// Stiffness of the normal spring of the contact, N/m.
     pub(super) stiffness: f64,
@@ -21,7 +22,7 @@ pub(super) struct Pressing {
     /// The tangential force of a sticking contact in its frame, N.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    /// Whether the normal force may pull, as at a bonded contact or one that is kept closed.
+    /// Whether the normal force may pull, as at a bonded contact or at a contact that is kept closed.
     pub(super) may_pull: bool,
 }
 
@@ -34,7 +35,7 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// The wrench on the object for 1 N of normal force; for a sliding contact, with the friction force that belongs to it.
+    /// The wrench on the object for 1 N of normal force. For a sliding contact it includes the friction force that belongs to this normal force.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.friction_wrench(motion) } else { self.normal.clone() }
     }
@@ -44,8 +45,8 @@ impl Pressing {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The derivative of a sliding contact's friction wrench as the motion of the object changes by `by`: the sliding velocity, and so the friction
-    /// force, turns.
+    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`. The friction force rotates
+    /// together with the sliding velocity.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());

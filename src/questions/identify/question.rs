@@ -43,7 +43,7 @@ pub struct Identify<const C: usize> {
     /// Sums of unknowns that are known from other measurements.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(super) known: Vec<KnownSum>,
-    /// Slips that are off by more than this number of standard deviations count less; 2 if left out.
+    /// Slips with residuals of more than this number of standard deviations count less; 2 if left out.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
@@ -106,8 +106,8 @@ impl<const C: usize> Identify<C> {
         }
     }
 
-    /// Adds a layout in which slips were observed: the points of the contacts there, m, one for each contact. The grasp for which the question is
-    /// asked is layout 0, the first one added is layout 1.
+    /// Adds a layout in which slips were observed: the points of its contacts, m, one for each contact. The grasp for which the question is asked is
+    /// layout 0, the first layout added is layout 1.
     #[must_use]
     pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
@@ -121,8 +121,8 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// Adds the value of a sum of unknowns, by their numbers from 0, that is known with the relative standard deviation `scatter`. Examples are a
-    /// weighed total load of all supports, or one unknown from another measurement.
+    /// Adds a sum of unknowns (numbered from 0) whose value is known with the relative standard deviation `scatter`. Examples are a weighed total
+    /// load of all supports, or one unknown from another measurement.
     #[must_use]
     pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
         self.known.push(KnownSum { unknowns: unknowns.into_iter().list(), value, scatter });
@@ -205,7 +205,7 @@ impl Identify<3> {
         self.iterations.unwrap_or(100)
     }
 
-    /// The grasps of all layouts: the given grasp, the same with its contacts at other points, then the grasps of [`Self::and_layouts`].
+    /// The grasps of all layouts: the given grasp, copies of it with the contacts at other points, then the grasps of [`Self::and_layouts`].
     fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
         for points in &self.layouts {
@@ -228,7 +228,7 @@ impl Identify<3> {
     }
 
     /// A load at rest, from which a scene decides whether anything presses on the contacts. It is the load at rest of the first slip if carried
-    /// forces are sought, or if every slip has one; else zero.
+    /// forces are sought, or if every slip has a load at rest; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
@@ -238,8 +238,8 @@ impl Identify<3> {
 }
 
 impl Grasp<3> {
-    /// This grasp with its contacts, links not counted, at other points. A soft fingertip moves as a whole, the mean of its points to the given
-    /// point.
+    /// This grasp with its contacts, links not counted, at other points. A soft fingertip moves as a whole, so that the mean of its points is the
+    /// given point.
     fn moved_to(&self, points: &[SVector<f64, 3>]) -> Result<Self, Error> {
         if self.refuse_hands("identify").is_err() {
             return Err(LAYOUTS_OF_HANDS);

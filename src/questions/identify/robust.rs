@@ -31,13 +31,14 @@ impl Huber {
         1.0 - 2.0 * tail - 2.0 * self.0 * normal_density(self.0) + 2.0 * self.0 * self.0 * tail
     }
 
-    /// The sum of squares of residuals, in standard deviations, that are clamped where the loss becomes linear.
+    /// The sum of the squares of Huber's psi of the residuals. The residuals are in standard deviations; psi clamps them where the loss becomes
+    /// linear.
     pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// A robust standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. Where the loss is quadratic for
-    /// all residuals, it is the standard deviation of least squares.
+    /// A robust standard deviation of residuals with this number of degrees of freedom, by Huber's second proposal. If the loss is quadratic for all
+    /// residuals, it is the standard deviation of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();
@@ -50,13 +51,13 @@ impl Huber {
         scale
     }
 
-    /// The derivative of the loss by the residual: the residual, clamped where the loss becomes linear.
+    /// Huber's psi, the derivative of the loss with respect to the residual: the residual clamped where the loss becomes linear.
     pub(super) fn pull(self, u: f64) -> f64 {
         u.clamp(-self.0, self.0)
     }
 
-    /// The mean derivative of the clamped residuals by the residuals, corrected for the number of unknowns; at least about a half. `inside` of `all`
-    /// residuals are not clamped (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
+    /// The mean derivative of Huber's psi with respect to the residuals, corrected for the number of unknowns; at least about a half. `inside` of
+    /// `all` residuals are not clamped (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)

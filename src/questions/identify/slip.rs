@@ -52,7 +52,7 @@ pub struct Slip<const C: usize> {
     /// A turn up to the angle at the slip, instead of a load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) turn: Option<Turn<C>>,
-    /// The constant load that acts before and beside the growing one; zero if left out.
+    /// The constant load that acts before and beside the growing load; zero if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) base: Option<Wrench<C>>,
     /// Factor on the squeeze of the scene; 1 if left out.
@@ -64,7 +64,7 @@ pub struct Slip<const C: usize> {
     /// Relative standard deviation of load or angle; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) scatter: Option<f64>,
-    /// The number of a group of slips that may share an error, such as those of one direction or one specimen; given for every slip, or for none.
+    /// The number of a group of slips that may share an error, such as slips in one direction or of one specimen; given for every slip, or for none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) group: Option<usize>,
 }
@@ -98,7 +98,7 @@ impl<const C: usize> Slip<C> {
         Self::of(SlipKind::Gross, None, Some(turn))
     }
 
-    /// This slip beside a base load that acted before and stayed, for instance a weight.
+    /// This slip beside a base load that acted before and stayed constant, such as a weight.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = Some(base);
@@ -120,7 +120,7 @@ impl<const C: usize> Slip<C> {
         self
     }
 
-    /// This slip with a relative standard deviation of its load or angle: 0.05 for five percent. Every slip must have one, or none.
+    /// This slip with a relative standard deviation of its load or angle: 0.05 for five percent. It must be given for every slip, or for none.
     #[must_use]
     pub fn scattering_by(mut self, part: f64) -> Self {
         self.scatter = Some(part);
@@ -128,7 +128,7 @@ impl<const C: usize> Slip<C> {
     }
 
     /// This slip as one of a group that may share errors: slips in one direction, of one specimen, or of one day. The number of the group is
-    /// arbitrary. Every slip must have one, or none. See [errors](crate::identify#errors).
+    /// arbitrary. A group must be given for every slip, or for none. See [errors](crate::identify#errors).
     #[must_use]
     pub fn in_group(mut self, group: usize) -> Self {
         self.group = Some(group);
@@ -169,8 +169,8 @@ impl Slip<3> {
         {
             return self;
         }
-        // Both loads also share the moment about the centroid of the contacts, in proportion. In the plane both forces then act through one point of
-        // the whole load's line.
+        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane both forces then act through one point
+        // of the whole load's line.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();
@@ -183,7 +183,7 @@ impl Slip<3> {
         self
     }
 
-    /// The load that grew until the slip, or the turn of the load that grew.
+    /// The load that grew until the slip, or else the turn of a load.
     pub(super) fn growing_load(&self) -> Grown {
         self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
     }
@@ -193,7 +193,7 @@ impl Slip<3> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
-    /// The load at the start of this slip: the base load, and that of a turning load at angle zero.
+    /// The load at the start of this slip: the base load plus the load of a turn at angle zero.
     #[cfg(feature = "serde")]
     pub(super) fn at_rest(&self) -> Wrench<3> {
         self.base() + self.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))

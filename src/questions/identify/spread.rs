@@ -21,8 +21,8 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
         let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
         let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
-        // The error is that of a logarithm. If it exceeds one, the interval spans nearly two powers of ten, over which the problem is not linear, and
-        // no error is given.
+        // The error is the standard error of a logarithm. If it exceeds one, the interval spans nearly two powers of ten, over which the problem is
+        // not linear, and no error is given.
         let is_known = error.is_finite() && error <= 1.0;
         // 0.95 is the probability with which the interval contains the true value.
         let factor = (two_sided(0.95, degrees) * error).exp();
@@ -78,10 +78,13 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
 
 /// The errors at the solution, as variances and covariances of the logarithms of the unknowns, and the data for them.
 struct Spread {
-    /// Singular values of the weighted derivatives, the largest first, and their right singular vectors as columns.
+    /// Singular values of the weighted derivatives, the largest first.
     values: Vec<f64>,
+    /// Right singular vectors of the weighted derivatives, as columns.
     directions: DMatrix<f64>,
+    /// Number of combinations of unknowns that slips and known sums determine.
     rank: usize,
+    /// Degrees of freedom: the number of observations minus `rank`.
     degrees: usize,
     scatter: Scatter,
     /// Mean square of the residuals divided by the given scatter, outliers clamped; `None` if the scatter was not given or no degrees of freedom
@@ -91,7 +94,7 @@ struct Spread {
     grouped: Option<Grouped>,
 }
 
-/// The group of each slip, by slip; `None` unless every slip has one.
+/// The number of the group of each slip; `None` unless every slip is in a group.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
     model.asked.slips.iter().map(|slip| slip.group).collect()
 }

@@ -24,7 +24,7 @@ pub enum UnknownKind {
     Stiffness,
 }
 
-/// An unknown number of the grasp, the same for all its contacts, in all layouts or in one.
+/// An unknown number of the grasp: one value for all its contacts, in all layouts or in one layout.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -97,7 +97,7 @@ impl Unknown {
         self
     }
 
-    /// This unknown for one layout alone, by its number from 0.
+    /// This unknown for one layout alone, given by the number of the layout, from 0.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
         self.layout = Some(layout);
@@ -143,7 +143,7 @@ impl Unknown {
         self.layout.is_none_or(|own| own == layout)
     }
 
-    /// The name of the unknown in answers: the name that the user gave, or one such as "friction of left and right".
+    /// The name of the unknown in answers: the name that the user gave, or a name such as "friction of left and right".
     pub(super) fn called(&self, grasp: &Grasp<3>) -> String {
         if let Some(name) = &self.name {
             return crate::words::printable(name).into_owned();
@@ -185,8 +185,8 @@ impl Unknown {
         }
     }
 
-    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. A squeeze of all contacts is not put
-    /// in here.
+    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. The caller applies a squeeze of all
+    /// contacts.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {

@@ -148,7 +148,7 @@ impl Estimate {
 /// A number rounded to the second digit of its error, but to no more digits than `words` allows.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
-    // Where the error is smaller than the last digit that `words` allows, no further digits are written.
+    // If the error is smaller than the last digit that `words` allows, no further digits are written.
     let most = words.digits() as f64 - 1.0 - x.abs().log10().floor();
     if !(0.0..=12.0).contains(&decimals) || decimals > most {
         return words.number(x);

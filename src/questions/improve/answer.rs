@@ -17,32 +17,32 @@ pub struct Improved<const C: usize> {
     /// The goal, whose values in the given and in the best grasp are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N, over the loads. `None` where a contact slides under
-    /// the base load, no equilibrium under the base load is found, or, for a reserve, a contact slides under a load.
+    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N, over the loads. `None` if a contact slides under the
+    /// base load, no equilibrium under the base load is found, or, for a reserve, a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
-    /// Value of the goal for the best grasp found. `None` where no grasp was found that sticks under the base load and, for a reserve, under the
-    /// loads. Infinite where no contact slides however large the loads are.
+    /// Value of the goal for the best grasp found. `None` if no grasp was found that sticks under the base load and, for a reserve, under the loads.
+    /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// Place and command of every contact in the best grasp found; empty without one.
+    /// Place and command of every contact in the best grasp found; empty if no grasp was found.
     pub contacts: Vec<Placed<C>>,
-    /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty where no multipliers were found.
+    /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty if no multipliers were found.
     pub in_the_way: Vec<InTheWay>,
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
     /// Residual of first-order optimality: the largest component of the sum of the gradients of sticking conditions and limits, weighted by their
     /// multipliers, or their complementarity if that is larger. It is relative to the load factor of first slip, or for a reserve to the greatest
-    /// force under the base load. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None` where no
+    /// force under the base load. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None` if no
     /// multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starting grasps, of the given one and the random ones, in which all contacts stick under the base load.
     pub starts: usize,
-    /// Number of steps tried in the ascents from all starts, including refused ones.
+    /// Number of steps tried in the ascents from all starts, including refused steps.
     pub steps: usize,
 }
 
@@ -121,33 +121,33 @@ pub enum Binds {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// Under the base load the contact's normal force is the greatest allowed one.
+    /// Under the base load the contact's normal force is the greatest allowed force.
     Force {
-        /// Gain per newton by which the greatest allowed force were larger.
+        /// Gain of the goal for each newton added to the greatest allowed force.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// The command of the contact has its greatest allowed force ([`Placed::pressed_with`]).
     Pressed {
-        /// Gain per newton by which the greatest allowed force were larger.
+        /// Gain of the goal for each newton added to the greatest allowed force.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// The command of the contact has the force zero ([`Placed::pressed_with`]): it does not press at all.
     NotPressed {
-        /// Gain per newton by which the command could pull instead of pressing.
+        /// Gain of the goal for each newton with which the command could pull instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// The contact is at the end of its curve or surface, or at an edge of its segment or triangle.
     End {
-        /// Gain per metre by which the surface, segment or triangle were longer.
+        /// Gain of the goal for each metre by which the surface, segment or triangle is made longer.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
     /// Under the base load the contact is at the edge of its friction cone.
     Rest {
-        /// Gain per newton by which the margin of sticking under the base load were larger.
+        /// Gain of the goal for each newton added to the margin of sticking under the base load.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
@@ -166,8 +166,8 @@ pub enum SearchEnd {
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,
-    /// With some contact at another place nothing would balance the loads. For instance, two point contacts in space resist no moment about the line
-    /// that joins them.
+    /// With some contact at another place nothing would balance the loads. An example is two point contacts in space, which resist no moment about
+    /// the line that joins them.
     Unbalanced,
     /// No contact slides, however large the loads are: the load factor of first slip is infinite.
     NothingSlides,

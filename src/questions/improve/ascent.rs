@@ -35,7 +35,7 @@ pub(super) struct Ascent {
     pub(super) search: SearchEnd,
     /// Number of steps tried so far, including those of earlier ascents from the same starting grasp.
     pub(super) steps: usize,
-    /// The last step, whose multipliers show which conditions and limits prevent a larger value; `None` where none was computed.
+    /// The last step, whose multipliers show which conditions and limits prevent a larger value; `None` if no step was computed.
     pub(super) last: Option<LastStep>,
 }
 
@@ -57,7 +57,7 @@ pub(super) struct Climb<'q> {
 }
 
 impl Climb<'_> {
-    /// For each contact the greatest allowed normal force, N; `None` where the squeeze may not change.
+    /// For each contact the greatest allowed normal force, N; `None` if its squeeze may not change.
     fn greatest_presses(&self) -> Vec<Option<f64>> {
         let mut most = vec![None; self.choice.contacts.len()];
         for variable in &self.choice.variables {
@@ -69,7 +69,7 @@ impl Climb<'_> {
     }
 
     /// The [`Design`] of a placing. If a contact's normal force under the base load exceeds its limit, all variable squeezes are reduced by a common
-    /// factor. `None` where this is impossible or some contact does not stick under the base load.
+    /// factor. `None` if this is impossible or some contact does not stick under the base load.
     pub(super) fn evaluate(&self, mut placing: Placing) -> Result<Option<Design>, Error> {
         let (Loaded { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of = |placing: &Placing| StickingForces::of(self.choice, placing, base, loads);
@@ -94,8 +94,7 @@ impl Climb<'_> {
         self.evaluate_sticking(placing, sticking, &most)
     }
 
-    /// Value of the goal for the given grasp with its own commands; `None` where a contact slides under the base load or, for a reserve, under a
-    /// load.
+    /// Value of the goal for the given grasp with its own commands; `None` if a contact slides under the base load or, for a reserve, under a load.
     pub(super) fn before(&self, given: &Placing) -> Result<Option<f64>, Error> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
@@ -109,8 +108,8 @@ impl Climb<'_> {
         Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
-    /// The [`Design`] of a placing with known contact forces; `None` where some contact does not stick under the base load or its normal force
-    /// exceeds the limit in `most`.
+    /// The [`Design`] of a placing with known contact forces; `None` if some contact does not stick under the base load or its normal force exceeds
+    /// the limit in `most`.
     fn evaluate_sticking(
         &self,
         placing: Placing,
@@ -138,7 +137,7 @@ impl Climb<'_> {
     }
 
     /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` is the number
-    /// of steps tried before from the same start, to which those of this ascent are added.
+    /// of steps tried before from the same start; the steps of this ascent are added to it.
     pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.choice.variables.len();
         // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size for places, the greatest force for
@@ -186,8 +185,8 @@ impl Climb<'_> {
                 let trial = self.evaluate(self.choice.stepped(&design.placing, step.d.as_slice()))?;
                 let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - design.value) / design.scale);
                 let as_told = gain / step.gain;
-                // The trust region doubles where the gain exceeds three quarters of the predicted one and the step reaches its boundary. It shrinks
-                // below a quarter.
+                // The trust region doubles if the gain exceeds three quarters of the predicted gain and the step reaches the boundary. It shrinks if
+                // the gain is below a quarter of the predicted gain.
                 if as_told > 0.75 && step.d.amax() >= 0.99 * radius {
                     radius = (2.0 * radius).min(largest_radius);
                 } else if as_told < 0.25 {
@@ -246,8 +245,8 @@ impl Climb<'_> {
     }
 }
 
-/// The decrease, over the last step, of the gradient of the Lagrangian by the variables, with the multipliers of that step. It includes sticking
-/// conditions under loads and limits of normal forces, but not sticking under the base load.
+/// The decrease, over the last step, of the gradient of the Lagrangian with respect to the variables, with the multipliers of that step. It includes
+/// sticking conditions under loads and limits of normal forces, but not sticking under the base load.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
@@ -257,7 +256,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may belong to one sticking condition. The one whose value is nearest counts as the same event after the step.
+        // Several events may belong to one sticking condition. The event whose value is nearest counts as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

@@ -1,5 +1,5 @@
-//! Contact forces while every contact sticks, and their exact derivatives by places and squeezes. They are kept apart by source: the base load with
-//! fixed commands, the variable squeeze, and each load.
+//! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. They are kept apart by source: the
+//! base load with fixed commands, the variable squeeze, and each load.
 
 use nalgebra::SVector;
 
@@ -30,8 +30,8 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The contact forces of a placing: by the base load and fixed commands, by the squeeze, and by each of `loads` alone. `None` where nothing
-    /// resists one of these loads.
+    /// The contact forces of a placing: those due to the base load and fixed commands, to the squeeze, and to each of `loads` alone. `None` if
+    /// nothing resists one of these loads.
     pub(super) fn of(
         choice: &Choice<'_>,
         placing: &Placing,
@@ -59,12 +59,12 @@ impl StickingForces {
         StickingResponse::new(&self.grasp.engine, self.grasp.settings())
     }
 
-    /// The force on a contact by one source alone, in its frame, N.
+    /// The force on a contact due to one source alone, in its frame, N.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
         self.sources[source].forces[contact]
     }
 
-    /// The force on a contact under the base load, in its frame, N: by fixed commands and this load, and by the variable squeeze.
+    /// The force on a contact under the base load, in its frame, N: due to fixed commands and this load, and due to the variable squeeze.
     pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
@@ -74,8 +74,8 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// The derivatives of all contact forces by each variable in its unit, ordered by variable; `None` where a contact at another place would leave a
-    /// load without any resistance.
+    /// The derivatives of all contact forces with respect to each variable in its unit, ordered by variable. `None` if a contact at another place
+    /// would leave a load without any resistance.
     pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
         let response = self.response();
         choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()

@@ -1,5 +1,5 @@
 //! For each contact and load, the value of each sticking condition (for the goal of first slip the load factor that breaks it), and its derivatives
-//! by places and squeezes.
+//! with respect to places and squeezes.
 
 use core::f64::consts::TAU;
 
@@ -19,20 +19,21 @@ pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
-    /// Index of the condition among those of the same contact and load.
+    /// Index of the condition among the conditions of the same contact and load.
     pub(super) number: usize,
 }
 
-/// A sticking condition of a contact under a load. Its value is the load factor at which it is broken, or for a reserve its margin under the load, N;
-/// `gradient` has the derivatives of the value by each variable.
+/// A sticking condition of a contact under a load.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,
+    /// The load factor at which the condition is broken, or for a reserve its margin under the load, N.
     pub(super) value: f64,
+    /// The derivatives of the value with respect to each variable.
     pub(super) gradient: DVector<f64>,
 }
 
-/// A quantity `left` of a contact under the base load, N, that must not become negative, and its derivatives by each variable.
+/// A quantity `left` of a contact under the base load, N, that must not become negative, and its derivatives with respect to each variable.
 #[derive(Debug, Clone)]
 pub(super) struct Constraint {
     pub(super) contact: usize,
@@ -45,7 +46,7 @@ pub(super) struct Constraint {
 pub(super) enum ConstraintKind {
     /// A sticking condition under the base load and the commands; `left` is its margin.
     Sticks,
-    /// The greatest allowed normal force of the contact under the base load; `left` is the difference to it.
+    /// The greatest allowed normal force of the contact under the base load; `left` is this force minus the normal force.
     Force,
 }
 
@@ -63,7 +64,7 @@ fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     })
 }
 
-/// A contact with its force under the base load, in its frame. `derivatives` has the derivatives of all contact forces by each variable.
+/// A contact with its force under the base load, in its frame. `derivatives` has the derivatives of all contact forces with respect to each variable.
 struct Pressed<'a> {
     number: usize,
     law: LocalLaw<'a>,
@@ -78,7 +79,7 @@ impl Pressed<'_> {
         DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
     }
 
-    /// The derivative of this contact's force under the base load by one variable; `d` has the derivatives of all contact forces by it.
+    /// The derivative of this contact's force under the base load with respect to one variable. `d` has these derivatives for all contact forces.
     fn change(&self, d: &BySource) -> SVector<f64, 3> {
         d[REST][self.number] + d[SQUEEZE][self.number]
     }
@@ -97,8 +98,8 @@ impl Pressed<'_> {
         all
     }
 
-    /// A [`SlipEvent`] for each sticking condition in `rows`; for first slip, only for those that the load can break. `added` returns the change of a
-    /// condition's margin by the load, and `added_changes` the derivative of this change by a variable.
+    /// A [`SlipEvent`] for each sticking condition in `rows`; for first slip, only for conditions that the load can break. `added` returns the change
+    /// of a condition's margin due to the load, and `added_changes` the derivative of this change with respect to a variable.
     fn events(
         &self,
         load: Option<usize>,
@@ -119,7 +120,7 @@ impl Pressed<'_> {
         events
     }
 
-    /// The [`SlipEvent`]s of this contact under load number `load`, which changes the contact force by `rate` per unit of load factor.
+    /// The [`SlipEvent`]s of this contact under load number `load`, which changes the contact force at the rate `rate` per unit of load factor.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };
@@ -131,14 +132,15 @@ impl Pressed<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has the changes of the contact force by this
+    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has the changes of the contact force due to this
     /// force along each axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
-        // The margin is linear in the force of any direction. The worst direction reduces the margin by the norm of its gradient by this force.
+        // The margin is linear in the force of any direction. The worst direction reduces the margin by the norm of its gradient with respect to this
+        // force.
         let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));

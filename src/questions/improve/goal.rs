@@ -19,7 +19,7 @@ pub enum ImproveGoal {
 
 impl ImproveGoal {
     /// The value of the goal for one sticking condition: its margin is `rest` under the base load, and the load changes it by `added`, N. For first
-    /// slip `None` where the load never breaks the condition.
+    /// slip `None` if the load never breaks the condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),
@@ -28,8 +28,8 @@ impl ImproveGoal {
         counted.filter(|value| value.is_finite())
     }
 
-    /// The derivative of [`Self::counts`] by one variable, from the derivatives of the margin under the base load and of the change of the margin by
-    /// the load.
+    /// The derivative of [`Self::counts`] with respect to one variable. It follows from the derivatives of the margin under the base load and of the
+    /// change of the margin due to the load.
     pub(super) fn change(self, value: f64, added: f64, [rest_changes, added_changes]: [f64; 2]) -> f64 {
         match self {
             Self::FirstSlip => -(rest_changes + value * added_changes) / added,

@@ -1,5 +1,5 @@
-//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random ones. A "part" of
-//! a shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
+//! The geometry of each curve or surface: the point at given coordinates, the coordinates nearest to a point, and uniformly random coordinates. A
+//! "part" of a shape is one segment of a polyline or one triangle of a mesh; other shapes have a single part.
 
 use nalgebra::SVector;
 
@@ -126,7 +126,7 @@ impl Shape {
                 let speed = first.norm();
                 let along = vec![first / speed];
                 let normal = perpendicular(&along);
-                // Differentiating `n·p' = 0` by the parameter of the spline gives the curvature, with the normal n and the point p.
+                // Differentiating `n·p' = 0` with respect to the parameter of the spline gives the curvature, with the normal n and the point p.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =
@@ -235,7 +235,8 @@ impl Shape {
         }
     }
 
-    /// The coordinates of a random place on this part. It is uniformly distributed if u and v are so between 0 and 1; on a spline in its parameter.
+    /// The coordinates of a random place on this part, from two numbers u and v that are uniformly distributed between 0 and 1. The place then has
+    /// uniform density, on a spline with respect to its parameter.
     pub(super) fn random(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
         let turn = core::f64::consts::TAU;
         match self {

@@ -49,7 +49,7 @@ pub(super) struct Placing {
     pub(super) spots: Vec<Option<Spot>>,
     /// For each contact the first tangent of its frame, a unit vector.
     pub(super) tangents: Vec<SVector<f64, 3>>,
-    /// For each contact the normal force of its command, N; `None` where the squeeze may not change.
+    /// For each contact the normal force of its command, N; `None` if the squeeze may not change.
     pub(super) presses: Vec<Option<f64>>,
 }
 
@@ -147,8 +147,8 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The first tangent of the contact frame at a spot; `from` without one. This frame comes from the frame with the tangent `from` by a tilt with
-    /// the normal, without a turn about it.
+    /// The first tangent of the contact frame at a spot; `from` if there is no spot. This frame comes from the frame with the tangent `from` by a
+    /// tilt with the normal, without a turn about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
         if self.contacts[contact].space == Space::Planar {

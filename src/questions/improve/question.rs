@@ -20,7 +20,7 @@ use crate::squeeze::{LoadFields, Loads};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Improve<const C: usize> {
-    /// The load that acts before the other loads and stays.
+    /// The load that acts before the other loads and stays constant.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
     /// A load that grows.
@@ -39,7 +39,7 @@ pub struct Improve<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at: Option<SVector<f64, C>>,
-    /// The largest force with which a contact may press, N; if left out, commands stay.
+    /// The largest force with which a contact may press, N; if left out, commands keep their values.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
@@ -88,13 +88,13 @@ impl<const C: usize> Improve<C> {
         Loads::of_fields("improve", (self.load, &self.loads), (self.any_force, self.at))
     }
 
-    /// The base load, which acts before the others grow; zero if not given.
+    /// The base load, which acts before the other loads grow; zero if not given.
     #[must_use]
     pub fn base(&self) -> Wrench<C> {
         self.base.unwrap_or(Wrench::ZERO)
     }
 
-    /// The load that grows, if the question has a single one; `None` for a list or a force of any direction.
+    /// The load that grows, if the question has a single load; `None` for a list or a force of any direction.
     #[must_use]
     pub fn load(&self) -> Option<Wrench<C>> {
         self.load.filter(|_| self.any_force.is_none())
@@ -106,7 +106,7 @@ impl<const C: usize> Improve<C> {
         self.goal.unwrap_or_default()
     }
 
-    /// Adds a base load, which acts at load factor 0 and stays, such as the weight of the object where a push is to slide late.
+    /// Adds a base load, which acts at load factor 0 and stays constant. If the load is a push, the base load may be the weight of the object.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = Some(base);
@@ -171,7 +171,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the largest number of steps from each start, including refused ones (default 200).
+    /// Sets the largest number of steps from each start, including refused steps (default 200).
     #[must_use]
     pub fn with_steps(mut self, steps: usize) -> Self {
         self.steps = Some(steps);

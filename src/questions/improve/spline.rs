@@ -6,7 +6,8 @@ use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
 
-/// A cubic spline: its points, their parameters `at` (the distance along the polygon through them, m), and its second derivatives `bends` there.
+/// A cubic spline: its points, their parameters `at` (the distance along the polygon through them, m), and its second derivatives `bends` at the
+/// points.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline {
     points: Vec<SVector<f64, 3>>,
@@ -16,7 +17,7 @@ pub(crate) struct Spline {
 }
 
 impl Spline {
-    /// The spline through these points in order; a closed one returns to the first point. With fewer than three points it is open.
+    /// The spline through these points in order; a closed spline returns to the first point. With fewer than three points it is open.
     pub(super) fn through(mut points: Vec<SVector<f64, 3>>, closed: bool) -> Self {
         let closed = closed && points.len() > 2;
         if let (true, Some(first)) = (closed, points.first().copied()) {
@@ -32,7 +33,8 @@ impl Spline {
         spline
     }
 
-    /// Computes the second derivatives at the points, such that first derivatives are continuous. They are zero at the ends of an open spline.
+    /// Computes the second derivatives at the points, such that first derivatives are continuous. The second derivatives are zero at the ends of an
+    /// open spline.
     fn bend(&mut self) {
         let n = self.points.len();
         if n < 3 {
@@ -90,7 +92,7 @@ impl Spline {
         if self.closed { t.rem_euclid(self.end()) } else { t.clamp(0.0, self.end()) }
     }
 
-    /// The point, m, and the first and second derivative by the parameter, at a parameter.
+    /// The point, m, and its first and second derivatives with respect to the parameter, at the parameter `t`.
     pub(super) fn at(&self, t: f64) -> [SVector<f64, 3>; 3] {
         let k = self.at.partition_point(|at| *at <= t).clamp(1, self.at.len() - 1) - 1;
         let (h, left, right) = (self.at[k + 1] - self.at[k], t - self.at[k], self.at[k + 1] - t);
@@ -101,7 +103,7 @@ impl Spline {
         [point, first, (a * right + b * left) / h]
     }
 
-    /// The parameter of the point of the spline that is nearest to `point`; rarely a local minimum of the distance instead.
+    /// The parameter of the point of the spline that is nearest to `point`. In rare cases it is a local minimum of the distance instead.
     pub(super) fn nearest(&self, point: &SVector<f64, 3>) -> f64 {
         // Newton's method on the distance starts from the nearest of 32 samples per piece between points.
         let pieces = (self.at.len() - 1) * 32;

@@ -8,8 +8,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Draw, IntoList, mapped, numbered};
 use crate::prelude::*;
 
-/// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates there: lengths, m, or
-/// angles, rad; on a sphere a unit direction.
+/// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates on this part: lengths,
+/// m, or angles, rad; on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spot {
     part: usize,
@@ -42,7 +42,8 @@ impl Spot {
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where segments or triangles meet, several places are equally near; the one with the least angle between its normal and `normal` is chosen.
+        // Where segments or triangles meet, several places are equally near; the place with the least angle between its normal and `normal` is
+        // chosen.
         let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
@@ -91,7 +92,8 @@ impl Spot {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt a curvature of its goal along these two directions. So they are carried along to the new place, not chosen anew.
+            // The search has learnt a curvature of its goal along these two directions. So these directions are carried along to the new place, not
+            // chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -102,7 +104,7 @@ impl Spot {
         moved
     }
 
-    /// The same point as a place on each adjacent segment or triangle. Empty unless the place is at the end or edge of its own.
+    /// The same point as a place on each adjacent segment or triangle. Empty unless the place is at the end or edge of its own segment or triangle.
     pub(super) fn adjacent(&self, surface: &Shape) -> Vec<Self> {
         let near = NEGLIGIBLE * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {

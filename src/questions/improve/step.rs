@@ -38,12 +38,12 @@ pub(super) struct TrialStep {
     pub(super) bounds: Vec<f64>,
     /// For each variable the multipliers of the lower and upper end of `reach`; zero unless the variable is at that end now.
     pub(super) ends: Vec<[f64; 2]>,
-    /// First-order residual now: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables not at an end. If larger, the complementarity of multipliers
-    /// λ, ν with events and constraints.
+    /// First-order residual now: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables not at an end. If it is larger, the complementarity of
+    /// multipliers λ, ν with events and constraints.
     pub(super) residual: f64,
 }
 
-/// The solution of the quadratic program: the step d and multipliers, scaled so that those of the events add up to one.
+/// The solution of the quadratic program: the step d and multipliers, scaled so that the multipliers of the events add up to one.
 struct Solved {
     d: DVector<f64>,
     /// Multipliers of all events (sticking conditions under loads); zero for those left out of the program.
@@ -54,10 +54,10 @@ struct Solved {
 
 impl StepProgram {
     /// The solution of the quadratic program with each variable within `radius` of its present value and within `reach`. `None` without a finite
-    /// event value, or where rounding prevents a solution.
+    /// event value, or if rounding prevents a solution.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
-        // Among several steps with equal gain, this small multiple of the identity, added to the Hessian, makes the shortest the best.
+        // Among several steps with equal gain, this small multiple of the identity, added to the Hessian, makes the shortest step the best.
         let curvature = curvature + DMatrix::identity(n, n) * 1e-4;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);

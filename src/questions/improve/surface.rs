@@ -11,8 +11,8 @@ use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it, on the side of the given normal,
-/// which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
+/// A curve in the plane or a surface in space that a contact may move along. The normal of the contact is the normal of the surface on the side of
+/// the given normal, which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -64,7 +64,7 @@ impl Surface<2> {
         Self(Shape::Segments(vec![[in_space(from), in_space(to)]]))
     }
 
-    /// Straight edges from point to point, m. The search moves a contact from one edge to the next where that increases the value of its goal.
+    /// Straight edges from point to point, m. The search moves a contact from one edge to the next if that increases the value of its goal.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(in_space).list()))
@@ -96,7 +96,7 @@ fn in_space(point: impl Into<[f64; 2]>) -> SVector<f64, 3> {
 }
 
 impl Surface<3> {
-    /// A plane rectangle: a corner and the two sides from there, at a right angle, m.
+    /// A plane rectangle: a corner and the two sides from this corner, at a right angle, m.
     #[must_use]
     pub fn rectangle(corner: impl Into<[f64; 3]>, sides: [[f64; 3]; 2]) -> Self {
         Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.each(SVector::from) })
@@ -115,7 +115,7 @@ impl Surface<3> {
     }
 
     /// Triangles, such as those of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one triangle
-    /// to the next where that increases the value of its goal.
+    /// to the next if that increases the value of its goal.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
@@ -123,8 +123,8 @@ impl Surface<3> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// The point of the surface nearest to `point`, m, and the unit normal there. Of its two signs the normal has the one at most 90° from `normal`,
-    /// whose length does not matter. A contact that may move along the surface has to be at such a point.
+    /// The point of the surface nearest to `point`, m, and the unit normal at this point. The sign of the normal is such that its angle to `normal`
+    /// is at most 90°; the length of `normal` does not matter. A contact that may move along the surface has to be at such a point.
     ///
     /// ```
     /// use grasp_lcp::improve::Surface;

@@ -26,10 +26,10 @@ pub struct Needed {
     /// The amount that meets the demand with friction and squeeze reduced by `lower` and loads multiplied by `safety`; `None` if nothing is reduced
     /// or multiplied.
     pub safe: Option<Amount>,
-    /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. Where no command presses the second is
-    /// 0.
+    /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. If no command presses, the reduction of
+    /// the squeeze is 0.
     pub lower: [f64; 2],
-    /// Factor on the loads that `safe` allows for.
+    /// Factor on the loads that `safe` allows for; 1 without a factor of safety.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
     /// Size of the load whose multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the loads are one
@@ -39,17 +39,18 @@ pub struct Needed {
     /// The part that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for where no command presses. The sought quantity is then the force of the only loaded body, or the load at rest
-    /// if no body is loaded.
+    /// Whether a squeeze was asked for although no command presses. The sought quantity is then the force of the only loaded body, or the load at
+    /// rest if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
     /// For an angle in the plane: whether the grasp is tilted anticlockwise, from x to y. `None` for other quantities, and unless the load turns.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub anticlockwise: Option<bool>,
-    /// Whether the sought squeeze consists of overlaps, clearances below zero, because no command presses. Amounts are then multiples of the overlaps.
+    /// Whether the sought squeeze consists of overlaps (clearances below zero), because no command presses. Amounts are then multiples of the
+    /// overlaps.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub by_overlaps: bool,
-    /// Contacts that are without friction and stay so, where a coefficient for all others is sought.
+    /// Contacts without friction, which stay frictionless if one coefficient for all other contacts is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub without_friction: Vec<WholeContact>,
 }
@@ -79,10 +80,10 @@ pub struct PressedBy {
     pub part: Option<String>,
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
-    /// Size of the given force, in `unit`: amounts are multiples of it. `None` where the load is neither one force nor one moment.
+    /// Size of the given force, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,
-    /// Unit of `size`, N or N m; `None` where `size` is `None`.
+    /// Unit of `size`, N or N m; `None` if `size` is `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub unit: Option<String>,
 }
@@ -103,7 +104,7 @@ pub enum Quantity {
     Arm,
     /// The angle of a load that turns, rad.
     Angle,
-    /// The force of one part, or the load at rest, as a multiple of the one given.
+    /// The force of one part, or the load at rest, as a multiple of the given force or load.
     Force,
 }
 
@@ -129,7 +130,7 @@ pub enum Amount {
         does: f64,
         /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
         /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
-        /// direction, the fraction is up to 1e-6 where the carried part of the load jumps at the bound. It is 1e-5 or more where only an
+        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an
         /// enumeration of contact states shows that an amount is insufficient.
         does_not: f64,
         /// The verdict on the grasp with `does_not`, in a sentence.
@@ -157,21 +158,21 @@ pub enum Amount {
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
-        /// The amounts that were tried. `None` where no other amount can meet the demand: a proof excludes all others, or a larger load is never
+        /// The amounts that were tried. `None` if no other amount can meet the demand: a proof excludes all others, or a larger load is never
         /// easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
     },
-    /// All amounts that were tried suffice: down to `to` where the least amount is sought, up to `to` where the greatest is sought.
+    /// All amounts that were tried suffice: down to `to` if the least amount is sought, up to `to` if the greatest is sought.
     #[non_exhaustive]
     Any {
         /// The last sufficient amount that was tried.
         to: f64,
-        /// Far end of the sufficient amounts on the side away from `to`; for instance, a shorter arm does not jam. `None` if all amounts tried there
-        /// suffice.
+        /// Far end of the interval of sufficient amounts, on the side away from `to`. For example, a force jams the object with a long arm, but no
+        /// longer with a very short one. `None` if all amounts tried on that side are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// The amounts that were tried. `None` where no other amount can meet the demand: a proof excludes all others, or a larger load is never
+        /// The amounts that were tried. `None` if no other amount can meet the demand: a proof excludes all others, or a larger load is never
         /// easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
@@ -186,7 +187,7 @@ pub enum Amount {
         /// Number of amounts that were tried.
         #[cfg_attr(feature = "serde", serde(default))]
         tried: usize,
-        /// Whether a proof excludes all amounts from `from` to `to`: no contact forces balance the loads with any of them.
+        /// Whether a proof excludes all amounts from `from` to `to`: with none of these amounts can contact forces balance the loads.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
         /// Whether this proof is about the load at rest alone, which acts before any of the other loads.
@@ -229,8 +230,8 @@ pub struct TriedAmounts {
     pub to: f64,
 }
 
-/// The far end of an interval of sufficient amounts. Amounts beyond it are insufficient again: too large where the least amount is sought, too small
-/// where the greatest is sought.
+/// The far end of an interval of sufficient amounts. Amounts beyond it are insufficient again: too large if the least amount is sought, too small if
+/// the greatest is sought.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -250,16 +251,16 @@ pub struct FarEnd {
     pub at_their_limit: Vec<String>,
 }
 
-/// An interval of sufficient amounts, both ends included. An end that is `None` lies beyond the amounts tried.
+/// An interval of sufficient amounts, both ends included.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct AmountWindow {
-    /// The least sufficient amount of the window.
+    /// Lower end: the least sufficient amount of the interval. `None` if the interval extends below the amounts that were tried.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub from: Option<f64>,
-    /// The greatest sufficient amount of the window.
+    /// Upper end: the greatest sufficient amount of the interval. `None` if the interval extends above the amounts that were tried.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub to: Option<f64>,
 }

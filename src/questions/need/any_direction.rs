@@ -15,8 +15,8 @@ use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// Whether everything sticks at rest, under `load` alone, and with a force of any direction added to `load`. `None` where something slides and
-    /// the demand allows sliding.
+    /// The result at rest, under `load` alone, and with a force of any direction added to `load`, from closed forms that hold while everything
+    /// sticks. `None` if something slides and the demand allows sliding.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,
@@ -38,7 +38,7 @@ impl Loading {
             WeakestDirection::Force { size: most, .. } if most >= size => {
                 self.farthest(base, size, point)?.or_worse(Trial::carries(most / size))
             }
-            // Sliding contacts still hold, unless motions as large as those without sliding are too large.
+            // Even if contacts slide, the object may be held, unless its motions are too large already while all contacts stick.
             WeakestDirection::Force { .. } if demand != Demand::Sticks => {
                 let trial = self.farthest(base, size, point)?;
                 return Ok((!trial.does()).then_some(trial));
@@ -75,9 +75,9 @@ impl Loading {
         Ok(self.one_direction(&ramp)?.0)
     }
 
-    /// The worst result between evenly spread directions, all of which carry the load. Near each direction that carries less than its neighbours the
-    /// weakest one is sought. Between neighbours with different numbers of jumps the place is sought where the number changes: there the carried part
-    /// of the load jumps as well.
+    /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which less is carried than in
+    /// its neighbours the weakest direction is sought. Neighbours may have different numbers of jumps on their load paths. The direction between them
+    /// at which this number changes is then sought, because the carried part of the load jumps there as well.
     pub(super) fn between_directions(
         &self,
         (all, found): (&[[f64; 3]], &[Carried]),
@@ -108,7 +108,7 @@ impl Loading {
             let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
             let mut parts = [found[one].part, found[other].part];
             loop {
-                // At the jump the carried part has different limits from both sides, to which it is linear in the angle.
+                // The carried part has a different limit on each side of the jump. Towards each limit it is linear in the angle.
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
@@ -157,8 +157,8 @@ impl Loading {
         Ok((self.said_of(1, &ramp.direction, trial), path))
     }
 
-    /// Improves on `weakest`, the trial for the evenly spread direction that carries least of the load. From this `direction` the search moves to
-    /// neighbours that carry less. Its step is halved where no neighbour carries less.
+    /// Improves on `weakest`, the trial for the evenly spread direction in which least of the load is carried. From this `direction` the search moves
+    /// to neighbours in which less is carried. Its step is halved if there are none.
     fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -193,7 +193,7 @@ impl Loading {
     }
 }
 
-/// A direction in which a force was tried: the part of the load that is carried, at least 1, and the number of jumps while it is put on.
+/// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps while the load is applied.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Carried {
     pub(super) part: f64,
@@ -211,15 +211,15 @@ const LAST_STEP: f64 = 1e-3;
 /// that are lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
-/// At most this many directions that carry less than their neighbours are improved on. If fewer, a weakest direction is missed where two carry nearly
-/// the same.
+/// At most this many directions in which less is carried than in their neighbours are improved on. If fewer, the weakest direction is missed if
+/// nearly the same is carried in two directions.
 const MOST_MINIMA: usize = 3;
 
-/// At most this many pairs of neighbouring directions with different numbers of jumps are searched, those that carry least first. If fewer, narrow
-/// cones of directions that are lost stay unseen. Each pair takes five to seven verdicts.
+/// At most this many pairs of neighbouring directions with different numbers of jumps are searched, the weakest pairs first. If fewer, narrow cones
+/// of directions in which the load is lost stay unseen. Each pair takes five to seven verdicts.
 const MOST_EDGES: usize = 12;
 
-/// For each of the evenly spread directions its neighbours: both on a circle, some six on the sphere.
+/// For each of the evenly spread directions its neighbours: two on a circle, about six on the sphere.
 fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
     let count = all.len();
     // On a sphere each of 200 directions has an area of (0.25 rad)².

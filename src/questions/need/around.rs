@@ -12,17 +12,18 @@ use crate::prelude::*;
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct Around {
-    /// Number of changes between sufficient and insufficient among these amounts, the bound included.
+    /// Number of changes between sufficient and insufficient among the amounts of the scan, the bound included.
     pub(super) changes: usize,
-    /// The far end of the sufficient amounts that begin at the bound; `None` if all amounts tried beyond the bound suffice.
+    /// The other end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour.
+    /// `None` if all amounts tried beyond the bound are sufficient.
     pub(super) until: Option<Threshold>,
     /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
 impl SearchPlan {
-    /// `count` amounts beyond `from`, upwards or downwards, as far as contact forces can balance the loads. With `coarse` there is one more amount,
-    /// 16 times as large or small as `from`.
+    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it. If `coarse`, there is one more amount, 16 times as
+    /// large or small as `from`. Amounts outside the range of the plan are left out.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
         // a larger ratio than 4 they would lie farther apart.
@@ -33,10 +34,11 @@ impl SearchPlan {
         parts.filter(|amount| self.contains(*amount)).collect()
     }
 
-    /// Two amounts, one just inside and one just outside the end of the range on this side, if a proof excludes all amounts beyond that end.
+    /// Two amounts, just inside and just outside the upper (if `up`) or lower end of the range. Empty unless a proof excludes all amounts beyond that
+    /// end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
-            // If this offset were smaller than the error of the proved end, both amounts could fall on one side of it.
+            // If this offset were smaller than the error of the proved end, both amounts could fall on the same side of the true end.
             let off = 1e-8;
             [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
         };
@@ -46,7 +48,7 @@ impl SearchPlan {
 
 impl Around {
     /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads. `known` amounts
-    /// are included in the scan. With `far` there is one more amount, 16 times as large, or as small, as the bound.
+    /// are included in the scan. If `far`, there is one more amount on the easier side, 16 times as large, or as small, as the bound.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -103,8 +105,7 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // If every larger amount is known to carry the load, one amount far away is enough: it shows whether the part moves farther than small
-        // motions.
+        // If every easier amount is known to suffice up to small motions, one amount far away is enough: it shows whether the part moves too far.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -112,8 +113,9 @@ impl Around {
         Ok(around.until)
     }
 
-    /// Tries `amounts` in order on one side of the bound, and narrows the bracket at each change between sufficient and insufficient. `trial` is the
-    /// result for the first amount `at`; `None` means that it suffices. Undecided amounts are skipped.
+    /// Tries `amounts` in order on one side of the bound, and narrows the bracket at each change between sufficient and insufficient. The scan starts
+    /// from the amount `at` with the result `trial`; `None` means that `at` is sufficient. `is_bounds_own` tells whether `at` lies in the interval of
+    /// sufficient amounts that starts at the bound. Undecided amounts are skipped.
     fn side(
         &mut self,
         (mut at, mut trial): (f64, Option<Trial>),
@@ -159,9 +161,8 @@ impl Around {
 }
 
 /// Tries at most [`BETWEEN`] further amounts, each in the middle of two neighbouring `known` amounts. The neighbours have the same verdict, but
-/// different contact states at rest; the pair with the largest ratio comes first. Where contact states at rest change with the amount, the carried
-/// part of the load may jump. Neighbours that both carry an unlimited load are left out. Returns whether the verdict differs for one of the further
-/// amounts.
+/// different contact states at rest; the pair with the largest ratio comes first. If contact states at rest change with the amount, the carried part
+/// of the load may jump. Returns whether the verdict on one of the further amounts differs from that on its neighbours.
 pub(super) fn between_states(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,

@@ -17,7 +17,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
     /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts. For a load that turns, 180 equal steps and its end are compared.
-    /// If an angle is sought, the state is that at the end of the turn. `None` where no load is held.
+    /// If an angle is sought, the equilibrium at the end of the turn is returned. `None` if no load is held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -50,8 +50,8 @@ impl Need<3> {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // `most` is the size of the force that makes a contact slide in the weakest direction. Times this part, that force has the size asked
-                // about.
+                // `most` is the size of the force that makes a contact slide in the weakest direction. Multiplied by the factor `part`, that force
+                // has the size asked about.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {

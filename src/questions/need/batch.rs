@@ -2,7 +2,7 @@
 //!
 //! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
 //! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at the loss
-//! takes its place; it is found by one load path. For all other grasps the amount is searched as by [`Grasp::need`].
+//! takes its place; one load path finds it. For all other grasps the amount is searched as by [`Grasp::need`].
 
 use core::ops::Range;
 
@@ -150,8 +150,8 @@ impl Asked {
         amounts
     }
 
-    /// Fills in missing answers where the load is sought. The rotation under the given load may be no bound of the rotation under the sought multiple
-    /// of the load. So the rotation is computed again under that multiple.
+    /// Fills in missing answers if the load is sought. The rotation under the given load may not bound the rotation under the sought multiple of the
+    /// load. So the rotation is computed again under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,
@@ -184,8 +184,8 @@ impl Asked {
     fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
         let multiple = first.factor()?;
         let amount = self.amount(multiple)?;
-        // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples of the
-        // two.
+        // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples of load
+        // and squeeze.
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
         let most = turn * (load + (squeeze - load).abs());
@@ -227,7 +227,8 @@ impl Asked {
             let lost = lost_at(&grasp.hold_briefly(&ramp)?.0);
             return Ok(lost.and_then(|(multiple, _)| self.amount(multiple)));
         }
-        // Motions may be too large at the given squeeze, but small at the sought one. So the path to the loss is followed without limits on motions.
+        // Motions may be too large at the given squeeze, but small at the sought squeeze. So the path to the loss is followed without limits on
+        // motions.
         let (mut unlimited, small) = (self.settings, &self.settings.small_motions);
         let wider = ANY_MOTION.min(MOST_LIMIT / small.rotation.max(small.slip));
         unlimited.small_motions.rotation *= wider;
@@ -252,8 +253,8 @@ const MOST_LIMIT: f64 = 1e50;
 /// (1e-9 by default), but too little to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
-/// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small. `None` if the grasp does not hold
-/// at rest, or no loss was found.
+/// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small. `None` if the object is not held at
+/// rest, or no loss was found.
 fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
     let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);
     let lost = verdict.lost.as_ref().filter(|lost| starts && lost.factor > 0.0)?;

@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
-/// Searches for a sufficient amount between the insufficient ones in `vain`. It starts near the one that carries most of the load and then takes the
-/// widest gaps near `begin`, the first amount of the whole search.
+/// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
+/// then tries the widest gaps near `begin`, the first amount of the whole search.
 pub(super) fn refined(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -56,7 +56,8 @@ fn where_most_is_carried(
     let [low, high] = ends.map(|(at, _)| at);
     let mut inner = [between(high, low), between(low, high)];
     let mut parts = [None; 2];
-    // Each section keeps 0.618 of the interval of logarithms, so 40 leave 4e-9 of it. With fewer, narrow intervals of sufficient amounts are missed.
+    // Each section keeps 0.618 of the interval of logarithms, so 40 sections leave 4e-9 of it. With fewer, narrow intervals of sufficient amounts are
+    // missed.
     for _ in 0..40 {
         for k in 0..2 {
             if parts[k].is_none() {
@@ -70,7 +71,7 @@ fn where_most_is_carried(
         }
         let [(low, at_low), (high, at_high)] = ends;
         let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
-        // A concave function lies below its chords where these are extended, so `most` bounds its maximum.
+        // A concave function lies below the extensions of its chords, so `most` bounds its maximum.
         let gap = inner[1] - inner[0];
         let slope = (other - one) / gap;
         let before = one + (-slope).max(0.0) * (inner[0] - low);

@@ -33,7 +33,7 @@ pub(super) struct Loading {
     followed: f64,
     /// How much of a verdict a trial needs.
     pub(super) extent: Extent,
-    /// The reason why a link cannot have its tension at rest, if so: the amount then does not suffice.
+    /// If a link cannot have its tension at rest, the reason in a sentence. The amount is then insufficient.
     refused: Option<String>,
 }
 
@@ -107,14 +107,15 @@ impl Loading {
         list
     }
 
-    /// This loading without loads beyond those asked about.
+    /// This loading with load paths that end at the loads asked about.
     pub(super) fn short(mut self) -> Self {
         self.followed = 1.0;
         self.grasp = self.grasp.with(&self.grasp.settings().with_most_load(1.0));
         self
     }
 
-    /// This loading with trials that skip the enumeration of contact states at rest. Searches for a rest begin near these contact states.
+    /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near these contact
+    /// states.
     pub(super) fn quick(mut self, near: Vec<State>) -> Self {
         self.extent = Extent::Decided;
         self.grasp = self.grasp.with(&Settings { is_quick: true, ..*self.grasp.settings() });
@@ -124,8 +125,8 @@ impl Loading {
         self
     }
 
-    /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first, and a load that is not carried,
-    /// or else the one carried least, is noted there.
+    /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first. A load that is not carried, or else the
+    /// load carried least, is noted in `refuting`.
     pub(super) fn put_on(&self, demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::does_not(refused, NOT_AT_REST)));
@@ -145,7 +146,7 @@ impl Loading {
                     (Demand::Held, Some(Trial::Does { .. } | Trial::DoesNot { .. }))
                     | (Demand::Sticks, _) => Trials::only(demand, trial.unwrap_or_else(Trial::always)),
                     _ => {
-                        // Without the force of any direction, the constant load beside it is applied in addition to the load at rest.
+                        // The first ramp is without the force of any direction: only the constant load beside it is added to the load at rest.
                         let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
@@ -164,7 +165,7 @@ impl Loading {
                         };
                         let mut trials =
                             Trials { sticks: None, ..self.all(&ramps, demand, refuting, &mut note)? };
-                        // Of the evenly spread directions the one that is refuted, or carried least, is tried first from then on.
+                        // The evenly spread direction in which the load is not carried, or is carried least, is tried first from then on.
                         refuting.first.get().checked_sub(1).into_iter().for_each(|k| refuting.add(all[k]));
                         if let Some(held) = trials.held.take_if(|held| held.does()) {
                             trials.held =

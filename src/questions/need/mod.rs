@@ -19,20 +19,21 @@
 //! [`Stays`](Demand::Stays): under loads that repeat, it does not walk.
 //!
 //! For every amount that is tried, [`Grasp::hold`](crate::ask::Grasp::hold) gives the verdict. The answer names two neighbouring amounts that were
-//! tried: one suffices, the other does not. Secants of the carried fraction of the load narrow this bracket, in the plane to the last digits. Where
-//! that fraction jumps, the bracket is narrowed by the margin of small motions, or of sticking at rest. If no equilibrium at rest exists beyond the
-//! bound, the margins of the contacts at rest are used instead. While the bracket is narrowed, verdicts leave out the enumeration of many contact
-//! states, which is slowest near a bound, and the reason why no equilibrium exists. The verdicts for the two amounts of the answer include both.
+//! tried: one is sufficient, the other is insufficient. This bracket is narrowed with secants of the carried fraction of the load, in the plane to
+//! the last digits. That fraction may jump at the bound. Then secants of a second margin are used: the distance to the limit of small motions, or the
+//! margin of sticking at rest. If no equilibrium at rest exists beyond the bound, the margins of the contacts at rest are used instead. While the
+//! bracket is narrowed, verdicts leave out the enumeration of many contact states, which is slowest near a bound, and the reason why no equilibrium
+//! exists. The verdicts for the two amounts of the answer include both.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
 //! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
 //! both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts around the
-//! bound finds how far amounts suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). Where contact states at rest differ between neighbouring
-//! amounts, amounts between these are tried, too. The scan can still miss a narrow interval between two amounts. The answer therefore says how many
-//! amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. Where only loads and squeeze act, twice the squeeze carries twice the
-//! load. The scan is then omitted, unless a much larger squeeze moves the part too far.
+//! bound finds how far the sufficient amounts extend ([`FarEnd`]), and which others are sufficient ([`AmountWindow`]). If contact states at rest
+//! differ between neighbouring amounts, amounts between these are tried, too. The scan can still miss a narrow interval between two amounts. The
+//! answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. If only loads and squeeze act, twice the
+//! squeeze carries twice the load. The scan is then omitted, unless a much larger squeeze moves the part too far.
 //!
-//! Where no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
+//! If no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
 //! answer says so.
 
 mod amount_words;

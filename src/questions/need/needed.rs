@@ -39,7 +39,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::hold`] of its loads. [`Error::Argument`] for reductions of friction or squeeze outside `0 <= part < 1`, and for a factor of
     /// safety outside `0 < factor <= 1e50`; also for a contact that does not exist. [`Error::Question`] for repeated loads with a force of any
-    /// direction, and for the load at rest sought without one. [`Error::Part`] if no part with the given name presses.
+    /// direction, and if the load at rest is sought but not given. [`Error::Part`] if no part with the given name presses.
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
@@ -103,8 +103,8 @@ impl Need<3> {
     }
 }
 
-/// The first amount that a search tries. Multiples begin at 1, friction at the largest coefficient given (0.5 without one). An arm begins at the
-/// largest distance of a contact from the first contact (1 m without one), an angle at the whole turn.
+/// The first amount that a search tries. Multiples begin at 1, friction at the largest given coefficient (0.5 if all are 0 or one is infinite). An
+/// arm begins at the largest distance of a contact from the first contact (1 m if this is 0), an angle at the whole turn.
 fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
@@ -184,7 +184,7 @@ impl Found<'_, '_> {
         self.tried.known(self.demand)
     }
 
-    /// What presses at rest with this squeeze, see [`presses`]; nothing if another quantity is sought.
+    /// The contact forces at rest with this squeeze, and the drives at their limit, see [`presses`]; both empty if another quantity is sought.
     fn presses(&self, does: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
         match self.tried.need.sought {
             Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, does, self.tried.need),
@@ -207,7 +207,7 @@ impl Found<'_, '_> {
         if is_asked { between_states(&self.known(), is_claimed, self.tries) } else { Ok(false) }
     }
 
-    /// The answer if all amounts that were tried towards harder ones suffice, `to` being the last.
+    /// The answer if all amounts that were tried in the harder direction are sufficient. The last of these amounts is `to`.
     fn any(&self, plan: &SearchPlan, to: f64) -> Result<Amount, Error> {
         let seek = || Around::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
@@ -299,7 +299,7 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
 }
 
 /// The answer if no amount suffices. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the amounts
-/// that carry most of the load.
+/// with which most of the load is carried.
 pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);

@@ -65,9 +65,9 @@ pub(super) struct Posed {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought {
     Squeeze,
-    /// The squeeze where no command presses, but contacts overlap, as in a press fit.
+    /// The squeeze if no command presses, but contacts overlap, as in a press fit.
     Overlaps,
-    /// The contact points whose coefficient is sought; `None` for all with friction.
+    /// The contact points whose coefficient is sought; `None` for all contact points with friction.
     Friction {
         contacts: Option<Vec<usize>>,
     },
@@ -123,8 +123,8 @@ impl Posed {
         self.loads.check_size()
     }
 
-    /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. Where no command presses, a force is
-    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest where no body is loaded and no contacts overlap.
+    /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. If no command presses, a force is
+    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
@@ -163,7 +163,7 @@ impl Posed {
         of_loads.max(force(&self.base))
     }
 
-    /// Whether an angle in the plane is one of an anticlockwise tilt. In coordinates of the tilted grasp the load turns the other way.
+    /// Whether the sought angle in the plane is an anticlockwise tilt of the grasp. In coordinates of the tilted grasp the load turns the other way.
     pub(super) fn tilts_anticlockwise(&self, space: Space) -> Option<bool> {
         let Sought::Angle { turn } = &self.sought else { return None };
         let [_, cosine, sine] = turn.parts().map(|part| part.force_part());
@@ -281,7 +281,7 @@ impl Need<3> {
         Ok(posed)
     }
 
-    /// The contacts whose friction is sought; `None` for all.
+    /// The contacts whose coefficient is sought; `None` for all contacts.
     fn meant(&self) -> Result<Option<Vec<usize>>, Error> {
         match (self.contact, &self.contacts) {
             (Some(_), Some(_)) => Err(wrong("contacts", "are given beside a contact, must be one of them")),
@@ -313,7 +313,7 @@ impl Need<3> {
     }
 }
 
-/// The error of a question without a load where nothing acts at rest.
+/// The error of a question without a load if nothing acts at rest.
 const NO_LOAD: Error = Error::Question {
     question: "need",
     field: "load",

@@ -17,23 +17,24 @@ pub struct Press {
     pub part: WholeContact,
     /// Normal force of the contact, N; for a soft fingertip the sum over its points.
     pub force: f64,
-    /// Whether a command, force or vacuum of the contact itself presses it; otherwise it is pressed by reaction. `false` for all contacts where
-    /// joints or tendons press.
+    /// Whether a command, force or vacuum of the contact itself presses it; otherwise only the reaction to other contacts does. `false` for all
+    /// contacts if joints or tendons press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
-    /// Of a suction cup: the pressure of its vacuum below that of the air around, Pa.
+    /// For a suction cup: the pressure of its vacuum below that of the air around, Pa. `None` for other contacts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
-    /// The force to set for this squeeze, N: `pressed_with`, or `force`, of the contact. At rest the contact presses with another `force` where the
-    /// object gives way. `None` for suction cups, links, and contacts with a command across their normal.
+    /// The force to set for this squeeze, N: `pressed_with`, or `force`, of the contact. The `force` at rest differs from it if the object gives way.
+    /// `None` for suction cups, links, and contacts with a command across their normal.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
-    /// Of a contact that presses by its overlap, where overlaps are the squeeze: the overlap, m, which is its clearance below zero.
+    /// For a contact that presses because it overlaps: the overlap, m, i.e. its negative clearance without the sign. `None` unless overlaps are the
+    /// squeeze.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub overlap: Option<f64>,
 }
 
-/// The force that is set at these points of one contact, N; `None` unless it is one number.
+/// The force that is set at these points of one contact, N. `None` for links, vacuum and commands across the normal, and if no force is set.
 pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
     let of_point = |point: &Contact<3>| {
         let is_plain = point.link.is_none()
@@ -77,8 +78,8 @@ impl Press {
     }
 }
 
-/// The contacts and cables that have commands of their own and press at rest; if there are none, because joints or tendons press, all contacts that
-/// press.
+/// The contacts and cables that have commands of their own and press at rest. If there are none because joints or tendons press, all contacts that
+/// press are returned.
 fn pressing(presses: &[Press]) -> Vec<&Press> {
     let is_one_set = presses.iter().any(|press| press.is_set);
     let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
@@ -148,7 +149,7 @@ pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String
     }
 }
 
-/// The multiple `times` of the given squeeze, with the force that is set, where no contact presses at rest.
+/// The multiple `times` of the given squeeze, with the force that is set, if no contact presses at rest.
 fn with_what_is_set(words: Words, presses: &[Press], times: String) -> String {
     let set: Vec<&Press> = presses.iter().filter(|press| press.is_set).collect();
     match set.first().and_then(|first| first.pressed_with) {

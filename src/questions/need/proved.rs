@@ -19,8 +19,8 @@ pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amo
     Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
 }
 
-/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. The multiple 1, the amount
-/// given, is tried where this is the one up to rounding.
+/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. If this amount is 1 up to rounding, the given multiple
+/// 1 is tried in its place.
 fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
     let Some(only) = plan.range.point() else { return Ok(None) };
     let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };

@@ -48,7 +48,7 @@ pub struct Need<const C: usize> {
     /// The demand that the amount has to meet: by default that the object is held. Then the answer adds the amount with which nothing slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(super) demand: Demand,
-    /// The load at rest; none if left out. It is constant, except where a force without `of` is sought: then amounts multiply it.
+    /// The load at rest; none if left out. It is constant, except if a force without `of` is sought: then amounts multiply it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
     /// One load. For an arm: the wrench of the force at displacement 0.
@@ -73,20 +73,20 @@ pub struct Need<const C: usize> {
     /// For an arm: the change of the load per metre of displacement.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) per_metre: Option<Wrench<C>>,
-    /// For friction: the index, from 0, of the contact whose coefficient is sought; that of all contacts if left out.
+    /// For friction: the index, from 0, of the contact whose coefficient is sought. If left out, one coefficient for all contacts is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) contact: Option<usize>,
     /// For friction: indices of several contacts with one coefficient, instead of `contact`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) contacts: Option<Vec<usize>>,
-    /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is. The load at rest, `base`,
-    /// if left out.
+    /// For a force: the name of the part whose force is sought. This is the load of a body, or the command or force of a contact, link or joint. If
+    /// left out, the load at rest, `base`, is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) of: Option<String>,
     /// Loads of further bodies, by name, which grow together with `load`; `base` must be left out then.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
     pub(crate) together_with: BTreeMap<String, Wrench<C>>,
-    /// For the safe amount: factor on the loads; 1 if left out.
+    /// For the safe amount: factor by which the loads are multiplied; 1 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) safety: Option<f64>,
     /// For the safe amount: relative reduction of friction, from 0 to less than 1. The default is 0.1, or 0 if `safety` is given.
@@ -134,8 +134,8 @@ impl<const C: usize> Need<C> {
 
     /// The least squeeze for these loads, as a multiple of the one given.
     ///
-    /// It scales all commands in proportion, as [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does: those of joints and torques that hold joints
-    /// included.
+    /// It scales all commands in proportion, as [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does, including the commands of joints and the
+    /// torques that hold joints.
     #[doc(alias = "grip force")]
     #[doc(alias = "clamping force")]
     #[must_use]
@@ -150,8 +150,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Friction, loads)
     }
 
-    /// The least coefficient of friction for these loads, the same for some contacts (indices from 0, a soft fingertip counts as one), while the
-    /// others keep theirs.
+    /// The least coefficient of friction for these loads, one value for all the given contacts (indices from 0; a soft fingertip counts as one
+    /// contact). Other contacts keep their coefficients.
     #[must_use]
     pub fn friction_of(contacts: impl IntoIterator<Item = usize>, loads: impl Into<Loads<C>>) -> Self {
         let contacts: Vec<_> = contacts.into_iter().collect();
@@ -186,10 +186,10 @@ impl<const C: usize> Need<C> {
         Self { per_metre: Some(per_metre), ..Self::of(Quantity::Arm, at) }
     }
 
-    /// The least force of the named part for these loads, as a multiple of the one it has.
+    /// The least force of the named part for these loads, as a multiple of its given force.
     ///
-    /// The force of a part is the load of a body, a lever or a screw, or the command or force of a contact, a cable or a joint. All other parts keep
-    /// theirs. If a larger multiple is too much, [`Amount::Bound`](super::Amount::Bound) has that limit, too.
+    /// The force of a part is the load of a body, a lever or a screw. For a contact, a cable or a joint it is the command or force. All other parts
+    /// keep their forces. If still larger multiples are insufficient again, [`Amount::Bound`](super::Amount::Bound) contains that limit as `until`.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -212,7 +212,8 @@ impl<const C: usize> Need<C> {
         Self { of: Some(part.into()), ..Self::of(Quantity::Force, loads) }
     }
 
-    /// The least load at rest for these loads, as a multiple of the base that [`Self::on_top_of`] sets, such as a weight that presses the object down.
+    /// The least load at rest for these loads, as a multiple of the base load that [`Self::on_top_of`] sets, such as a weight that presses the object
+    /// down.
     #[must_use]
     pub fn load_at_rest(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Quantity::Force, loads)
@@ -225,8 +226,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Angle, Loads::Turn(turn))
     }
 
-    /// This need with a load at rest (N, N m), which acts before the other loads and stays; for instance the weight of the object where a push is
-    /// sought. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
+    /// This need with a load at rest (N, N m), which acts before the other loads and stays constant. If a push is sought, it may be the weight of the
+    /// object. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -328,8 +329,8 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with a safe amount for loads multiplied by `factor`, in place of reduced friction and squeeze; a later [`Self::if_lower_by`] asks
-    /// for both. The load at rest keeps its size.
+    /// This need with a safe amount for loads multiplied by `factor`, in place of reduced friction and squeeze. After a later [`Self::if_lower_by`]
+    /// the safe amount allows for both. The load at rest keeps its size.
     #[doc(alias = "factor of safety")]
     #[must_use]
     pub fn with_safety(mut self, factor: f64) -> Self {
@@ -337,7 +338,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with a load on another of several bodies, which grows together with its only load, see
+    /// This need with a load on another of several bodies. That load grows together with the only load of this need, see
     /// [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     #[must_use]
     pub fn together_with(mut self, body: impl Into<String>, load: Wrench<C>) -> Self {

@@ -1,9 +1,9 @@
 //! The range of amounts for which contact forces inside their cones could balance all loads. With an amount outside this range the object is not
 //! held.
 //!
-//! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v that proves
-//! W(x) to be unbalanced proves the same for every amount with W(x)·v > 0. So the range ends at the latest where this work vanishes. For friction
-//! there is a least coefficient, because friction widens the cones.
+//! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v may prove
+//! that W(x) is unbalanced. It then proves this for every other amount y with W(y)·v > 0, so the range ends at the latest where this work vanishes.
+//! For friction there is a least coefficient, because friction widens the cones.
 
 use super::loading::Loading;
 use super::posed::{Posed, Safety, Sought};
@@ -26,7 +26,7 @@ pub(super) struct Range {
     pub(super) is_empty_at_rest: bool,
     /// The single amount that proofs leave, if they exclude all others.
     only: Option<f64>,
-    /// For friction only: an estimate of the lower end by secants, which is more accurate than the proved end.
+    /// For friction only: an estimate of the lower end from secants, which is more accurate than the proved end.
     pub(super) likely: Option<f64>,
 }
 
@@ -65,7 +65,7 @@ impl Range {
         Ok(range)
     }
 
-    /// The single amount in this range, up to rounding; `None` if there are more or none.
+    /// The only amount that proofs leave, up to rounding; `None` if they leave several amounts or none.
     pub(super) fn point(&self) -> Option<f64> {
         match (self.low, self.high) {
             _ if self.is_empty => self.only,
@@ -95,9 +95,9 @@ impl Range {
             let there = loading(end)?;
             let works = |of: &Loading| of.grasp.engine.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
-            // The load works along the motion at both ends of the range, so no contact forces balance it at any amount between them.
+            // The load does positive work along the motion at both ends of the range, so no contact forces balance it at any amount between them.
             if beyond >= 0.0 || at == end {
-                // Proofs from both sides may exclude one amount by rounding only.
+                // If proofs from both sides exclude all amounts down to a single amount, this last amount may be excluded due to rounding only.
                 let root = at + (end - at) * (work / (work - beyond));
                 self.only = (at == end || (root - end).abs() <= NEGLIGIBLE * end).then_some(end);
                 self.is_empty = true;
@@ -115,8 +115,8 @@ impl Range {
     }
 
     /// The least coefficient of friction with which contact forces balance all loads. Below it, a proof consists of a motion along which a load does
-    /// positive work. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than the existence of
-    /// proofs.
+    /// positive work. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than a bisection on
+    /// whether a proof exists.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,

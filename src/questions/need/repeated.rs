@@ -22,7 +22,7 @@ impl Loading {
         };
         let shaken = self.grasp.shake(base, &legs)?;
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
-        // Beyond small motions nothing is known to rest or to stay.
+        // Motions beyond the limit of small motions prove neither rest nor that the object stays.
         if let Some(far) = shaken.too_far.as_ref().filter(|_| does == Some(true)) {
             let says = format!("GOES TOO FAR in a cycle: {}", far.caution(self.words));
             return Ok(Trial::does_not(says, carried(&shaken, legs.len())));

@@ -1,7 +1,7 @@
-//! The search for a sufficient amount, and then for a neighbouring insufficient one: together a bracket of the bound, which `threshold` narrows.
+//! The search for a sufficient amount, and then for a neighbouring insufficient amount: together a bracket of the bound, which `threshold` narrows.
 //!
-//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above where the least amount is sought, and
-//! below where the greatest is sought.
+//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above if the least amount is sought, and
+//! below if the greatest is sought.
 
 use super::between::refined;
 use super::range::Range;
@@ -16,16 +16,17 @@ use crate::prelude::*;
 pub(super) struct Tries<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// The same, but loads beyond those asked about are not followed, so that the distance of a sufficient amount from the bound stays unknown.
+    /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
     pub(super) short: TrialOf<'t>,
-    /// A quick trial leaves out the enumeration of many contact states, which is slowest where no equilibrium exists; such a trial is undecided. With
-    /// `true` it is short, too.
+    /// Quick trials leave out the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide,
+    /// the trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states at rest differ between two amounts with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
     /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
-    /// Whether full trials may find directions of a force that later quick trials include.
+    /// Whether full trials may find new directions in which a force of any direction is not carried. Later quick trials then include these
+    /// directions.
     pub(super) learns: bool,
     /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
     pub(super) is_planar: bool,
@@ -42,6 +43,7 @@ impl Tries<'_> {
 /// The result of a search.
 #[derive(Debug)]
 pub(super) enum Searched {
+    /// The bracket of the bound.
     Threshold(Threshold),
     /// All amounts that were tried suffice; this is the last amount tried.
     All(f64),
@@ -49,7 +51,7 @@ pub(super) enum Searched {
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// The estimate of the bound of the sufficient amounts from the part c of the load that is carried with an amount x. At the bound c is 1.
+/// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
     /// The bound of the sufficient amounts is about `x c`, because the load itself is the sought quantity. Here x is the tried amount and c the
@@ -65,14 +67,18 @@ pub(super) enum Guess {
 /// The quantity that a search seeks, its range, and its effort.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
+    /// The first amount to try, if forces can balance the loads with it.
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
+    /// The amounts that proofs leave.
     pub(super) range: Range,
+    /// Whether the least sufficient amount is sought, otherwise the greatest.
     pub(super) is_least: bool,
+    /// How the bound is estimated from a carried part of the load.
     pub(super) guess: Guess,
-    /// Whether it is known that all easier amounts suffice if one does. Easier amounts are larger where the least amount is sought, and smaller where
-    /// the greatest is sought.
+    /// Whether it is known that all easier amounts suffice if one amount does. Easier amounts are larger if the least amount is sought, and smaller
+    /// if the greatest is sought.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.
@@ -99,7 +105,7 @@ impl SearchPlan {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether a proof excludes all amounts beyond this one, to the accuracy of the proof.
+    /// Whether a proof excludes all amounts beyond this amount, to the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -115,18 +121,20 @@ impl SearchPlan {
         self.contains(guess).then_some(guess)
     }
 
-    /// Whether an amount lies beyond another one, where less suffices: below it if the least amount is sought.
+    /// Whether the amount `one` demands more of the grasp than `other`: it is smaller if the least amount is sought, else larger.
     fn is_harder(&self, one: f64, other: f64) -> bool {
         if self.is_least { one < other } else { one > other }
     }
 
-    /// The amount at this relative distance beyond the proved end of the range, if that end lies beyond a sufficient amount.
+    /// The amount at the relative distance `part` beyond the proved end of the range on the harder side; inside the range if `part` is negative.
+    /// `None` if no such end is known, or if it is easier than the amount `does`.
     fn beside_the_end(&self, does: f64, part: f64) -> Option<f64> {
         let end = self.end(!self.is_least).filter(|end| self.is_harder(*end, does))?;
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
-    /// Guesses of the bound, in the order in which they are tried: from the carried part at both ends of a bracket, then beside the proved end.
+    /// Guesses of the bound, in the order in which they are tried. First come those from the carried part at both ends of a bracket, then those
+    /// beside the proved end and the likely bound.
     fn guesses(
         &self,
         (does, trial): (f64, &Trial),
@@ -139,7 +147,8 @@ impl SearchPlan {
         let from_beyond = |part: f64| does_not.and_then(|(at, trial)| beyond(*at, trial, part));
         let [nearest, near_enough, nearby] = NEAR_AN_END;
         let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
-        // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both would fall on one side.
+        // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both trials would fall on one side
+        // of the bound.
         let off = 3e-12;
         let near = |part: f64| self.beside_the_end(does, part);
         let guesses = [
@@ -157,7 +166,8 @@ impl SearchPlan {
         guesses.into_iter().flatten()
     }
 
-    /// The first amount tried: the start if forces can balance it, or else one inside the range. Between two ends that is the middle.
+    /// The first amount tried: the start if forces can balance the loads with it, or else an amount inside the range. Between two ends this is the
+    /// middle.
     pub(super) fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
@@ -168,8 +178,9 @@ impl SearchPlan {
     }
 }
 
-/// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient one towards easier ones. If
-/// no amount there suffices, the other direction is tried, then the intervals between the amounts tried. Trials in `known` are not repeated.
+/// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient first amount towards easier
+/// amounts. If no amount in that direction suffices, the other direction is tried, then the intervals between the amounts tried. Trials in `known`
+/// are not repeated.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -206,8 +217,8 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     // With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
-    // If the start fails because a squeeze moves the part too far, a smaller one may suffice. So smaller amounts are tried, too, where the least is
-    // sought.
+    // If the start fails because its squeeze moves the part too far, a smaller squeeze may suffice. So smaller amounts are tried, too, if the least
+    // is sought.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {
@@ -229,8 +240,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Neighbours keep one undecided amount from ending the search. Closer than 1e-9 the cause, two events at the same load, might occur again. In
-        // a narrow bracket two neighbours are enough.
+        // Neighbours keep one undecided amount from ending the search. If they were closer than 1e-9, the cause, two events at the same load, might
+        // occur again. In a narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -334,7 +345,7 @@ fn edge_from(
     first_insufficient(tries, plan, (does, trial))
 }
 
-/// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient one.
+/// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient amount.
 fn first_insufficient(
     tries: Tries<'_>,
     plan: &SearchPlan,

@@ -11,7 +11,8 @@ use crate::prelude::*;
 /// with the steps, since rounding or a jump of the carried part of the load can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
 
-/// A bracket of the bound of the sufficient amounts: an amount that suffices, and a neighbouring one that does not, with the trial of the latter.
+/// A bracket of the bound of the sufficient amounts: an amount that suffices, and a neighbouring one that does not, with the trial of the
+/// insufficient amount.
 #[derive(Debug, Clone)]
 pub(super) struct Threshold {
     pub(super) does: f64,
@@ -26,10 +27,10 @@ impl Threshold {
         self.narrowed(tries, does, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. Where the measure is unknown, jumps, or is at
+    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at
     /// the level of rounding, the bracket is halved. `does` contains the two measures at the sufficient amount.
     ///
-    /// The first measure is the carried part of the load. Where it jumps, the second margin of the trial is used.
+    /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
         mut self,
         tries: Tries<'_>,
@@ -38,7 +39,7 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (does, enough))?;
         let mut here = tries.at(presumed.does)?;
-        // A full trial may find a weaker direction of a force, which later quick trials include. Such directions differ less and less. So an
+        // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later differ less and less. So an
         // amount that is easier by 1e-6 is tried, too.
         let mut enough = enough;
         for _ in 0..6 {
@@ -64,7 +65,7 @@ impl Threshold {
         }
         self.does = presumed.does;
         // In space, some amounts are shown to be insufficient only by the enumeration of contact states. This takes the longer, the nearer the amount
-        // is to the bound, and right beside the bound it does not end. So the insufficient amount of the answer keeps a distance to the bound there.
+        // is to the bound, and right beside the bound it does not end. So the insufficient amount of the answer then keeps a distance to the bound.
         let is_hard = presumed.does_not.1.needs_enumeration();
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
@@ -105,7 +106,7 @@ impl Threshold {
         (does, enough): ([Option<f64>; 2], Enough),
     ) -> Result<Self, Error> {
         let mut bracket = Narrowing::of(self, tries.is_planar, does, enough);
-        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; those past 120 only follow rounding.
+        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; steps past 120 only follow rounding.
         for step in 0..120 {
             let close =
                 enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
@@ -114,8 +115,8 @@ impl Threshold {
             }
             let is_slow = bracket.is_slow(step);
             let halves = bracket.choose_measure();
-            // Within a jump no measure guides the search. In space, moreover, paths decide less accurately than rounding on which side of the jump an
-            // amount lies. So a wider bracket is enough.
+            // At a jump no measure guides the search. In space, moreover, load paths have step errors larger than rounding, so verdicts on amounts
+            // this close to the jump may be wrong. So a wider bracket is enough.
             let is_blind = halves || bracket.fall().is_none();
             if !tries.is_planar && is_blind && bracket.is_within(AT_A_JUMP) {
                 break;
@@ -151,16 +152,16 @@ struct Narrowing {
     sides: [Side; 2],
     /// Index of the measure in use.
     which: usize,
-    /// The width of the bracket, and the fall of the measure across it, since which the measure is watched for a jump.
+    /// The width of the bracket and the fall of the measure across it when the measure began to be watched for a jump.
     at_first: (f64, Option<f64>),
-    /// The end that the last step moved.
+    /// Index in `sides` of the end that the last step moved. `None` before the first step, and after some steps of a slow search.
     kept: Option<usize>,
-    /// The least distance of the next trial from both ends, relative to the amount; and what it is at first.
+    /// First the least distance of the next trial from both ends, relative to the larger amount; then the value to which this distance is reset.
     push: [f64; 2],
-    /// The last three widths.
+    /// The widths of the bracket after the last three steps.
     widths: [f64; 3],
     last_root: Option<f64>,
-    /// The last bound that contacts at rest predicted.
+    /// The bound that was last predicted from the margins of contacts at rest.
     predicted: Option<f64>,
 }
 
@@ -197,12 +198,12 @@ impl Narrowing {
         width > 0.125 * core::mem::replace(&mut self.widths[step % 3], width)
     }
 
-    /// The fall of the measure in use from one end of the bracket to the other; `None` unless its sign differs.
+    /// The fall of the measure in use from one end of the bracket to the other; `None` unless its signs at the two ends differ.
     fn fall(&self) -> Option<f64> {
         signs_differ(&self.sides, self.which).map(|[over, under]| over - under)
     }
 
-    /// Uses a measure, and watches it from here on.
+    /// Takes the measure with the index `which` into use, and watches it for a jump from the present width on.
     fn watch(&mut self, which: usize) {
         self.which = which;
         self.at_first = (self.width(), self.fall());
@@ -211,7 +212,7 @@ impl Narrowing {
     /// Chooses the measure that guides the next trial. Returns whether it jumps at the bound, so that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
         let is_known = |sides: &[Side; 2], which: usize| signs_differ(sides, which).is_some();
-        // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is.
+        // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
         }
@@ -233,7 +234,7 @@ impl Narrowing {
         let (from, to, width) = (self.edge.does, self.edge.does_not.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
         let mut root = self.root().filter(|_| is_used);
-        // Where the carried part jumps because nothing rests beyond the bound, contacts at rest leave their states there.
+        // If the carried part jumps because no equilibrium at rest exists beyond the bound, contacts at rest leave their states at the bound.
         let stalls = step >= 3 && is_slow && step % 2 == 1;
         if root.is_none() && !stalls {
             root = self.where_rest_ends(tries);
@@ -259,18 +260,21 @@ impl Narrowing {
         (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
     }
 
-    /// The amount at which contacts at rest probably leave their states, as far from the ends of the bracket as it is accurate.
+    /// The amount at which contacts at rest probably leave their states, moved towards an end of the bracket by the estimated error of the
+    /// prediction.
     fn where_rest_ends(&mut self, tries: &Tries<'_>) -> Option<f64> {
         let (from, to) = (self.edge.does, self.edge.does_not.0);
         let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
         let new = (tries.rest_ends)(from, to);
         let next = new.or(last);
-        // The bound is nearer to a prediction than the last prediction is: first the sufficient amount comes as near, then the other one.
+        // The difference between this prediction and the last one exceeds the error. While it is large, the trial lies on the sufficient side of the
+        // prediction, afterwards on the insufficient side.
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
-        // Predictions are exact in the plane, where margins are linear. In space one is tried again only once, on its other side.
+        // Predictions are exact in the plane, where margins are linear in the amount. In space an old prediction is used once more if there is no new
+        // one.
         self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
@@ -284,7 +288,7 @@ impl Narrowing {
     }
 }
 
-/// One end of a bracket: the amount and its measures, and the amount and measures before this end moved last.
+/// One end of a bracket: the two measures at its amount, and its last amounts with their measures.
 struct Side {
     measures: [Option<f64>; 2],
     /// The last three amounts of this end with their measures, the present one first.
@@ -301,7 +305,7 @@ impl Side {
         (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from the last two amounts at this end. On the other side of the bound of the
+    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end. On the other side of the bound of the
     /// sufficient amounts the measure may have another slope.
     fn root(&self, which: usize) -> Option<f64> {
         let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
@@ -328,22 +332,22 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
     Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
-/// A measure at both ends of the bracket, the sufficient end first; `None` unless its sign differs by more than rounding.
+/// A measure at both ends of the bracket, the sufficient end first; `None` unless its signs at the two ends differ by more than rounding.
 fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Relative distances from the bound at which full trials are made where quick trials leave amounts beside the bound undecided. The next distance is
-/// used if the trial at the one before is undecided.
+/// Relative distances from the bound at which full trials are made if quick trials leave amounts beside the bound undecided. The next distance is
+/// used if the trial at the previous distance is undecided.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 
-/// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do not
-/// decide; if wider, the width shows in the answer.
+/// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do
+/// not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: Enough = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials are decided beside the
@@ -353,7 +357,7 @@ const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 /// Differences of a measure between two amounts below this are due to rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// The mean of two amounts, geometric where their ratio exceeds [`FAR_APART`].
+/// The mean of two amounts, geometric if their ratio exceeds [`FAR_APART`].
 fn middle(from: f64, to: f64) -> f64 {
     let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > FAR_APART;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }

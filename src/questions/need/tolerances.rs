@@ -1,6 +1,6 @@
-//! Limits at which the search for an amount ends, and limits of its range.
+//! Stopping tolerances of the search for an amount, and the ratios and numbers of the amounts that it tries.
 //!
-//! All numbers are relative: to the amount, or to the end of a range.
+//! Distances and widths are relative to the amount, or to the end of a range.
 
 use super::threshold::Enough;
 
@@ -22,7 +22,8 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 /// both trials beside an inaccurate end would lie on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
-/// Ratio of successive amounts in a short search, and in the first steps from a sufficient amount to an insufficient one.
+/// Ratio of successive amounts in a search that tries only a few easier amounts, and in the first steps from a sufficient amount to an insufficient
+/// one.
 ///
 /// A bracket whose ends have a larger ratio is halved in logarithms, since arithmetic means approach the smaller end slowly.
 pub(super) const FAR_APART: f64 = 4.0;
@@ -36,22 +37,23 @@ pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 /// The small steps of the search end after this many doublings, at [`FAR_FROM_START`].
 pub(super) const NEAR_DOUBLINGS: u32 = 4;
 
-/// Two tried amounts that are nearer to each other than this relative distance count as one in the number of tried amounts that an answer contains.
+/// Two tried amounts that are nearer to each other than this relative distance count as one amount in the number of tried amounts that an answer
+/// contains.
 ///
 /// If smaller, amounts that only narrow a bracket count as well, and the scan seems denser than it was.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
-/// The widths at which the bracket of the sought amount is narrow enough: the last digits that are not rounding.
+/// The relative widths at which the bracket of the sought amount is narrow enough. They leave only digits that are due to rounding.
 ///
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 
 /// In space a bracket with this relative width is narrow enough if the carried part of the load jumps at the bound of the sufficient amounts.
 ///
-/// If smaller, halvings take most of the time of an answer. If larger, the bracket shows in the answer.
+/// If smaller, halvings take most of the time of an answer. If larger, the width shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
-/// The widths at which the bracket of the sought amount is narrow enough in space, where the load paths that decide have step errors.
+/// The widths at which the bracket of the sought amount is narrow enough in space, since the verdicts come from load paths with step errors.
 ///
 /// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
 pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];
@@ -59,18 +61,18 @@ pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];
 /// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 
-/// The widths at which brackets are narrow enough if they belong to other changes between sufficient and insufficient than the bound. There may be
-/// eight of them, so narrower ones would cost most of the trials.
+/// The widths at which the brackets of changes between sufficient and insufficient other than the bound are narrow enough. There may be eight such
+/// changes, so narrower brackets would cost most of the trials.
 pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
-/// Largest ratio between a tried amount and the first amount, upwards and downwards.
+/// Largest ratio of a tried amount to the first amount, or of the first amount to a tried one.
 ///
 /// If the load is sought, load paths are followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
 /// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
 ///
-/// If smaller, rounding drops a prediction that is right. If larger, one that is wrong costs more trials.
+/// If smaller, rounding drops a prediction that is right. If larger, a wrong prediction costs more trials.
 pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
 /// Between two neighbouring amounts with different contact states at rest a further amount is tried only if their ratio exceeds this.
@@ -83,19 +85,19 @@ pub(super) const BETWEEN_STATES: f64 = 1.05;
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// If the first amount tried is easier than the bound by more than this ratio, amounts beyond the first one are tried as well. The scan around the
-/// bound does not reach that far.
+/// If the first amount tried is easier than the bound by more than this ratio, amounts easier than the first one are tried as well. The scan around
+/// the bound does not reach that far.
 ///
-/// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just beyond the first one is missed.
+/// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just on the easier side of the first one is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
-/// Number of amounts tried beyond the first amount in the case of [`FAR_BEHIND`], up to a ratio of 4.
+/// Number of amounts tried on the easier side of the first amount in the case of [`FAR_BEHIND`], up to a ratio of 4.
 ///
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
 
-/// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`], where a greatest amount is sought. The arm from
-/// which on a load jams may be far shorter than the grasp.
+/// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`] if a greatest amount is sought. A force may jam
+/// the object already with an arm far shorter than the grasp.
 ///
 /// Without these amounts such an end is missed. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];

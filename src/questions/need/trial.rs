@@ -23,7 +23,7 @@ pub(super) enum Trial {
     DoesNot {
         /// The verdict in a sentence.
         says: String,
-        /// The fraction of the load that is carried with the amount; below 0 where the load at rest is not carried in full.
+        /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
         /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still fall below 0
         /// continuously.
@@ -66,7 +66,7 @@ impl Trial {
         self.carried().is_none_or(|carried| carried > NOT_AT_REST && carried < 0.0)
     }
 
-    /// The carried multiple of the load; `None` where the trial is undecided.
+    /// The carried multiple of the load; `None` if the trial is undecided.
     pub(super) fn carried(&self) -> Option<f64> {
         match self {
             Self::Does { carried, .. } | Self::DoesNot { carried, .. } => Some(*carried),
@@ -75,7 +75,7 @@ impl Trial {
     }
 
     /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure vanishes
-    /// at the bound, unless it jumps there. `None` if a measure is not known.
+    /// at the bound, unless it jumps at the bound. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {
@@ -113,7 +113,7 @@ impl Trial {
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
-    /// `None` where nothing rests or it is not known.
+    /// The contact states at rest; `None` if no equilibrium at rest exists or is known.
     pub(super) at_rest: Option<AtRest>,
 }
 
@@ -128,17 +128,17 @@ impl Trials {
     }
 }
 
-/// The loads that refuted earlier amounts. As a rule the same load refutes the next amount, so it is applied first.
+/// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct Refuting {
-    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient one.
+    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction that refuted an amount, or were carried least. Quick trials are confined to them.
+    /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
 impl Refuting {
-    /// Puts a direction first. The list keeps the last six, so that it takes a small part of the time of all directions.
+    /// Puts a direction first. The list keeps the last six directions, so that their trials take a small part of the time of all directions.
     pub(super) fn add(&self, direction: [f64; 3]) {
         let mut list = self.directions.borrow_mut();
         list.retain(|other| *other != direction);

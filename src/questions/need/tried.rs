@@ -27,7 +27,7 @@ pub(super) enum Look {
     /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
     /// A search in both directions. For the data as given, the sufficient amounts may have a far end: a last sufficient amount and its insufficient
-    /// neighbour. If these are given here, the search includes this far end.
+    /// neighbour. If this pair is given here, the search starts from it to find its own far end.
     Everywhere(Option<[f64; 2]>),
     /// A search among a few easier amounts only, such as more squeeze or less load.
     Towards,
@@ -67,8 +67,8 @@ impl<'q> Tried<'q> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // A sufficient quick trial has the verdict of a whole one, unless its search for a rest began elsewhere, or directions between those of a force
-        // of any direction are left out.
+        // A sufficient quick trial has the verdict of a full trial. Exceptions: its search for an equilibrium at rest began elsewhere, or it leaves
+        // out directions between those of a force of any direction.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
@@ -84,7 +84,7 @@ impl<'q> Tried<'q> {
             loading.extent = Extent::Decided;
         }
         let mut trials = self.put_on(&loading, demand)?;
-        // Where no search decides about a rest, the path of the load at rest from zero may.
+        // If no search decides whether an equilibrium at rest exists, a load path from zero to the load at rest may decide it.
         if short && trials.of(demand).is_none_or(|trial| trial.carried().is_none()) {
             loading.extent = Extent::Measured;
             trials = self.put_on(&loading, demand)?;
@@ -118,7 +118,8 @@ impl<'q> Tried<'q> {
         Ok(if short { loading.short() } else { loading })
     }
 
-    /// With many coordinates, the contact states at rest with the nearest amount with which something rests.
+    /// For a grasp with many coordinates: the contact states at rest with the nearest amount for which an equilibrium at rest is known. Otherwise
+    /// empty.
     fn rests_near(&self, amount: f64) -> Vec<State> {
         if !uses_band(self.grasp.engine.size()) {
             return Vec::new();
@@ -142,7 +143,7 @@ impl<'q> Tried<'q> {
     }
 
     /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts are
-    /// extrapolated linearly from `does` and the nearest amount on its far side with the same contact states. `None` if there is no such amount.
+    /// extrapolated from `does` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
@@ -165,7 +166,7 @@ impl<'q> Tried<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The range and number of amounts tried. Amounts that only narrow a bracket count as one.
+    /// The range and number of amounts tried. Amounts that only narrow a bracket count as one amount.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         amounts.sort_by(f64::total_cmp);
@@ -187,7 +188,7 @@ impl<'q> Tried<'q> {
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
-            // A load is put on from rest, so a path to a larger load has passed all smaller ones.
+            // A load is put on from rest, so a path to a larger load has passed all smaller loads.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,
@@ -223,13 +224,13 @@ impl<'q> Tried<'q> {
     }
 }
 
-/// The amounts with which something rests, and what rests.
+/// The amounts for which an equilibrium at rest is known, each with its contact states.
 fn rests<'l>(lists: &'l [Ref<'l, Vec<(f64, Trials)>>; 2]) -> impl Iterator<Item = (f64, &'l AtRest)> {
     let all = lists.iter().flat_map(|list| list.iter());
     all.filter_map(|(at, trials)| Some((*at, trials.at_rest.as_ref()?)))
 }
 
-/// The result for a demand, which is kept in a list.
+/// Adds the results for an amount to a list, and returns the result for the demand.
 fn kept(list: &RefCell<Vec<(f64, Trials)>>, amount: f64, trials: Trials, demand: Demand) -> Trial {
     let trial = trials.of(demand).cloned();
     list.borrow_mut().push((amount, trials));

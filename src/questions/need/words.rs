@@ -89,7 +89,7 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
-        // A bound that was searched for has the amounts that were tried beside it; one that proofs leave has none.
+        // A bound that was searched for has the amounts that were tried beside it. A single amount that proofs leave has no such neighbours.
         if tried.is_none() && until.as_ref().is_some_and(|end| end.does == *does) {
             return self.only(f, *does, otherwise);
         }

@@ -15,7 +15,7 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
     /// Largest absolute coordinate of the vectors from the centroid to the contacts, m.
     pub(super) reach: X,
-    /// For two contacts in space: the exchange of coordinates after which the rotation about their line, which nothing resists, comes last. `None`
+    /// For two contacts in space: the exchange of coordinates after which the rotation about their line, which no spring resists, comes last. `None`
     /// for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
@@ -98,8 +98,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The force and moment that `forces` leave of the load, about the centroid. Second, their size: the largest component relative to the sum of all
-    /// forces, plus the same for moments.
+    /// The force and moment that `forces` leave of the load, about the centroid, and the relative size of this rest. The size is the largest force
+    /// component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,

@@ -51,7 +51,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         Self(PointBatch::with_capacity(N, grasps))
     }
 
-    /// Appends a grasp. Its index in the batch, and so of its answers, is the number of grasps before it.
+    /// Appends a grasp. Its index in the batch, and among the answers, is the number of grasps before it.
     pub fn push(&mut self, fingers: &Fingers<C, N>) {
         self.0.push_scene(&AnyScene::block(&fingers.grasp.scene));
     }
@@ -107,15 +107,15 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     }
 
     /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`], and
-    /// each equals that of [`Fingers::least_squeeze`] bit for bit.
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`].
+    /// Each answer equals that of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// For each grasp and each growing load, the derivatives of the load factor at first slip by all data of grasp and load, on one thread;
-    /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
-    /// [`Self::onsets_into`], and each equals that of [`Fingers::onset_gradients`] bit for bit.
+    /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data of grasp and load, on one
+    /// thread. [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered
+    /// as in [`Self::onsets_into`]. Each gradient equals that of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);

@@ -17,7 +17,7 @@ type WideForces<const C: usize> = Forces<C, Lanes, [Force<C, Lanes>; MOST_POINTS
 /// Consecutive grasps of a batch for one thread, the questions about these grasps, and the memory for the answers.
 pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact one.
+    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact has one.
     pub(super) ends: u64,
     /// Index in the batch of the first of these grasps.
     pub(super) first: usize,

@@ -6,7 +6,7 @@ use super::lanes::Packed;
 pub(super) const MOST_SCREENED: usize = 5;
 /// The most contact points of a grasp in a [`PointBatch`](super::PointBatch).
 pub(super) const MOST_POINTS: usize = 64;
-/// The number of contacts, limited to [`MOST_POINTS`], the length of arrays, so that no index exceeds it.
+/// The number of contacts, limited to the length [`MOST_POINTS`] of the arrays, so that no index exceeds their length.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
@@ -22,12 +22,12 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
     all
 }
 
-/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; three [`Sizes`] follow. The number of contacts is
-/// known only at run time, so that kernels are compiled once for the plane and once for space.
+/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; the three numbers of [`Sizes`] follow. The number
+/// of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
-    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact one.
+    /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact has one.
     pub(super) ends: u64,
     pub(super) numbers: &'a [X],
     /// Commands along the normals of all contacts, m, then their clearances, m. `numbers` has only the differences; questions that scale the commands
@@ -44,12 +44,15 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of terms, by which the rounding of contact forces is bounded: those due to the commands, to a unit moment and to a
-/// unit force. They are zero with [`Method::Motions`](super::method::Method::Motions).
+/// Sums of the absolute values of the terms of contact forces, which bound the rounding of these forces. They are zero with
+/// [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
+    /// The sum of the terms due to the commands.
     pub(super) commands: X,
+    /// The sum of the terms due to a unit moment.
     pub(super) moment: X,
+    /// The sum of the terms due to a unit force.
     pub(super) force: X,
 }
 
@@ -191,7 +194,7 @@ impl<const C: usize> AnyScene<C> {
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }
 
-    /// Makes this contact point belong to the same soft fingertip as the next one.
+    /// Makes this contact point belong to the same soft fingertip as the next contact point.
     pub(super) fn join_to_next(&mut self, contact: usize) {
         self.ends &= !(1 << contact);
     }

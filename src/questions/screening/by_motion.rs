@@ -2,7 +2,7 @@
 //! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
 //!
 //! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, with the stiffness
-//! matrix T and the wrench w that was not balanced. Where stiffnesses differ much, T loses the contribution of the soft contacts. The balance of
+//! matrix T and the wrench w that was not balanced. If stiffnesses differ much, T loses the contribution of the soft contacts. The balance of
 //! forces shows the loss, and the step is repeated for the residual. Forces that obey both the balance and the springs are right, however inaccurate
 //! T is.
 

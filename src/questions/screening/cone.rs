@@ -38,8 +38,8 @@ impl<X: Packed> StickingCone<X> {
     }
 }
 
-/// The contact force `F + τ F'` as a line in τ, and a round friction cone. With n and t for `α F_n` and `β F_t` the line crosses the cone, or its
-/// mirror image at the apex, where
+/// The contact force `F + τ F'` as a line in τ, and a round friction cone. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]. The line
+/// crosses the cone, or its mirror image at the apex, at the roots of
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
@@ -58,13 +58,13 @@ pub(super) struct Crossing<X: Packed> {
     pub(super) root: X,
     /// The magnitude `|t|` of the scaled friction force at τ = 0, N.
     pub(super) friction: X,
-    /// The magnitude `|t'|` of the rate of the scaled friction force by τ, N.
+    /// The magnitude `|t'|` of the derivative of the scaled friction force with respect to τ, N.
     pub(super) friction_rate: X,
 }
 
 impl<X: Packed> Crossing<X> {
-    /// The crossing of a round cone by the contact force as a line in τ. At τ = 0 the scaled normal and friction force are (n, t), and their rates by
-    /// τ are (n', t').
+    /// The crossing of a round cone by the contact force as a line in τ. At τ = 0 the scaled normal and friction force are (n, t), and their
+    /// derivatives with respect to τ are (n', t').
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
         let zero = X::all(0.0);

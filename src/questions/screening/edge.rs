@@ -7,21 +7,23 @@ use super::lanes::{Packed, dot};
 use super::screened::Screened;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, and its derivatives, at the load factor at which m vanishes. In arrays
-/// with one entry per contact, the entries of all other contacts are zero. All numbers are NaN where no contact leaves its cone.
+/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, and its derivatives, at the load factor at which m vanishes. With
+/// friction, α is the coefficient and β is 1; see [`StickingCone`]. In arrays with one entry per contact, the entries of all other contacts are zero.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The load factor at which the margin m of the leaving contact vanishes; NaN if none leaves.
+    /// The load factor at which the margin m of the leaving contact vanishes. NaN if no contact leaves, which makes all derivatives of this factor
+    /// NaN.
     pub(super) factor: X,
-    /// The index of the contact that leaves its cone; -1 where there is none.
+    /// The index of the contact that leaves its cone; -1 if no contact leaves.
     pub(super) contact: X,
-    /// The derivatives of the margin m by the contact force, along the normal and (`tangential`) across it. Used as commands of the fingers they
-    /// cause contact forces from which all derivatives of m follow.
+    /// The derivative of the margin m with respect to the normal force of each contact. As commands of the fingers, this array and `tangential` cause
+    /// contact forces from which all derivatives of m follow; see [`Self::probe`].
     normal: [X; MOST_SCREENED],
+    /// The derivative of the margin m with respect to the tangential force of each contact, one array for each axis.
     tangential: [[X; MOST_SCREENED]; C],
-    /// The derivative of the margin m by each contact's coefficient of friction, N.
+    /// The derivative of the margin m with respect to each contact's coefficient of friction, N.
     pub(super) by_friction: [X; MOST_SCREENED],
-    /// The derivative of the margin m by the load factor, N.
+    /// The derivative of the margin m with respect to the load factor, N.
     pub(super) rate: X,
     /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided: several contacts leave together, or the
     /// friction force is zero.
@@ -29,7 +31,7 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> LeavingEdge<C, X> {
-    /// A margin and derivatives that are all zero, before [`Self::reach`].
+    /// All numbers zero, before [`Self::reach`] computes them.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
@@ -43,8 +45,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the margin's derivatives there. The margin is
-    /// that of contact `which` if it leaves there, else that of the first one that leaves.
+    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the derivatives of the margin at this factor.
+    /// The margin is that of contact `which` if this contact leaves its cone at the factor, else that of the first contact that leaves.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -94,7 +96,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// The derivatives of the margin by the contact force, as commands of the fingers: the springs are then solved once more with them.
+    /// The derivatives of the margin with respect to the contact force, as commands of the fingers. With these commands the springs are solved once
+    /// more.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

@@ -6,7 +6,7 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 /// The factors of one matrix in each lane, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it. Where a pivot d of D vanishes up to rounding, the diagonal has zero in place of 1/d.
+    /// L below the diagonal, and D⁻¹ on it. If a pivot d of D vanishes up to rounding, the diagonal has zero in place of 1/d.
     pub(super) entries: [[X; R]; R],
     /// For each lane, positive if some pivot of the factorisation vanishes up to rounding; else zero.
     pub(super) free: X,

@@ -49,15 +49,15 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
-    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking there. Where screening cannot
-    /// decide, the verdict says why.
+    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking at this factor. If screening
+    /// cannot decide, the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)
     }
 
-    /// Derivatives of the load factor at first slip by all data of the grasp and the load. There is one gradient for each contact that stops sticking
-    /// there, in rising order; none if [`Self::onset`] has no load factor.
+    /// Derivatives of the load factor at first slip with respect to all data of the grasp and the load. There is one gradient for each contact that
+    /// stops sticking at first slip, in rising order of contacts. There is none if [`Self::onset`] has no load factor.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -97,7 +97,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. Where
+    /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. If
     /// screening cannot decide, the verdict says why.
     ///
     /// ```

@@ -19,16 +19,16 @@ struct Exit<X: Packed> {
     margin: X,
     /// Bound of the rounding error of `margin`.
     rounding: X,
-    /// Minus infinity where a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
+    /// Minus infinity if a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
     lost: X,
 }
 
 /// The load factor at which the contact force `F + factor · F'` leaves the cone, with F at load factor zero and the rate F'. The margin at load
 /// factor zero must not be negative.
 ///
-/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line. For large factors the margin falls at the rate `|t'| - n'`.
-/// The force leaves the cone only if this rate exceeds its rounding. In the plane the margin is the smaller of two linear functions. In space its
-/// first root solves a quadratic equation, see [`Crossing`].
+/// Let n and t be `α F_n` and `β F_t` with α and β of the [`StickingCone`]. The margin `n - |t|` is concave along the line. For large factors the
+/// margin falls at the rate `|t'| - n'`. The force leaves the cone only if this rate exceeds its rounding. In the plane the margin is the smaller of
+/// two linear functions. In space its first root solves a quadratic equation, see [`Crossing`].
 #[inline(always)]
 fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
@@ -72,7 +72,8 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The first slip of the grasps of a block, from their contact forces at load factor zero (`base`) and the rates of these forces by the load factor.
+/// The first slip of the grasps of a block. `base` has their contact forces at load factor zero, `rates` the derivatives of these forces with respect
+/// to the load factor.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -104,7 +105,8 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A soft fingertip leaves as soon as one of its points does. `until` allows for rounding, so that all contacts which leave together are listed.
+    // A soft fingertip leaves as soon as one of its points does. `until` exceeds the first load factor by rounding, so that all contacts that leave
+    // together are listed.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

@@ -1,11 +1,11 @@
-//! The first slip of one grasp: a load factor, or a code for the lack of one, and its verdict.
+//! The first slip of one grasp: a load factor, or a code if there is no first slip, and its verdict.
 
 use core::fmt;
 
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp, or the lack of one, as two numbers, so that kernels can select among answers without a branch.
+/// The first slip of one grasp, or a code if there is none, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
     /// The load factor at first slip, infinite if no contact leaves, or one of the codes below.
@@ -29,10 +29,10 @@ pub enum ScreeningVerdict {
     Leaves,
     /// However large the load grows, no contact stops sticking.
     Never,
-    /// Not every contact sticks at load factor zero: one would slide or be open, or there may be no equilibrium.
+    /// Not every contact sticks at load factor zero: a contact would slide or be open, or there may be no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
     NotSticking,
-    /// The base load or the growing load works on a motion that no contact resists.
+    /// The base load or the growing load does positive work along a motion that no contact resists.
     GivesWay,
     /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) can.
     ///

@@ -4,12 +4,13 @@ use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;
 use super::lanes::Packed;
 
-/// The forces of all contacts, or their rates by the load factor. The array has room for five contacts by default, or as many as `A` holds.
+/// The forces of all contacts, or their derivatives with respect to the load factor. The array has room for five contacts by default, or as many as
+/// `A` holds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MOST_SCREENED]> {
     /// The largest part of the load that the contact forces leave unbalanced, as a fraction of the sum of forces; NaN if no forces were found.
     pub(super) unbalanced: X,
-    /// Positive if the load works on a motion that no contact resists; else zero.
+    /// Positive if the load does positive work along a motion that no contact resists; else zero.
     pub(super) free: X,
     /// The motion of the object about the centroid of its contacts under this load; zero unless forces were found by
     /// [`Method::Motions`](super::method::Method::Motions).

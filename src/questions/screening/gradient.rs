@@ -1,9 +1,9 @@
-//! Derivatives of the load factor at first slip by all data of a grasp.
+//! Derivatives of the load factor at first slip with respect to all data of a grasp.
 //!
-//! The load factor τ is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`, with m' the derivative of m by τ. Let g = ∂m/∂F
-//! be the derivative of m by the force of that contact. The springs are solved once more, with g as the command of its finger and nothing else. All
-//! derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and the motion (u, ω) at first slip,
-//! the derivatives by the data of each contact are
+//! The load factor τ is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`, with m' the derivative of m with respect to τ.
+//! Let g = ∂m/∂F be the derivative of m with respect to the force of that contact. The springs are solved once more, with g as the command of its
+//! finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and the
+//! motion (u, ω) at first slip, the derivatives with respect to the data of each contact are
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
@@ -27,11 +27,12 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// The question of screening for the derivatives, by all data, of the load factor at first slip under this pull.
+/// The question of screening for the derivatives, with respect to all data, of the load factor at first slip under this pull.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
-    /// The contact whose margin is differentiated, if it leaves there; else, and for `None`, the first contact that leaves.
+    /// The contact whose margin is differentiated, if it leaves its cone at first slip. Otherwise, and for `None`, it is the first contact that
+    /// leaves.
     pub(super) contact: Option<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! The derivatives of the load factor at first slip by all data of a grasp and the load, as a row of numbers.
+//! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count, entries};
@@ -10,8 +10,8 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. First come four numbers on the first slip, then the derivatives by points, normals, commands,
-/// stiffness and friction, each contact by contact. The derivatives by the load come last.
+/// The layout of a gradient as a row of numbers. First come four numbers on the first slip. The derivatives with respect to points, normals,
+/// commands, stiffness and friction follow, each contact by contact. The derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -97,7 +97,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         }
     }
 
-    /// Writes the derivatives by the point, normal, command and stiffness of contact i, each multiplied by `scale` = -1/m'.
+    /// Writes the derivatives with respect to the point, normal, command and stiffness of contact i, each multiplied by `scale` = -1/m'.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));

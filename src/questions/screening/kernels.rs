@@ -32,7 +32,7 @@ pub(super) struct Kernel<const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) many: fn(BatchPart<'_, C, Q>),
 }
 
-// Plane and space have a static each, so that a program for a small controller contains only the one that it uses.
+// Plane and space have a static each, so that a program for a small controller contains only the static that it uses.
 static PLANE: Kernels<2> = Kernels::new();
 static SPACE: Kernels<3> = Kernels::new();
 

@@ -36,11 +36,11 @@ pub(super) trait Packed:
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;
-    /// The larger of the two numbers in each lane; `other` where one of them is NaN.
+    /// The larger of the two numbers in each lane; `other` if one of them is NaN.
     fn max(self, other: Self) -> Self;
-    /// The smaller of the two numbers in each lane; `other` where one of them is NaN.
+    /// The smaller of the two numbers in each lane; `other` if one of them is NaN.
     fn min(self, other: Self) -> Self;
-    /// In each lane `yes` where this number is larger than `bound`, else `no`; also `no` where one of the two is NaN.
+    /// In each lane `yes` if this number is larger than `bound`, else `no`; also `no` if one of the two is NaN.
     fn above(self, bound: Self, yes: Self, no: Self) -> Self;
 
     /// Whether every lane equals `value`.

@@ -35,8 +35,8 @@ struct Margin<X: Packed> {
 }
 
 impl<X: Packed> Margin<X> {
-    /// The interval of factors >= 0 in which this margin, as a linear function of the factor, is not negative, with error bounds. An empty one runs
-    /// from infinity to minus infinity.
+    /// The interval of factors >= 0 in which this margin, as a linear function of the factor, is not negative, with error bounds. An empty interval
+    /// runs from infinity to minus infinity.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
@@ -60,7 +60,7 @@ impl<X: Packed> Margin<X> {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval of factors in which this margin of a round friction cone is not negative; NaN where rounding decides.
+    /// The interval of factors in which this margin of a round friction cone is not negative; NaN if rounding decides.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -76,13 +76,14 @@ impl<X: Packed> Margin<X> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // A line of forces that is inside the cone by less than this, or outside by less, may in truth do the other; then the answer is unclear.
+        // If the line of forces passes inside or outside the cone by less than this, rounding decides whether it crosses the cone. The answer is then
+        // unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
         // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If rounding
-        // hides the case, the interval is known only where the commands cause no force.
+        // decides which case applies, the interval is known only if the commands cause no force.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -112,16 +113,19 @@ impl<X: Packed> Margin<X> {
 
 /// The intersection of the intervals of factors on the commands in which the margins added so far are not negative, and flags.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of the intervals of factors of all contacts and loads: as computed, then its lower and upper error bound.
+    /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
     first: X,
+    /// The lower error bound of `first`.
     first_sure: X,
+    /// The upper error bound of `first`.
     first_most: X,
-    /// The lower and upper error bound of the least upper end of the intervals of factors of all contacts and loads.
+    /// The lower error bound of the least upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
+    /// The upper error bound of this least upper end.
     last_most: X,
     /// Positive if rounding decides whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,
-    /// Positive if a load added so far works on a motion that no contact resists.
+    /// Positive if a load added so far does positive work along a motion that no contact resists.
     free: X,
     /// The contact and the load whose interval has the largest lower end, encoded as `8 · load + contact`.
     binding: X,

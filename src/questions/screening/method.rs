@@ -1,7 +1,7 @@
 //! Two methods for the contact forces of three contacts in space: forces along the edges of their triangle, or the motion of the object.
 //!
 //! In the first method some set of contact forces that balances the load is chosen. Forces along the edges are added so that displacements agree with
-//! the compliances. In a slim triangle the first set is larger than the sum, which costs digits. Where compliances differ much, the force of a soft
+//! the compliances. In a slim triangle the first set is larger than the sum, which costs digits. If compliances differ much, the force of a soft
 //! contact is a small difference of large forces. Such grasps are solved by the motion of the object, and so are contacts without friction, whose
 //! compliance is infinite.
 //!
@@ -75,7 +75,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     }
 }
 
-/// Bounds of the rounding of contact forces found along edges. Those for a unit moment and a unit force are zero where rounding would be too large
+/// Bounds of the rounding of contact forces found along edges. The bounds for a unit moment and a unit force are zero if rounding would be too large
 /// for this method.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let mut triangle = Triangle::none();
@@ -169,7 +169,8 @@ mod tests {
         [loaded, squeezed]
     }
 
-    /// The percentage of a thousand random grasps for which [`Method::Edges`] is chosen. Asserts for these that both methods find the same forces.
+    /// The percentage of a thousand random grasps for which [`Method::Edges`] is chosen. Asserts for these grasps that both methods find the same
+    /// forces.
     fn by_edges(narrow: f64, decades: f64) -> u32 {
         let mut draw = Draw::new([3, narrow.to_bits(), decades.to_bits()]);
         let (mut count, mut worst) = (0, 0.0_f64);

@@ -1,8 +1,8 @@
 //! Screening: the load at which the first contact stops sticking, for millions of grasps of two to five contacts.
 //!
-//! A planner asks this most often. Screening answers without allocating and without a branch. It computes the contact forces as if every contact
-//! stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which a
-//! contact stops sticking.
+//! Planners ask for this load most often. Screening answers without allocating and without a branch. It computes the contact forces as if every
+//! contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which
+//! a contact stops sticking.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
@@ -14,15 +14,15 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! Derivatives of the load factor at first slip by all data of a grasp are [`ScreenedGradients`]; all together take as long as a few load factors.
-//! One grasp: [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
+//! Derivatives of the load factor at first slip with respect to all data of a grasp are [`ScreenedGradients`]. All together take as long as a few
+//! load factors. One grasp: [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
 //! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the first slip under a load to come, and the extra
 //! squeeze that this load needs.
 //!
-//! [`Grasp::onset`] and the other method of the table agree with screening wherever every contact sticks at the start and the numbers are not
-//! extreme. Elsewhere the verdict of screening says why there is no number ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the
-//! grasp beyond the first slip.
+//! [`Grasp::onset`] and the other method of the table agree with screening if every contact sticks at the start and the numbers are not extreme.
+//! Otherwise the verdict of screening says why there is no number ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp
+//! beyond the first slip.
 //!
 //! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
 //! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).

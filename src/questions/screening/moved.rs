@@ -106,9 +106,9 @@ fn off_the_spring<const C: usize, X: Packed>(
     world(&entries(&block.normals(), i), &left)
 }
 
-/// The derivatives of the work of a contact force F under a motion of the object with displacement u and rotation ω at the contact. The derivative by
-/// the contact point is `ω × F`. The derivative by a rotation of the contact frame is `u × F`, returned in the form `(u × F) × n` for a change of the
-/// normal n.
+/// The derivatives of the work of a contact force F along a motion of the object with displacement u and rotation ω at the contact. The derivative
+/// with respect to the contact point is `ω × F`. The derivative with respect to a rotation of the contact frame is `u × F`, returned as `(u × F) × n`
+/// for a change of the normal n.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
     if const { C == 2 } {

@@ -59,7 +59,7 @@ impl<const C: usize> OneGrasp<C> {
 }
 
 /// Checks contacts and stores their data in `scene`. For [`Method::Edges`], stiffnesses are replaced by compliances. An error for a malformed
-/// contact, or one that screening does not support.
+/// contact, or a contact that screening does not support.
 pub(super) fn write_all<const C: usize>(
     scene: &mut AnyScene<C>,
     contacts: &[Contact<C>],

@@ -26,9 +26,9 @@ use crate::numerics::{Each, Vectors};
 
 /// Replaces the stiffnesses of a pair by compliances.
 ///
-/// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
-/// such contacts hold no load. Nor does a pair with one whose normal is along the line through both: the object turns about the other contact. In
-/// these cases the compliances are NaN.
+/// A contact without friction has an infinite tangential compliance: the condition on λ becomes `F_t = 0` at this contact, and all its other terms
+/// vanish. Two such contacts hold no load. A pair holds no load either if the normal of a contact without friction is along the line through both.
+/// The object then turns about the other contact. In these cases the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
@@ -80,17 +80,19 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
 pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
     midpoint: [X; 2],
-    /// Components of the vector `p_i` from contact i to the other contact, along the normal of contact i and, in the next field, along its tangent.
+    /// Components of the vector `p_i` from contact i to the other contact, along the normal of contact i.
     n: [X; 2],
+    /// Components of `p_i` along the tangent of contact i.
     t: [X; 2],
-    /// Components of `C_i p_i`, with the compliance C_i of contact i, along its normal and, in the next field, along its tangent.
+    /// Components of `C_i p_i` along the normal of contact i, with the compliance C_i of contact i.
     u: [X; 2],
+    /// Components of `C_i p_i` along the tangent of contact i.
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The stretch of the line through both contacts by the forces `p_i⊥`, times |p|: `Σ p_i·C_i p_i⊥`. The next field is the share of the commands
-    /// a_i, `Σ p_i·a_i`, m².
+    /// The stretch of the line through both contacts due to the forces `p_i⊥`, times |p|: `Σ p_i·C_i p_i⊥`.
     sheared: X,
+    /// The stretch of this line due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
     sizes: Sizes<X>,
 }

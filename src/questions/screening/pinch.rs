@@ -7,10 +7,11 @@
 use super::lanes::Packed;
 use crate::numerics::Each;
 
-/// The exchange of two rotations in each lane: that about the coordinate axis nearest to the line between two contacts becomes the last coordinate.
+/// The exchange of two rotations in each lane: the rotation about the coordinate axis nearest to the line between two contacts becomes the last
+/// coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
-    /// Positive in the first entry if the coordinate axis nearest to the line is the first one, in the second entry if it is the second one.
+    /// Positive in the first entry if the coordinate axis nearest to the line is the first axis, in the second entry if it is the second axis.
     is: [X; 2],
 }
 

@@ -15,8 +15,8 @@ use crate::prelude::*;
 
 /// Many grasps for screening, all with the same number of contact points, two to 64, which is known only at run time.
 ///
-/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which stops sticking where its first point does. All
-/// grasps have the same number of fingers, with the same number of points each. The answers equal those of [`Batch`](super::Batch) bit for bit.
+/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which stops sticking as soon as one of its points does.
+/// All grasps have the same number of fingers, with the same number of points each. The answers equal those of [`Batch`](super::Batch) bit for bit.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, PointBatch, Pull, SoftFingertip, Wrench};
@@ -139,7 +139,7 @@ impl<const C: usize> PointBatch<C> {
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
-        // Kernels write every answer, so that old ones in reused memory need not be cleared.
+        // Kernels write every answer, so that old answers in reused memory need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
         let (blocks, numbers, parted) =

@@ -24,7 +24,7 @@ impl<const C: usize> Pull<C> {
     /// grasp. The factor has no unit, and the direction may have any length.
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.
+    /// [`Error::Wrench`] if a component of the base load or of the direction is not finite or larger than 1e50.
     pub fn new(base: &Wrench<C>, direction: &Wrench<C>) -> Result<Self, Error> {
         base.check("base load")?;
         direction.check("load direction")?;

@@ -29,8 +29,8 @@ pub(crate) struct PutOn<const C: usize> {
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
-    /// The larger of the object's rotations under the base load and under the whole load, factor 1, rad. NaN where the position of the object is not
-    /// determined, or no rotation was computed.
+    /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
+    /// determined, or if no rotation was computed.
     pub(crate) turn: f64,
 }
 
@@ -91,8 +91,8 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
 }
 
 impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
-    /// The magnitude of the object's rotation under the commands and a load, rad, given the contact forces of both together. NaN where it is not
-    /// determined.
+    /// The magnitude of the object's rotation under the commands and a load, rad, given the contact forces of both together. NaN if the position of
+    /// the object is not determined.
     #[inline(always)]
     fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> X {
         let mut moved = ObjectMotion::none();

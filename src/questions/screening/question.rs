@@ -69,8 +69,8 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and those that the clearances alone cause. Their rounding bounds are those for
-    /// loads, a factor smaller than for commands on the edge of a cone.
+    /// Computes the contact forces that the commands alone cause, and those that the clearances alone cause. Their rounding bounds are scaled down to
+    /// the smaller bounds for loads.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
@@ -80,7 +80,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances the forces by the commands are `squeezed`, which are copied so that answers agree to the last bit.
+        // Without clearances the forces due to the commands are `squeezed`, which are copied so that answers agree to the last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {
@@ -90,8 +90,8 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // Clearances only stretch springs and do no work on a motion without resistance. Where their forces cancel, `free` would be positive by
-            // rounding.
+            // Clearances only stretch springs and do no work along a motion without resistance. If their forces cancel, `free` would be positive due
+            // to rounding.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

@@ -4,31 +4,31 @@ use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 
-/// The load factor at first slip of one grasp under a growing load, or the reason why screening has none.
+/// The load factor at first slip of one grasp under a growing load, or the reason why screening has no load factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
 
 impl Screened {
-    /// How the screening ended: with a first slip, without one, or without an answer.
+    /// How the screening ended: with a first slip, with the result that no contact ever slips, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.0.verdict()
     }
 
     /// The positive load factor, the multiple of the load direction, at which the first contact stops sticking. `None` for every verdict but
-    /// [`ScreeningVerdict::Leaves`], so also where no contact ever leaves.
+    /// [`ScreeningVerdict::Leaves`], so also if no contact ever leaves.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.factor()
     }
 
-    /// Whether every contact is known to stick from load factor zero up to and including this one; `false` for negative load factors.
+    /// Whether every contact is known to stick from load factor zero up to and including `factor`; `false` for negative load factors.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. They are several if their load factors agree to twelve
+    /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. There are several if their load factors agree to twelve
     /// digits, and none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()

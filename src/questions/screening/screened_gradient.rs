@@ -53,8 +53,8 @@ impl<const C: usize> ScreenedGradients<C> {
     }
 
     /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: load factor or code of the verdict, leaving
-    /// contacts as bits, contact of the gradient, and kink. The derivatives follow: by n points, n normals, n commands, n pairs of stiffnesses, n
-    /// coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
+    /// contacts as bits, contact of the gradient, and kink. The derivatives follow: with respect to n points, n normals, n commands, n pairs of
+    /// stiffnesses, n coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -67,15 +67,17 @@ impl<const C: usize> ScreenedGradients<C> {
     }
 }
 
-/// The derivatives of the load factor at first slip of one grasp, by each of its data while all others stay fixed. They are NaN where screening has
-/// no load factor.
+/// The derivatives of the load factor at first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
+/// screening has no load factor.
 ///
-/// Where [`Self::is_one_sided`] is true, several contacts leave together, or one leaves through the apex of its cone: the least of their load factors
-/// has a kink. Derivatives are then those of [`Self::contact`]; [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients) has those of
-/// each contact. Along a change of the data, the derivative of the load factor is the least of the derivatives for these contacts.
+/// If [`Self::is_one_sided`] is true, several contacts leave together, or a contact leaves through the apex of its cone: the least of the contacts'
+/// load factors has a kink. Derivatives are then those for the margin of [`Self::contact`]. For the derivatives of each of these contacts see
+/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). Along a change of the data, the derivative of the load factor is the
+/// least of the derivatives for these contacts.
 ///
-/// Where no spring resists some motion of the object, derivatives by points, normals and loads are NaN: with other data there may be no equilibrium.
-/// Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps, too.
+/// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN: with other data there may be no
+/// equilibrium. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps,
+/// too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenedGradient<'a, const C: usize> {
     contacts: usize,
@@ -84,7 +86,7 @@ pub struct ScreenedGradient<'a, const C: usize> {
 
 impl<const C: usize> ScreenedGradient<'_, C> {
     /// The answer of screening, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the contacts
-    /// that leave their cones there.
+    /// that leave their cones at this factor.
     #[must_use]
     pub fn screened(&self) -> Screened {
         Screened(SlipCode {
@@ -93,7 +95,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         })
     }
 
-    /// The contact whose margin vanishes at first slip and whose gradient this is, counted from 0. `None` without a load factor.
+    /// The contact whose margin vanishes at first slip and whose gradient this is, counted from 0. `None` if there is no load factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {
@@ -107,30 +109,31 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         self.row[GradientRow::<C>::KINK] > 0.0
     }
 
-    /// Derivative by the position of a contact along the coordinate axes, 1/m, while its normal stays the same.
+    /// Derivative with respect to the position of a contact along the coordinate axes, 1/m, while its normal stays the same.
     ///
     /// # Panics
-    /// If there is no such contact; the same holds for all derivatives by data of a contact.
+    /// If there is no such contact; the same holds for all derivatives with respect to data of a contact.
     #[must_use]
     pub fn point(&self, contact: usize) -> [f64; C] {
         self.vector(GradientRow::<C>::POINTS, contact)
     }
 
-    /// Derivative by the unit normal of a contact, along the coordinate axes, 1/rad. This vector is perpendicular to the normal, whose length is
-    /// fixed. The contact frame tilts with the normal, without a turn about it. Commands, clearance and springs stay along the axes of the frame.
+    /// Derivative with respect to the unit normal of a contact, along the coordinate axes, 1/rad. This vector is perpendicular to the normal, whose
+    /// length is fixed. The contact frame tilts with the normal, without a turn about it. Commands, clearance and springs stay along the axes of the
+    /// frame.
     #[must_use]
     pub fn normal(&self, contact: usize) -> [f64; C] {
         self.vector(GradientRow::<C>::normal(self.contacts), contact)
     }
 
-    /// Derivative of the load factor by the command of a contact along the coordinate axes, 1/m.
+    /// Derivative of the load factor with respect to the command of a contact along the coordinate axes, 1/m.
     #[must_use]
     pub fn command(&self, contact: usize) -> [f64; C] {
         self.vector(GradientRow::<C>::command(self.contacts), contact)
     }
 
-    /// Derivatives by the series stiffness of a contact, normal and tangential, m/N; the second changes both tangents together. Commands stay the
-    /// same, so that a stiffer finger presses more. Zero for a spring that does not exist.
+    /// Derivatives with respect to the series stiffness of a contact, normal and tangential, m/N; the tangential derivative is for a change along
+    /// both tangents together. Commands stay the same, so that a stiffer finger presses more. Zero for a spring that does not exist.
     #[must_use]
     pub fn stiffness(&self, contact: usize) -> [f64; 2] {
         let of = GradientRow::<C>::stiffness(self.contacts)..GradientRow::<C>::friction(self.contacts);
@@ -138,14 +141,15 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         [pair[0], pair[1]]
     }
 
-    /// Derivative by the coefficient of friction of a contact: zero for every contact but [`Self::contact`], and for that one if it only opens.
+    /// Derivative with respect to the coefficient of friction of a contact. It is zero for every contact but [`Self::contact`], and for that contact,
+    /// too, if it only opens.
     #[must_use]
     pub fn friction(&self, contact: usize) -> f64 {
         self.row[GradientRow::<C>::friction(self.contacts)..GradientRow::<C>::load(self.contacts)][contact]
     }
 
-    /// Derivatives of the load factor by the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives by the load
-    /// direction are the load factor times these.
+    /// Derivatives of the load factor with respect to the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives with
+    /// respect to the load direction are the load factor times these.
     #[must_use]
     pub fn base_load(&self) -> &[f64] {
         &self.row[GradientRow::<C>::load(self.contacts)..]

@@ -5,7 +5,7 @@ use core::fmt;
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has none.
+/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
     /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
@@ -22,7 +22,7 @@ pub enum SqueezeVerdict {
     Suffices,
     /// With no factor of the commands all contacts stick under all loads.
     NoFactor,
-    /// A load works on a motion that no contact resists, however much the fingers press.
+    /// A load does positive work along a motion that no contact resists, however much the fingers press.
     GivesWay,
     /// Screening cannot decide, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) can.
     ///
@@ -37,7 +37,7 @@ impl ScreenedSqueeze {
     /// Fills the memory for answers before a kernel writes them: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended: with a factor, without one, or without an answer.
+    /// How the screening ended: with a sufficient factor, with the result that no factor suffices, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -49,15 +49,15 @@ impl ScreenedSqueeze {
     }
 
     /// The least common factor of all commands with which every contact sticks under every load; zero if no squeeze is needed. `None` for every
-    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances are not scaled, and a contact may be pushed open by the
-    /// others.
+    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances are not scaled, and a contact may be pushed open by
+    /// other contacts.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the index of the load under which the contact is there; both count from 0. If there
-    /// are several, the first is returned. `None` where the factor is zero or there is none.
+    /// The contact at the edge of its cone with this factor, and the index of the load under which it is at this edge. Both count from 0. If there
+    /// are several such contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

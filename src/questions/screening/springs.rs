@@ -26,7 +26,7 @@ pub(super) enum StickingSprings<const C: usize, X: Packed> {
     Pair(Pair<X>),
     /// Contact forces from forces along the edges, for triangles of contacts in space with [`Method::Edges`].
     Triangle(Triangle<C, X>),
-    /// Contact forces from the motion of the object, by its factorised stiffness matrix.
+    /// Contact forces from the motion of the object, with its factorised stiffness matrix.
     RigidBody(RigidBody<C, X>),
 }
 
@@ -73,8 +73,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Computes the contact forces that commands alone cause, without a load on the object. The commands are `others`, else those of the grasps in
-    /// this block less clearances.
+    /// Computes the contact forces that commands alone cause, without a load on the object. The commands are `others`, or else the commands of the
+    /// grasps in this block, less clearances.
     pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,
@@ -93,8 +93,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Writes the rotation of the object under commands and a load into `moved`, at least; else as [`Self::moved`]. For [`Method::Motions`] `forces`
-    /// has the rotation already.
+    /// Writes at least the rotation of the object under commands and a load into `moved`. With [`Method::Motions`] the rotation is copied from
+    /// `forces`; with the other method the whole motion is computed as by [`Self::moved`].
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

@@ -1,21 +1,21 @@
-//! Limits at which screening calls an answer unclear, or refines contact forces.
+//! Tolerances with which screening calls an answer unclear, or refines contact forces.
 //!
-//! All of them but the bounds of products are dimensionless. Where more than a few refinements of the forces would be needed, the verdict is unclear.
+//! All of them but the bounds of products are dimensionless. If more than a few refinements of the forces would be needed, the verdict is unclear.
 
 /// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of the forces.
 ///
 /// If this were smaller, rounding would decide whether the contact sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// If more than this fraction of the load stays unbalanced, and no spring resists some motion, the load works on that motion.
+/// If more than this fraction of the load stays unbalanced, and no spring resists some motion, the load does work along that motion.
 ///
-/// If the load does not work on it, only rounding stays unbalanced. If this limit were larger, a load that drives the object away weakly would be
-/// called unclear.
+/// If the load does no work along the motion, only rounding stays unbalanced. If this limit were larger, a load that drives the object away weakly
+/// would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
 /// Contact forces whose residual exceeds this fraction of the load and forces are refined. Rounding alone leaves about 1e-15.
 ///
-/// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact beside a stiff one would lose digits.
+/// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact beside a stiff contact would lose digits.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
 /// The rate at which a margin falls with the load must be at least this multiple of the rounding of the rate.

@@ -1,8 +1,8 @@
 //! Three contacts in space: contact forces from forces along the edges of their triangle, with compliances.
 //!
 //! Edges run around the triangle, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge j = i + 1 ends at contact i, and edge k = i +
-//! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance with a load (force W_f, moment M about the centroid) leaves three unknowns λ,
-//! forces that stretch the edges:
+//! 2 begins at contact i. All edges are normal to `m = e_1 × e_2`. Balance with a load (force W_f, moment M about the centroid) leaves three unknowns
+//! λ, forces that stretch the edges:
 //!
 //! ```text
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²
@@ -15,7 +15,7 @@
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
 //! ```
 //!
-//! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large ones is more accurate with
+//! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large forces is more accurate with
 //! `balance`; [`super::method`] chooses between the two.
 
 use super::block::{Block, Commanded, entries};
@@ -26,8 +26,8 @@ use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 
-/// The two other indices of 0, 1 and 2, in cyclic order after i. For edge i they are the contacts at its tail and its head; for a contact they are
-/// the edge that ends there and the edge that begins there.
+/// The two other indices of 0, 1 and 2, in cyclic order after i. For edge i they are the contacts at its tail and its head; for contact i they are
+/// the edge that ends and the edge that begins at the contact.
 #[inline(always)]
 pub(super) fn others(i: usize) -> [usize; 2] {
     [(i + 1) % N, (i + 2) % N]
@@ -41,15 +41,17 @@ pub(super) const N: usize = 3;
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
-    /// The normal `m = e_1 × e_2` of the triangle, m², and in the next field `|m|⁻²`.
+    /// The normal `m = e_1 × e_2` of the triangle, m².
     pub(super) across: [X; C],
+    /// `|m|⁻²`.
     pub(super) one_over_square: X,
-    /// The products `n_i·e_j` and, in the next field, `n_i·e_k` of the normal of contact i with the edges that end and begin there.
+    /// The products `n_i·e_j` of the normal of contact i with the edge that ends at the contact.
     ends: [X; N],
+    /// The products `n_i·e_k` of the normal of contact i with the edge that begins at the contact.
     begins: [X; N],
-    /// Contributions of the tangential compliances to the stretch of the edges: `pushed` if all contacts have the same unit force along the edge,
-    /// `turned` if contact i has the force `P_i = e_i`.
+    /// Contributions of the tangential compliances to the stretch of the edges, if all contacts have the same unit force along the edge.
     pushed: [X; N],
+    /// Contributions of the tangential compliances to the stretch of the edges, if contact i has the force `P_i = e_i`.
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
 }
@@ -184,7 +186,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the forces of all contacts: the sum of `lambda` times the edges that meet there and the forces `borne`, which balance the load.
+    /// Stores the forces of all contacts: for each contact the sum of `lambda` times the edges that meet at it, and of the forces `borne`, which
+    /// balance the load.
     #[inline(always)]
     fn forces(
         &self,

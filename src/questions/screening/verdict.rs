@@ -10,21 +10,22 @@ pub(super) struct Start<X: Packed> {
     margin: X,
     /// The least value of a contact's margin less the bound of its rounding, N; contacts whose squared forces over- or underflow are left out.
     sure: X,
-    /// Minus infinity where squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
+    /// Minus infinity if squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,
-    /// Positive if the load at the start works on a motion that no contact resists.
+    /// Positive if the load at load factor zero does positive work along a motion that no contact resists.
     pub(super) free: X,
 }
 
 impl<X: Packed> Start<X> {
-    /// The margins before any contact has been added: infinite. `free` is positive if the load there works on a motion that no contact resists.
+    /// The margins before any contact has been added: infinite. `free` is positive if the load at load factor zero does positive work along a motion
+    /// that no contact resists.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
         let infinite = X::all(f64::INFINITY);
         Self { margin: infinite, sure: infinite, lost: X::all(0.0), free }
     }
 
-    /// Adds a contact with this margin and the bound of its rounding; `lost` is minus infinity where its squared forces over- or underflow, else
+    /// Adds a contact with this margin and the bound of its rounding; `lost` is minus infinity if its squared forces over- or underflow, else
     /// zero.
     #[inline(always)]
     pub(super) fn add(&mut self, margin: X, rounding: X, lost: X) {
@@ -51,7 +52,7 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // Where no forces were found, `sure` is NaN, so that the code becomes NaN, too. A contact that never leaves its cone has a margin of exactly
+    // If no forces were found, `sure` is NaN, so that the code becomes NaN, too. A contact that never leaves its cone has a margin of exactly
     // zero.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
@@ -64,7 +65,7 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
-/// Returns `yes` where the contact forces balance the load (the unbalanced part is small), else `no`; also `no` for NaN.
+/// Returns `yes` if the contact forces balance the load (the unbalanced part is small), else `no`; also `no` for NaN.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(SOLVED_ROUNDING).above(unbalanced, yes, no)

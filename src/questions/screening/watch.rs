@@ -21,7 +21,7 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The margins of measured contact forces of one grasp, the load factor of first slip, under an expected load, and the extra squeeze that this load
+/// The margins of measured contact forces of one grasp, the load factor of first slip under an expected load, and the extra squeeze that this load
 /// needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
@@ -39,22 +39,22 @@ impl Watched {
         extra_squeeze: ScreenedSqueeze::UNKNOWN,
     };
 
-    /// The least margin over all contacts under the measured forces, N: `μ F_n - |F_t|` where the contact may slide, `F_n` where it can only open. It
-    /// is negative where a measured force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is
-    /// wrong. It is infinite if no contact can leave.
+    /// The least margin over all contacts under the measured forces, N: `μ F_n - |F_t|` if the contact may slide, `F_n` if it can only open. It is
+    /// negative if a measured force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It
+    /// is infinite if no contact can leave.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin
     }
 
-    /// The contact with the least margin, counted from 0; the first of several.
+    /// The contact with the least margin, counted from 0; the first contact if several have this margin.
     #[must_use]
     pub fn tightest(&self) -> usize {
         self.tightest
     }
 
-    /// The multiple of the expected load at which the first contact stops sticking, and that contact. Above one all contacts stick under the whole
-    /// expected load.
+    /// The multiple of the expected load at which the first contact stops sticking, and that contact. If the multiple is above one, all contacts
+    /// stick under the whole expected load.
     #[must_use]
     pub fn first_slip(&self) -> Screened {
         self.first_slip
@@ -80,12 +80,12 @@ impl fmt::Debug for Watched {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come on top of the present one. Nothing is
+    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come on top of the present load. Nothing is
     /// allocated and no loop depends on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
-    /// give: past slip and model errors are contained in them. Only changes are computed from the springs, as long as every contact sticks: by the
-    /// load to come (N and N m, moments about the origin) and by more squeeze.
+    /// give: past slip and model errors are contained in them. Only changes are computed from the springs, as if every contact stuck. These are the
+    /// changes due to the load to come (N and N m, moments about the origin) and those due to more squeeze.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Wrench};
@@ -116,7 +116,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 }
 
-/// Measured contact forces along the coordinate axes, N, and the load that is to come on top of the present one.
+/// Measured contact forces along the coordinate axes, N, and the load that is to come on top of the present load.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,

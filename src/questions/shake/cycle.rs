@@ -10,15 +10,16 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The units in which states between cycles are compared. For forces it is the largest contact force of the cycle, N; for gaps and slips the stretch
-/// of the softest spring under that force, m.
+/// The units in which states between cycles are compared.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
+    /// Unit of forces, N: the largest contact force of the cycle.
     pub(super) force: f64,
+    /// Unit of gaps and slips, m: the stretch of the softest spring under `force`.
     pub(super) stretch: f64,
 }
 
-/// One cycle of loads, or several joined to one, with the states at its beginning and end.
+/// One cycle of loads, or several cycles joined to one, with the states at its beginning and end.
 #[derive(Debug, Clone)]
 pub(super) struct Cycle {
     pub(super) from: CycleState,
@@ -36,8 +37,8 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if no path begins there or it ends within the
-    /// cycle.
+    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if no path begins at this state, or if the path
+    /// ends within the cycle.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,
@@ -68,7 +69,7 @@ impl Cycle {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The numbers of the state at the end of the cycle less those at its beginning; see [`Self::numbers`].
+    /// The numbers of the state at the end of the cycle less the numbers of the state at its beginning; see [`Self::numbers`].
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
@@ -106,7 +107,7 @@ impl Cycle {
 
     /// Whether the object has moved from the beginning of the cycle to its end, beyond rounding, with a contact that slid.
     pub(super) fn walks(&self) -> bool {
-        // Where directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
+        // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
         slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)

@@ -1,4 +1,4 @@
-//! Follows cycle after cycle of a repeated load until they repeat, and extrapolates.
+//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, and extrapolates.
 
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
@@ -158,7 +158,7 @@ impl<'g> Shaking<'g, '_> {
         walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Continues the followed cycles from `state`, which the grasp reaches `passed` cycles after the present state.
+    /// Continues with the cycles from `state`, which the grasp reaches `passed` cycles after the present state.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
         self.round = Round::new();
@@ -180,7 +180,7 @@ impl<'g> Shaking<'g, '_> {
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
         // A state counts as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present change,
-        // so that a trial after a failed one is closer to the limit.
+        // so that a trial after a failed trial is closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
@@ -206,22 +206,22 @@ impl<'g> Shaking<'g, '_> {
                     }
                     return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
                 }
-                // After a failed trial the next one extrapolates over a quarter as many cycles.
+                // After a failed trial the next trial extrapolates over a quarter as many cycles.
                 _ if passed >= 4 * fewest => passed /= 4,
                 _ => return Ahead::NotKnown,
             }
         }
     }
 
-    /// The cycle that begins at the limit of the states. `None` if the states have no limit, that cycle does not repeat itself, or one of its gaps
-    /// shrinks.
+    /// The cycle that begins at the limit of the states. `None` if the states have no limit, or if this cycle does not repeat itself or one of its
+    /// gaps shrinks.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, cycles) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
         self.note_how_far(cycles.too_far());
-        // If friction falls once contacts slide, events at the limit may differ from those just before the limit. The cycle at the limit then does
-        // not show the behaviour of the grasp.
+        // If friction falls once contacts slide, events at the limit may differ from the events just before the limit. The cycle at the limit then
+        // does not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)
@@ -241,7 +241,7 @@ impl<'g> Shaking<'g, '_> {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
-    /// The behaviour where the load path ends within the cycle of this number: the loss, or undecided.
+    /// The behaviour if the load path ends within the cycle of this number: the loss, or undecided.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -302,17 +302,24 @@ impl<'g> Shaking<'g, '_> {
 
 /// The result of an extrapolation over cycles with the same events.
 enum Ahead<'g> {
-    /// The cycles converge to `limit`, which repeats itself up to `error`; `ratio` is the factor per cycle.
+    /// The states between cycles converge, and a cycle from their limit repeats itself.
     To {
+        /// The cycle that begins at the limit.
         limit: Box<Cycle>,
+        /// The factor by which differences of successive states shrink per cycle.
         ratio: f64,
+        /// The largest change of forces and gaps within `limit`.
         error: f64,
     },
-    /// The events stay the same for `passed` cycles and in `cycle`, the one after them.
+    /// The limit is not reached yet, but all cycles up to `cycle` have the same events.
     Further {
+        /// The cycle after the skipped cycles, computed to confirm the extrapolation.
         cycle: Box<Cycle>,
+        /// The load path after `cycle`.
         cycles: Box<Cycles<'g>>,
+        /// Number of cycles between the present state and the beginning of `cycle`, which need not be followed.
         passed: usize,
     },
+    /// All extrapolations failed.
     NotKnown,
 }

@@ -15,8 +15,9 @@ use crate::prelude::*;
 
 /// The last states between cycles, and the linear combination of earlier differences of successive states that gives the last difference.
 pub(super) struct Recurrence<'p> {
-    /// The last states between cycles, in order. `changes` holds the difference of each two neighbouring ones, so it has one entry less.
+    /// The last states between cycles, in order.
     places: &'p [CycleState],
+    /// The differences of neighbouring entries of `places`, one entry fewer.
     changes: Vec<DVector<f64>>,
     /// Coefficients c of the combination: the last entry of `changes` is the sum of all entries before it, each multiplied by its coefficient.
     coefficients: Vec<f64>,
@@ -48,7 +49,7 @@ impl<'p> Recurrence<'p> {
     }
 
     /// The number of cycles after which the difference of successive states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle. The
-    /// result is at most about a million, and just that if differences do not shrink.
+    /// result is at most about a million, and exactly this number if differences do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -157,8 +158,8 @@ impl CycleState {
 mod tests {
     use super::*;
 
-    /// The powers of `(a, b) → (b, a + b)` contain Fibonacci's numbers. The sum of the first n numbers is the number n + 2, less one; all are exact,
-    /// without rounding.
+    /// The powers of `(a, b) → (b, a + b)` contain Fibonacci's numbers. The sum of the first n numbers is number n + 2 of the sequence, less 1. All
+    /// these numbers are exact, without rounding.
     #[test]
     fn powers_and_their_sums_are_the_numbers_of_fibonacci() {
         let step = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 1.0]);

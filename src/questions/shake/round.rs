@@ -16,7 +16,7 @@ pub(super) struct Round {
 }
 
 impl Round {
-    /// No cycles yet; the first one sets the reference state.
+    /// No cycles yet; the state at the beginning of the first cycle is the reference state.
     pub(super) fn new() -> Self {
         Self { all: None, many: 0, most: 1 }
     }

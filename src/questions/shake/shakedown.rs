@@ -30,7 +30,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
-    /// The greatest factor on the loads; infinite if contacts stick even as forces by the loads reach a million times those at rest. With a larger
+    /// The greatest factor on the loads; infinite if contacts stick even under loads whose forces reach a million times those at rest. With a larger
     /// factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. This is a proof, by linear programming, up to
     /// 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -40,7 +40,8 @@ pub struct Shakedown<const C: usize> {
     pub slips: Vec<SVector<f64, C>>,
     /// The contacts at their limit of friction with these slips, which would slide if the loads grew beyond `factor`, each with its load.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls; if so, it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls. If slips change normal
+    /// forces, it may not come to rest.
     pub slips_change_normal_forces: bool,
     /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips with which
     /// the grasp would be at rest.
@@ -142,8 +143,8 @@ impl Engine {
 }
 
 /// The linear program for the greatest factor λ >= 0 on the loads with slips s such that `b + λ a + S s >= 0`. Each row is one facet of a contact's
-/// cone under one load. It has the margin b under the base load, its change a by that load, and its changes S by unit slips. All are scaled to
-/// numbers near one.
+/// cone under one load. It has the margin b under the base load, the change a of the margin due to that load, and the changes S due to unit slips.
+/// All numbers are scaled to be near one.
 struct Program {
     /// For each row of the program, the number of its load (0 for the base load alone, then from 1) and the index of its contact or drive.
     of: Vec<(usize, usize)>,

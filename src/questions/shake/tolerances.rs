@@ -1,6 +1,7 @@
-//! Limits of the change of forces and gaps in a cycle of a repeated load: for a cycle that repeats itself, and for one near the limit of the cycles.
+//! Limits of the change of forces and gaps in a cycle of a repeated load: for a cycle that repeats itself, and for a cycle near the limit of the
+//! cycles.
 //!
-//! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under it.
+//! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under this force.
 
 /// A cycle repeats itself if the relative difference of forces and gaps between its beginning and end is at most this, which is due to rounding.
 ///

@@ -23,13 +23,13 @@ pub struct Shaken<const C: usize> {
     /// begin to slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
-    /// Number of load cycles up to the verdict, including those skipped by extrapolation. The last one counts even if the object is lost within it.
+    /// Number of load cycles up to the verdict, including those skipped by extrapolation. The last cycle counts even if the object is lost within it.
     pub cycles: usize,
     /// Number of cycles whose load path was computed, trials included. Of many cycles with the same events a few are enough.
     pub followed: usize,
     /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
-    /// relative to the softest spring's stretch under it. Apart from rounding and step errors it is zero, unless the verdict is undecided, lost, or a
-    /// walk with changing forces.
+    /// relative to the stretch of the softest spring under this force. Apart from rounding and step errors it is zero, unless the verdict is
+    /// undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
     /// The factor by which the difference of successive states shrinks per cycle, if the verdict is that of an extrapolated limit; else zero.
@@ -42,7 +42,7 @@ pub struct Shaken<const C: usize> {
     /// geometry. `None` if all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// The equilibrium after the last cycle that was followed, before the next one begins; `None` where the load path has ended.
+    /// The equilibrium after the last cycle that was followed, before the next one begins; `None` if the load path has ended.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
@@ -99,7 +99,7 @@ pub enum Repeats<const C: usize> {
         leg: usize,
         /// The load at which the object is lost, N and N m.
         load: Wrench<C>,
-        /// The loss; its factor is the fraction of the leg at which it comes.
+        /// The loss; its factor is the fraction of the leg at which the object is lost.
         lost: Box<Lost<C>>,
     },
     /// The grasp does not hold even the base load.
@@ -149,7 +149,7 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp rests, or contacts slide to and fro under it for ever; `None` if it is not known. Motions on the way may be
+    /// Whether the object stays: the grasp comes to rest, or contacts slide to and fro for ever; `None` if it is not known. Motions on the way may be
     /// [too large](Self::too_far).
     #[must_use]
     pub fn stays(&self) -> Option<bool> {

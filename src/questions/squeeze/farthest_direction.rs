@@ -17,8 +17,9 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions, in addition to
-    /// a base load under which everything sticks. No smaller force does in any direction as long as everything sticks. `None` if no force does.
+    /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions. The force acts
+    /// in addition to a base load under which everything sticks. As long as everything sticks, no smaller force has this effect in any direction.
+    /// `None` if no force has it.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<3>,
@@ -54,7 +55,7 @@ impl Engine {
     }
 }
 
-/// The size and direction of the shortest x with which a motion, changed by `by_force x`, reaches its limit; `None` if no x does.
+/// The size and direction of the shortest x with which a motion, changed by `by_force x`, reaches its limit; `None` if no x brings it to the limit.
 fn shortest_to_the_limit(
     motion: &CountedMotion,
     by_force: &SMatrix<f64, 3, 3>,
@@ -84,7 +85,7 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // The first component at the limit, `along_first`, is at least c₁ / part where |s| is less than its limit. Sixty halvings leave rounding.
+    // The first component at the limit, `along_first`, is at least c₁ / part if |s| is less than its limit. Sixty halvings leave rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();
@@ -104,7 +105,7 @@ mod tests {
     use super::shortest_to_length;
     use crate::numerics::generic;
 
-    /// The end of the shortest x has the asked length, and no other x of 4 000 of this size, all around, has a larger one.
+    /// The end of the shortest x has the asked length, and no other x of 4 000 of this size, all around, leads to a longer end.
     #[test]
     fn no_other_direction_goes_farther() {
         let mut drawn = 0;

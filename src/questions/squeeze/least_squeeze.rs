@@ -17,12 +17,12 @@ pub enum LeastSqueeze<const C: usize> {
     Factor {
         /// The least factor, at least zero, exact up to rounding.
         factor: f64,
-        /// The contact on the edge of its friction cone at this factor, from 0, and the load that brings it there; `None` at factor zero, which
-        /// suffices then.
+        /// The contact on the edge of its friction cone at this factor, from 0, and the load that brings it there. `None` if the factor is zero,
+        /// because no squeeze is needed then.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. With this factor, and with any larger one, the contact does not stick under this load. With a smaller factor the sticking
-    /// condition of another contact or load fails.
+    /// No factor suffices. With this factor, and with any larger factor, the contact does not stick under this load. With a smaller factor the
+    /// sticking condition of another contact or load fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact that does not stick, counted from 0.
@@ -32,7 +32,7 @@ pub enum LeastSqueeze<const C: usize> {
         /// The least factor with which all sticking conditions found before this one hold.
         factor: f64,
     },
-    /// Nothing resists this motion at any squeeze, and some load does work on it.
+    /// Nothing resists this motion at any squeeze, and some load does work along it.
     GivesWay {
         /// This motion, of unit size.
         motion: Motion<C>,

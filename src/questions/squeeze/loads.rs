@@ -89,7 +89,7 @@ impl<const C: usize> Loads<C> {
     /// `any_force`.
     ///
     /// # Errors
-    /// [`Error::Question`] with a field that is missing or given beside another one.
+    /// [`Error::Question`] with a field that is missing or given beside another field.
     pub(crate) fn of_fields(
         question: &'static str,
         (load, loads): (Option<Wrench<C>>, &[Wrench<C>]),

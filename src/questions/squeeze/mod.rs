@@ -8,9 +8,10 @@
 //! F(x) = F⁰ + A x,   |x| <= r:        min a·F = a·F⁰ - r |Aᵀa|
 //! ```
 //!
-//! with F⁰ the force without it and A the map from the load to F. As functions of φ, `a·F⁰` and the square of `|Aᵀa|` are trigonometric polynomials.
-//! Angles with a negative difference are found without losing a root (`numerics/on_a_circle`). Each condition is linear in the squeeze factor, so a
-//! broken one gives a lower bound of the sufficient factor. This bound is tried next, until no condition is broken. It then suffices, up to rounding.
+//! with F⁰ the contact forces without this force and A the map from the force to F. As functions of φ, `a·F⁰` and the square of `|Aᵀa|` are
+//! trigonometric polynomials. Angles with a negative difference are found without losing a root (`numerics/on_a_circle`). Each condition is linear in
+//! the squeeze factor, so a broken condition gives a lower bound of the sufficient factor. This bound is tried next, until no condition is broken.
+//! The last bound is the least sufficient factor, up to rounding.
 //!
 //! | file | idea |
 //! |---|---|

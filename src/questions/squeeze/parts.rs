@@ -9,23 +9,24 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The condition `row·F >= 0` of a contact, with the value of `row·F` under `load`, N. `size` is the sum of the magnitudes of the forces that F is
-/// the sum of; it bounds the rounding of F.
+/// The condition `row·F >= 0` on the force F of a contact, which is a sum of several forces.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
+    /// The value of `row·F` under `load`, N.
     pub(super) value: f64,
+    /// Sum of the magnitudes of the forces whose sum is F, N; it bounds the rounding of F.
     size: f64,
     pub(super) load: Wrench<3>,
 }
 
-/// The contact forces while all contacts stick, as a sum of two shares: one by the commands at factor 1 (`squeeze`), and one without commands, by the
-/// loads and clearances.
+/// The contact forces while all contacts stick, as a sum of two shares. One is due to the commands at factor 1 (`squeeze`), the other, without
+/// commands, to the loads and clearances.
 pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Contact forces without commands, by the loads and clearances. A list of loads has an entry for each load. A turning load has three entries,
-    /// for its constant, cosine and sine terms. A force of any direction has one entry for the base load.
+    /// Contact forces without commands, due to the loads and clearances. A list of loads has an entry for each load. A turning load has three
+    /// entries, for its constant, cosine and sine terms. A force of any direction has one entry for the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }
@@ -58,8 +59,8 @@ impl<'l> Parts<'l> {
         Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
-    /// Among the sticking conditions that are broken if the commands are multiplied by `factor`, the one that needs the largest factor, with its
-    /// contact. `None` if no condition is broken.
+    /// Among the sticking conditions that are broken if the commands are multiplied by `factor`, the condition that needs the largest factor, with
+    /// its contact. `None` if no condition is broken.
     pub(super) fn broken(&self, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
         for contact in 0..self.edges.len() {
@@ -83,9 +84,9 @@ impl<'l> Parts<'l> {
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact that have the least margins `row·F` if the commands are multiplied by `factor`. There is one under each
-    /// load of a list, or one for each facet under the worst force of any direction. For a turning load there is one at each angle where a margin is
-    /// least.
+    /// The sticking conditions of a contact that have the least margins `row·F` if the commands are multiplied by `factor`. There is one condition
+    /// under each load of a list, or one for each facet under the worst force of any direction. For a turning load there is one condition at each
+    /// angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

@@ -19,8 +19,8 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WeakestDirection<const C: usize> {
-    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its limit. A smaller force does not, in any
-    /// direction.
+    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its limit. No smaller force has this effect,
+    /// in any direction.
     #[non_exhaustive]
     Force {
         /// Size of the least force, N, exact up to rounding.
@@ -34,7 +34,7 @@ pub enum WeakestDirection<const C: usize> {
     },
     /// All contacts keep sticking, and no drive reaches its limit, under a force of any size in any direction.
     Never,
-    /// Nothing resists this motion, and a force at this point can do work on it.
+    /// Nothing resists this motion, and a force at this point can do work along it.
     GivesWay {
         /// This motion, of unit size.
         motion: Motion<C>,
@@ -91,8 +91,8 @@ struct Least {
 }
 
 impl Least {
-    /// Lowers the least force to the least one that takes this contact to the edge of its cone, if that is smaller. More and more planes that touch
-    /// the cone replace it. Returns whether the allowed number of rounds was enough.
+    /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. Planes that
+    /// touch the cone, more of them in each round, take the place of a round cone. Returns whether the allowed number of rounds was enough.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -110,14 +110,15 @@ impl Least {
             }
             self.size
         };
-        // The first planes are all facets of a polygonal cone. Those of a round cone are four facets: towards, against and across the friction force.
+        // The first planes are all facets of a polygonal cone. For a round cone the first planes are four facets: towards, against and across the
+        // friction force.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
         // Each round with further planes lowers the force, with quadratic convergence. After this many rounds only rounding could change the force.
         for _ in 0..200 {
-            // The margin on the facet at angle φ of the round cone has the gradient a + b cos φ + c sin φ by the force at the point. If this gradient
-            // vanishes at four angles, it vanishes at all of them, and no force makes this contact slide.
+            // The margin on the facet at angle φ of the round cone has a gradient a + b cos φ + c sin φ with respect to the force at the point. If
+            // this gradient vanishes at four angles, it vanishes at all of them, and no force makes this contact slide.
             if size.is_infinite() {
                 return true;
             }

@@ -11,7 +11,7 @@ use crate::search::Settings;
 
 impl Engine {
     /// A motion that proves that no contact forces inside their cones balance this load together with the permanent loads. No such contact force does
-    /// negative work along the motion, and the loads do positive work along it. `None` where no such proof was found.
+    /// negative work along the motion, and the loads do positive work along it. `None` if no such proof was found.
     pub(crate) fn unbalanced_along(
         &self,
         load: &Wrench<3>,

@@ -4,8 +4,9 @@
 //! contacts resist every motion. For several bodies the wrenches are those on all of them at once, and a motion moves each of them.
 //!
 //! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
-//! `proofs/wrench_cone`). If there are none, the unbalanced remainder is a motion against which no contact force works. Otherwise the two forces at
-//! each contact are added, and the sums are projected onto forces that balance each other to the last digit. These must lie clearly inside the cones.
+//! `proofs/wrench_cone`). If no such forces exist, the unbalanced remainder is a motion along which no contact force does negative work. Otherwise
+//! the two forces at each contact are added, and the sums are projected onto forces that balance each other to the last digit. These must lie clearly
+//! inside the cones.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -37,9 +38,10 @@ pub enum Closure<const C: usize> {
     /// Contact forces inside their friction cones could not balance every load.
     #[non_exhaustive]
     Open {
-        /// A unit motion v along which no contact force in its cone does negative work. A load W that works along it, W·v > 0, cannot be balanced.
+        /// A unit motion v along which no contact force in its cone does negative work. A load W that does positive work W·v along it cannot be
+        /// balanced.
         motion: Twist<C>,
-        /// The motions of all bodies in `motion`, which itself is that of the body that loads act on. Empty for a single object.
+        /// The motions of all bodies in `motion`; `motion` itself is that of the body that loads act on. Empty for a single object.
         bodies: Vec<BodyMotion<C>>,
     },
     /// Up to rounding, the grasp is on the boundary between `Closed` and `Open`, so that neither is proved.
@@ -77,7 +79,7 @@ impl Engine {
         self.whatever_vacuums_hold(closure, "form_closure")
     }
 
-    /// This closure, or an error where a vacuum might change it. If the contacts alone can balance every load, they can do so with a vacuum, too.
+    /// This closure, or an error if a vacuum might change it. If the contacts alone can balance every load, they can do so with a vacuum, too.
     /// Otherwise the vacuum may hold loads that the contacts do not, so [`Closure`] cannot be decided here.
     fn whatever_vacuums_hold(
         &self,
@@ -134,7 +136,7 @@ impl Engine {
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 
-    /// [`Closure::Open`] with this motion, against which no contact force works.
+    /// [`Closure::Open`] with this motion, along which no contact force does negative work.
     fn open(&self, motion: &Vector) -> Closure<3> {
         let outside = self.outside_coordinates(motion);
         Closure::Open { motion: Twist::among(self.space(), &outside), bodies: self.body_motions(&outside) }

@@ -1,7 +1,8 @@
 //! The measure of Ferrari and Canny: the size up to which contact forces within a budget can balance loads of every direction.
 //!
-//! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: its radius is that of the largest ball about the origin in the set of wrenches within
-//! the budget. On the round cone that set has no facets to list; it is known by its support points, from which two bounds close in on the radius.
+//! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: the measure is the radius of the largest ball about the origin in the set of wrenches
+//! within the budget. On the round cone that set has no facets to list; it is known by its support points, from which two bounds close in on the
+//! radius.
 
 use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
@@ -23,7 +24,7 @@ pub struct WrenchBall<const C: usize> {
     /// mostly with round cones. For a symmetric grasp with round cones, thin faces or too many faces end the search with bounds up to a percent
     /// apart. [`Settings::most_steps`] may end the search before.
     pub at_most: f64,
-    /// A load of size 1 N, measured in the scale; more than `at_most` times this load cannot be balanced.
+    /// The weakest direction, as a load of size 1 N measured in the scale: more than `at_most` times this load cannot be balanced.
     pub weakest: Wrench<C>,
 }
 

@@ -24,7 +24,8 @@ pub enum LoadLimit<const C: usize> {
     Factor {
         /// Lower bound of the largest load factor: with it the load can be balanced.
         at_least: f64,
-        /// Upper bound of the largest load factor. The two bounds differ by at most about 1e-9 of it, unless rounding ended the search before.
+        /// Upper bound of the largest load factor. The two bounds differ by at most about 1e-9 of the factor, unless rounding ended the search
+        /// before.
         at_most: f64,
         /// Forces on the object in the contact frames, N, within the budget, that balance the base load and `at_least` times the load.
         forces: Vec<SVector<f64, C>>,
@@ -66,7 +67,7 @@ impl Engine {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// The same limit with factors on a load that is `size` times as large, so that they are divided by `size`.
+    /// This limit with factors on a load that is `size` times as large, so that the factors are divided by `size`.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {
@@ -81,7 +82,7 @@ impl<const C: usize> LoadLimit<C> {
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
     // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along them so that it has an interior. A load with a
-    // component in them cannot be balanced.
+    // component along them cannot be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {
@@ -124,8 +125,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The lower bound is a factor whose load was found inside the set of wrenches: the last one tried, or else the upper bound reduced by ever larger
-    // fractions.
+    // The lower bound is a factor whose load was found inside the set of wrenches: the last factor tried, or else the upper bound reduced by ever
+    // larger fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);

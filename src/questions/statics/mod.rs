@@ -5,8 +5,8 @@
 //! [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether these fingers
 //! balance a load, with their squeeze, is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
-//! The pull of a vacuum does not depend on the contact forces: it is added to every load. Closure is about loads of any size, so it is an error where
-//! loads could not be balanced without the vacuum.
+//! The pull of a vacuum does not depend on the contact forces: it is added to every load. Closure is about loads of any size, so the question is an
+//! error if some loads could not be balanced without the vacuum.
 //!
 //! | file | idea |
 //! |---|---|

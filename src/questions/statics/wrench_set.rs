@@ -1,8 +1,8 @@
 //! The set of wrenches of contact forces within a budget, known by its support points.
 //!
 //! The support point in the direction v is the sum of the contact forces that do most work along v. At each contact this is the force in the friction
-//! cone with the most work on `u = G_iᵀv`. On the round cone this work is `u_n + μ |u_t|` per newton of normal force. A contact whose force could
-//! only do negative work does not press.
+//! cone that does most work along the displacement `u = G_iᵀv` of the contact. On the round cone this work is `u_n + μ |u_t|` per newton of normal
+//! force. A contact whose force could only do negative work does not press.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -14,7 +14,7 @@ use crate::numerics::{Map, Vector, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The forces that one contact may exert per newton of normal force: a round cone, or the corners of a polygonal one.
+/// The forces that one contact may exert per newton of normal force: a round cone, or the corners of a polygonal cone.
 enum Cone {
     Round(Coulomb),
     Corners(Vec<SVector<f64, 3>>),
@@ -101,7 +101,7 @@ impl WrenchSet {
     pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, 3>> {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let mut forces = Vec::with_capacity(self.contacts.len());
-        // The contact whose force does most work along `v`; the last one among equals.
+        // The contact whose force does most work along `v`; the last contact among equals.
         let mut best = (0, f64::NEG_INFINITY);
         for (i, contact) in self.contacts.iter().enumerate() {
             let (force, work) = contact.most(v);
@@ -133,7 +133,7 @@ impl WrenchSet {
         sum
     }
 
-    /// Converts a wrench about the origin, in the user's coordinates, to one about the point and with the length of the [`WrenchScale`].
+    /// Converts a wrench about the origin, in the user's coordinates, to a wrench about the point and with the length of the [`WrenchScale`].
     pub(super) fn inside(&self, wrench: &Wrench<3>) -> Vector {
         let about = SVector::from(self.scale.about);
         let moved = self.space.moved_wrench(&-about, &wrench.coordinates(self.space));

@@ -14,12 +14,13 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// The forces of all contacts and drives that one source causes: for the data as given, and their changes by each uncertain datum. For an open
-/// contact its gap, m, is stored in place of the force.
+/// The forces of all contacts and drives that one source causes: for the data as given, and their changes due to an error of each uncertain datum.
+/// For an open contact its gap, m, is stored in place of the force.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
+    /// The forces (gaps of open contacts) for the data as given.
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each uncertain datum and each contact or drive, the change of the force by an error of this datum, as a polynomial.
+    /// For each uncertain datum and each contact or drive, the change of the force due to an error of this datum, as a polynomial.
     pub(super) off: Vec<Vec<Effect>>,
 }
 
@@ -32,7 +33,7 @@ impl Course {
         }
     }
 
-    /// The [`Course`] of a load, as a sum of those of one unit of each of its components.
+    /// The [`Course`] of a load: the sum of the courses of its components, each multiplied by the component.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
         let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };

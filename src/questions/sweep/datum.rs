@@ -41,7 +41,7 @@ pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Re
 
 impl Engine {
     /// The uncertain data that change contact forces while contacts stick: stiffness, squeeze, positions and normals with σ other than zero. Friction
-    /// does not change these forces. An uncertain load is treated apart, since one factor multiplies all forces by it.
+    /// does not change these forces. An uncertain load is treated apart, since one factor multiplies all forces due to the load.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let none = ContactErrors::default();

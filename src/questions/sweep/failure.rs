@@ -1,17 +1,17 @@
-//! The probability that a contact stops sticking under one load, where data of the grasp are uncertain.
+//! The probability that a contact stops sticking under one load, if data of the grasp are uncertain.
 //!
 //! Each facet of the friction cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard
 //! deviations, is the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the
-//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin by the data, scaled to length one, turns with θ.
-//! The probability that the contact fails at any θ (its margin is negative there) is at most
+//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin with respect to the data, scaled to length one,
+//! turns with θ. The probability that the contact fails at any θ (its margin is negative there) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! by the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944); φ is the normal density, Φ its
-//! distribution, and a prime the derivative by θ. The bound is nearly reached where failures are rare. θ₀ is a direction in which a failure is very
-//! unlikely.
+//! This follows from the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944). Here φ is the normal
+//! density, Φ its distribution, and a prime the derivative with respect to θ. The bound is nearly reached if failures are rare. θ₀ is a direction in
+//! which a failure is very unlikely.
 
 use core::f64::consts::{PI, TAU};
 
@@ -24,8 +24,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. A failure rarer than `rare` counts without
-/// correlation. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. A failure rarer than `rare` is counted without its
+/// correlation with other failures. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -45,8 +45,8 @@ pub(super) fn failures(
         Edges::Round { limit } => {
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
-            // If the reliability exceeds `sigmas`, the required one, by three, failures are a thousand times rarer than allowed, and the first-order
-            // probability suffices. If it is not positive, the contact counts as sure to fail.
+            // If the reliability exceeds `sigmas`, the required reliability, by three, failures are a thousand times rarer than allowed, and the
+            // first-order probability suffices. If it is not positive, the contact counts as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -59,8 +59,8 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact for which interactions of errors are computed: all of a polygonal cone; of a round cone the facet that most probably
-/// fails, to first order.
+/// The facets of a contact for which interactions of errors are computed: all facets of a polygonal cone; of a round cone only the facet that most
+/// probably fails, to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),
@@ -83,7 +83,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β there.
+/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β in this direction.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {
@@ -97,7 +97,7 @@ fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) ->
 }
 
 /// The failure probability of a contact with a round cone under one load: Rice's bound around the angle `worst`, where it most probably fails.
-/// `least` is the first-order reliability there.
+/// `least` is the first-order reliability at this angle.
 fn failure_of_round(
     around: &Harmonic<SVector<f64, 3>>,
     here: &UncertainForce<'_>,
@@ -107,7 +107,7 @@ fn failure_of_round(
     let first_order = here.first_order();
     let roughly = |angle: f64| first_order.reliability(&around.at(angle));
     let narrower = 0.75;
-    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range of angles is narrow where β grows steeply
+    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range of angles is narrow if β grows steeply
     // with the angle.
     let enough = (least * least + 2.0 * 9.0).sqrt();
     let mut half = PI;
@@ -120,7 +120,7 @@ fn failure_of_round(
     margin.start_over(here.changes.len());
     here.find(0, &around.at(worst - half), margin);
     let mut sum = margin.fails();
-    // The integrand falls at both ends like a normal density, so twelve midpoints make a negligible error.
+    // The integrand falls at both ends like a normal density, so the midpoint rule with twelve points has a negligible error.
     let summed = 12_u32;
     let width = 2.0 * half / f64::from(summed);
     for k in 0..summed {

@@ -1,5 +1,5 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
-//! the sum of its changes by one datum each.
+//! the sum of the changes due to each datum alone.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -32,7 +32,7 @@ pub(super) struct OffTogether {
 
 impl OffTogether {
     /// The exact force on contact or drive `i` under `load`, N, if the data and last the load factor have the errors `z`, in standard deviations.
-    /// `None` where a datum leaves its allowed range.
+    /// `None` if a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
@@ -64,8 +64,8 @@ impl OffTogether {
             let force = beyond(&margin.fails_at);
             // If the point of failure is nearer than one standard deviation, a division by its squared distance would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
-            // C holds the second derivatives of a force component by two different data. For random signs v, the mean square of `vᵀCv` is twice the
-            // sum of the squares of C.
+            // C is the matrix of mixed second derivatives of a force component with respect to two different data; its diagonal is zero. For a vector
+            // v of random signs the mean square of `vᵀCv` is twice the sum of the squared entries of C.
             let mut squares = SMatrix::zeros();
             for probe in 0..PROBES {
                 let mut signs = Draw::new([probe, 0, 0]);

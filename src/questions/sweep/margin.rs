@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Here μ is the coefficient of friction, with the standard deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the
-//! data, in standard deviations. The change Δ_i of the contact force by the error of datum i is a polynomial through exact forces at a few errors.
-//! The [interaction](super::joint_effects) of several data is computed at the point of failure and added as a constant force.
+//! data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
+//! errors. The [interaction](super::joint_effects) of several data is computed at the point of failure and added as a constant force.
 //!
 //! The reliability β is the length of the shortest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
 //! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// Errors of a datum at which exact forces are computed, as multiples of `sigmas`, the number of standard deviations that the user wants in reserve.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
-/// The change of a contact force by the error of one datum, N: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in
+/// The change of a contact force due to the error of one datum, N: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in
 /// standard deviations, divided by `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
@@ -35,23 +35,23 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
     [odd - third, even - fourth, third, fourth]
 }
 
-/// The interaction of the errors of all data in their effect on a contact force, at a facet's point of failure z. `force` is the exact change of the
-/// force less the sum of its changes by one datum each.
+/// The interaction of the errors of all data in their effect on a contact force, at a facet's point of failure z.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct JointEffect {
+    /// The exact change of the force at z less the sum of the changes due to each datum alone, N.
     pub(super) force: SVector<f64, 3>,
     /// Second derivative of the interaction along the direction of z, N: twice `force` divided by |z|², or by 1 if |z|² is smaller.
     pub(super) bend: SVector<f64, 3>,
-    /// For each two components of the force, the sum, over all pairs of data, of the product of their second derivatives by the pair, estimated at
-    /// random.
+    /// For each two components of the force, the product of their mixed second derivatives with respect to a pair of data, summed over all pairs. The
+    /// sum is estimated from random errors.
     pub(super) squares: SMatrix<f64, 3, 3>,
 }
 
-/// The force on a contact under one load, N: for the data as given, and its change by each uncertain datum.
+/// The force on a contact under one load, N: for the data as given, and its change due to each uncertain datum.
 pub(super) struct UncertainForce<'a> {
     pub(super) force: SVector<f64, 3>,
     pub(super) changes: &'a [Effect],
-    /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single one for a round cone. An empty list means
+    /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single entry for a round cone. An empty list means
     /// that interactions are neglected.
     pub(super) joint: &'a [JointEffect],
     /// The number of standard deviations that the user wants in reserve.
@@ -68,15 +68,15 @@ pub(super) struct FacetMargin {
     pub(super) fails_at: Vec<f64>,
     /// The point z before the last step of the search.
     from: Vec<f64>,
-    /// For each datum the polynomial of its change of the margin. Each coefficient has two parts: the change by the normal force, which the factor on
-    /// friction multiplies, and the rest.
+    /// For each datum the polynomial of its change of the margin. Each coefficient has two parts: the change due to the normal force, which the
+    /// factor on friction multiplies, and the rest.
     pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point z at which `gradient` and `steepness` (its norm) were computed.
     pub(super) linearised_at: Vec<f64>,
     pub(super) gradient: Vec<f64>,
     pub(super) steepness: f64,
     reliability: f64,
-    /// The failure probability divided by `Φ(-β)`: the correction by [`second_order`](super::second_order), 1 without one.
+    /// The failure probability divided by `Φ(-β)`: the correction by [`second_order`](super::second_order), or 1 without this correction.
     curved: f64,
 }
 
@@ -107,8 +107,8 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. They and the reliability are stored in `margin`.
-    /// If there are none up to the largest distance at which failures count, the reliability is about this distance.
+    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. These errors and the reliability are stored in
+    /// `margin`. If the margin vanishes nowhere up to the largest distance at which failures count, the reliability is about this distance.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -117,7 +117,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // If the reliability exceeds the required one, `sigmas`, by five, failures are too rare to count.
+        // If the reliability exceeds the required reliability, `sigmas`, by five, failures are too rare to count.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, rubs(facet), margin);
         let mut arrived = false;
@@ -163,8 +163,8 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// Halves the last step until the merit function `½|z|² + c |m|`, with the margin m, falls enough. Returns the margin there, and stores its
-    /// gradient.
+    /// Halves the last step until the merit function `½|z|² + c |m|`, with the margin m, falls enough. Returns the margin at the new point, and
+    /// stores its gradient.
     fn shortened(
         &self,
         known: [f64; 2],
@@ -220,7 +220,7 @@ impl UncertainForce<'_> {
     }
 
     /// The mean number of zero crossings of the margin, `φ(β) E[(X' - β')₊]`, per radian of the facet's angle θ, see [`super::failure`]. `turned` is
-    /// the derivative of the facet by θ.
+    /// the derivative of the facet with respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

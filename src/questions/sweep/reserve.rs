@@ -35,10 +35,10 @@ face_of_struct! {
 
 impl<const C: usize> Reserve<C> {
     /// The largest multiple of this load, from 0, such that all contacts keep sticking, with the reserve, if the load is added to the base load.
-    /// Infinite if there is no largest multiple; NaN where the equilibrium under the base load is undecided.
+    /// Infinite if there is no largest multiple; NaN if the equilibrium under the base load is undecided.
     ///
-    /// Zero where a contact slides under the base load, or fails there with more than the allowed probability. Contacts that are open under the base
-    /// load count as failing where they close, since later events are not computed.
+    /// Zero if a contact slides under the base load, or stops sticking under it with more than the allowed probability. Contacts that are open under
+    /// the base load count as failing as soon as they close, since later events are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {

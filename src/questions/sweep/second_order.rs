@@ -1,17 +1,17 @@
 //! The failure probability of a facet of a friction cone to second order in the errors of the data.
 //!
-//! Near the point of failure z the margin m is expanded to second order; g is its gradient, H its second derivative by the data, and n = g / |g|. The
-//! failure probability is `Φ(-β)` times a factor below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz, Improvement of
-//! second-order reliability estimates by importance sampling, 1988)
+//! Near the point of failure z the margin m is expanded to second order; g is its gradient, H its second derivative with respect to the data, and n =
+//! g / |g|. The failure probability is `Φ(-β)` times a factor, which is below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz,
+//! Improvement of second-order reliability estimates by importance sampling, 1988)
 //!
 //! ```text
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
 //! ```
 //!
-//! H consists of a diagonal D, the row and column of friction, and the interactions C of each two other data. Without C, `det(A on the complement of
-//! n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its trace
-//! on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ² |C|² /
-//! 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
+//! H consists of a diagonal D, the row and column of friction, and the interactions C of each pair of other data. Without C, `det(A on the complement
+//! of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its
+//! trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ²
+//! |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
 
 use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
@@ -66,8 +66,8 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1) of a cone, then the same to first order. The polynomials `changes` count errors in units of
-    /// three standard deviations.
+    /// The failure probability of the facet (1/2, -1) of a cone, then its first-order value. The polynomials `changes` count errors in units of three
+    /// standard deviations.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();

@@ -1,9 +1,9 @@
 //! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
 //! full.
 //!
-//! While all stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick under the base load and with the
-//! whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails under one of these two loads;
-//! [`union`](super::union) bounds the probability that any does.
+//! While all contacts stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick under the base load and
+//! with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails under one of these two
+//! loads; [`union`](super::union) bounds the probability that any contact does.
 
 use super::courses::Course;
 use super::failure::{failures, roughly};
@@ -42,25 +42,28 @@ pub(super) struct StuckGrasp {
     contacts: Vec<usize>,
     /// The base load, N and N m, under which no contact slides.
     base_load: Wrench<3>,
-    /// For each component of the load, the forces that 1 N or 1 N m of it causes, and their changes by the data.
+    /// For each component of the load, the forces that 1 N or 1 N m of it causes, and their changes due to errors of the data.
     by_component: Vec<Course>,
-    /// `base` has the contact forces under commands and base load; `by_base_load` only those that the base load itself causes.
+    /// Contact forces under the commands and the base load.
     base: Course,
+    /// Contact forces that the base load alone causes.
     by_base_load: Course,
-    /// The interactions of errors under the base load, and the possible failures under the base load.
+    /// The interactions of errors under the base load.
     joint_at_base: JointEffects,
+    /// The possible failures under the base load.
     fails_at_base: Failures,
     sigmas: f64,
-    /// `friction` is the σ of friction. `load` is the relative growth of the load with an error of each multiple of `sigmas` in [`LOOKED_AT`].
+    /// Standard deviation σ of the logarithm of the coefficients of friction.
     friction: f64,
+    /// The relative growth of the load with an error of each multiple of `sigmas` in [`LOOKED_AT`].
     load: [f64; LOOKED_AT.len()],
-    /// For each motion that nothing resists, its work with 1 N or 1 N m of each component of the load.
+    /// For each motion that nothing resists, the work that 1 N or 1 N m of each component of the load does along it.
     unresisted: Vec<Wrench<3>>,
 }
 
 impl StuckGrasp {
-    /// Computes the interactions of errors and the possible failures under the base load. `courses` has the forces by commands and constant loads,
-    /// then by each component of the load.
+    /// Computes the interactions of errors and the possible failures under the base load. `courses` has the forces due to commands and constant
+    /// loads, then those due to each component of the load.
     pub(super) fn new(
         off: OffTogether,
         edges: Vec<Edges>,
@@ -141,12 +144,12 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(further(factor)));
-        // If no failure is found up to forces this many times those under the base load, the load factor counts as infinite.
+        // If no failure is found up to forces that are this multiple of the forces under the base load, the load factor counts as infinite.
         let far = 1e6;
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // Relative step of the difference quotient for the initial slope of the reliability by the load factor.
+        // Relative step of the difference quotient for the initial slope of the reliability with respect to the load factor.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         let (mut most, mut joint) = (guess, self.joint_at_base.clone());
@@ -182,7 +185,8 @@ impl StuckGrasp {
         events
     }
 
-    /// The force on contact or drive `i` and its changes by the data and an uncertain load, under the base load and, if given, a further load.
+    /// The force on contact or drive `i` under the base load and, if given, a further load. It includes the changes due to errors of the data and of
+    /// the load.
     fn spread<'m>(
         &self,
         i: usize,
@@ -207,8 +211,8 @@ impl StuckGrasp {
     }
 }
 
-/// An approximate reliability β with about `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, as those
-/// of β.
+/// An approximate reliability β with about `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, like
+/// differences of β.
 fn reliability(fails: f64) -> f64 {
     // Smaller probabilities count as 1e-300, so that the logarithm is finite.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
@@ -236,7 +240,7 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
             slope = (value - before) / (at - from);
         }
         last = Some((at, value));
-        // Secant steps are slow where a function is far from linear, so from the twelfth step on every second one is a bisection.
+        // Secant steps are slow if a function is far from linear, so from the twelfth step on every second step is a bisection.
         let halves = step >= 12 && step % 2 == 0;
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;

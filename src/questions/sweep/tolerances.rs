@@ -1,14 +1,14 @@
 //! Accuracies of the load factors and failure probabilities of a reserve.
 
-/// Relative accuracy of the load factor at which the failure probability is the allowed one.
+/// Relative accuracy of the load factor at which the failure probability equals the allowed one.
 ///
 /// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the load factor jumps with the data.
 pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
-/// Number of directions around a round cone that are compared to find the one that most probably fails.
+/// Number of directions around a round cone that are compared to find the direction that most probably fails.
 ///
 /// The integral around this direction extends at least to its neighbours on both sides, so that it contains the true worst direction. Fewer
-/// directions can miss it; each further one costs a search.
+/// directions can miss it; each further direction costs a search.
 pub(super) const AROUND_A_CONE: usize = 16;
 
 /// Lower limit of the curvature terms (a diagonal entry, a determinant) by which a failure probability is corrected to second order.

@@ -30,7 +30,7 @@ struct Failure {
     first_order: f64,
     /// The first point of the contact to whose coefficient of friction the last entry of the gradient belongs.
     contact: usize,
-    /// Gradient of the margin by the data in standard deviations, friction last, scaled to length one.
+    /// Gradient of the margin with respect to the data in standard deviations, friction last, scaled to length one.
     gradient: Vec<f64>,
 }
 
