@@ -39,8 +39,8 @@ pub struct Accuracy {
 }
 
 impl Engine {
-    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the answer lacks the engine's solution, or for slides along a load path
-    /// on the round cone.
+    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the answer lacks the engine's solution. `None` also for a state of a
+    /// load path on the round cone in which a contact slides.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // Slips along a load path on the round cone are integrated over its history: the present state does not determine them.

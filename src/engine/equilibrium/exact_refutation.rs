@@ -3,7 +3,8 @@
 //! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the work of the virtual
 //! forces along the offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex
 //! cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a generator is divided by
-//! the square root of its energy. The result must not exceed the gain divided by [`ESCAPE`] and by the size of the data.
+//! the square root of its energy. The result must not exceed the gain divided by [`ESCAPE`] and by the size of the data. Rounding could then hide
+//! only an equilibrium [`ESCAPE`] times larger than the data.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -50,8 +51,8 @@ impl Exact {
         }
     }
 
-    /// Generators of the contact law, relaxed to its convex hull, in the case that `label` describes: pairs of stretch and force. The contact may
-    /// open and has finite friction.
+    /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull. `label` restricts the states of the contact in the
+    /// present case. The contact must be able to open and must have finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -138,8 +139,8 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether a virtual motion and virtual contact forces contradict the case in which each contact has the state that its label describes, in exact
-/// arithmetic. `data` is the size of the data, the square root of an energy.
+/// Whether a virtual motion and virtual contact forces contradict, in exact arithmetic, the case in which each contact has one of the states that its
+/// label admits. `data` is the size of the data, the square root of an energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],

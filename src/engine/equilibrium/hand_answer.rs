@@ -172,7 +172,7 @@ fn drive_state(
     match drive.role {
         Role::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
         Role::EndsAbove if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
-        // The lower bound of a tendon is zero: at this bound the tendon is slack.
+        // The lower limit of the tension of a tendon is zero; at this limit the tendon is slack.
         Role::EndsBelow if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
         Role::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
         Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => (DriveState::Holds, 0.0),

@@ -56,9 +56,9 @@ pub enum Proof<const C: usize> {
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,
-        /// Only an equilibrium larger than the elastic trial state, in which every contact sticks, by at least this factor might be hidden from the
-        /// proof by rounding. Both are measured by the square root of their energy: stretches and forces of all contacts together. The factor is at
-        /// least 1e4.
+        /// The safety factor of the proof against rounding, at least 1e4. Rounding could hide only an equilibrium that is larger than the elastic
+        /// trial state, in which every contact sticks, by at least this factor. The size of a state is the square root of its energy, summed over the
+        /// stretches and forces of all contacts.
         escape: f64,
     },
 }

@@ -18,7 +18,8 @@ struct SiteAnswer<'a> {
     gap: f64,
     separated: bool,
     stretch: SVector<f64, 3>,
-    /// Slip since the contact's state was last decided along a load path, m; only this part of the slip obeys the contact law.
+    /// Slip beyond the slip memory that the offsets contain already (nonzero only on a load path), m. Only this part of the slip obeys the contact
+    /// law.
     slip: SVector<f64, 3>,
 }
 
@@ -35,8 +36,8 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Raises each residual to that of one contact or drive, if the latter is larger. The residual of equilibrium does not belong to a single
-    /// contact, and stays unchanged.
+    /// Raises each residual to the residual of one contact or drive, if the latter is larger. The residual of equilibrium, which all contacts have
+    /// together, stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;
@@ -98,7 +99,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law holds for the slip since the contact's state was last decided; earlier slip is subtracted from the finger offsets.
+        // The contact law holds for the slip beyond the slip memory of the problem, which is subtracted from the finger offsets already.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {

@@ -9,7 +9,7 @@ use crate::serial::AsComputed;
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
 /// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are divided by the sum
 /// of the sizes of its own displacements. Products of force and displacement are divided by the product of both sizes. On a load path only the slip
-/// since the state of the contact was last decided counts.
+/// since the contact states were last determined counts, for example since the last event.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

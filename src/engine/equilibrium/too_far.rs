@@ -168,7 +168,7 @@ impl Engine {
         places.iter().map(|place| place.reach).fold(self.length(), f64::max)
     }
 
-    /// The rotation of each body, and the slip or opening of each contact; cables, which may hang loose, are left out.
+    /// The rotation of each body, and the slip or opening of each contact. Open cables, which may hang loose, are excluded.
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,

@@ -170,8 +170,8 @@ impl SolvedContact<'_> {
         }
     }
 
-    /// The answer for the contact with this index, in physical quantities. `moved_with_joints` is the part of `moved` that joints cause: it belongs
-    /// to the finger, not to the body.
+    /// The answer for the contact with this index, in physical quantities. `moved_with_joints` is the part of `moved` due to joints: by this part the
+    /// finger moves, not the body.
     fn answer(
         &self,
         (contact, index): (&Contact<3>, usize),

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load factor has a maximum and T is singular. One more row
-//! below this matrix, transverse to the path, makes it regular there, too.
+//! below this matrix, transverse to the path, makes it regular even at such a maximum.
 
 use core::cell::OnceCell;
 
@@ -34,7 +34,7 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) states: &'s [State],
     /// Indices of the contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The displacement u, m, that counts in arclength as much as the whole leg of the load program.
+    /// The unit u of displacement in arclength, m: arclength is measured along the curve (q/u, λ) of twist and load factor.
     unit: f64,
     /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
@@ -285,7 +285,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // The exact change of the load factor is zero; the computed change is rounding.
+                    // This correction leaves the load factor fixed: the computed change of it is rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;

@@ -1,4 +1,5 @@
-//! The unit of arclength along an arc: the displacement that counts in arclength as much as the whole leg of the load program.
+//! The unit u of displacement in the arclength along an arc. Arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ,
+//! which grows by 1 over the whole leg of the load program.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -12,8 +13,9 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. While the load turns, the norm of the rate a quarter
-    /// revolution later is added in quadrature, since the present rate may be small. If the result is zero, one is returned.
+    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, so that twist and load factor
+    /// count equally at the beginning. While the load turns, the norm of the rate a quarter revolution later is added in quadrature, since the
+    /// present rate may be small. If the result is zero, one is returned.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {

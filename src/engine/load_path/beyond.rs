@@ -41,11 +41,11 @@ pub enum Beyond<const C: usize> {
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
     /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
-    /// by at most a hundredth of the whole load or of all commands; of the leg if there is no load yet.
+    /// by at most a hundredth of the whole load or of all commands. If there is no load yet, it lies at most a hundredth of the leg beyond the end.
     LimitLoad,
-    /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path decides whether the grasp snaps over to
-    /// one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path the answer is known. If the object moves as with viscous
-    /// contacts, it reaches none of these equilibria by small motions.
+    /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path under the same load shows whether the
+    /// grasp snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not: an
+    /// object that moves as with viscous contacts reaches none of them by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist
     /// beyond is not known, and there is no proof that none exists. The grasp has too many contacts: more than 32 on the round cone, or else more
@@ -101,7 +101,7 @@ pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: 
     }))
 }
 
-/// The place where a path of equilibria ends: the load factor, and the contact forces there.
+/// The point at which a path of equilibria ends: the load factor, and the contact forces at this point.
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
@@ -181,18 +181,18 @@ fn from_scratch<'g>(
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances are tried in turn, since at a short distance the search on the round cone may not decide.
+    // Distances are tried in turn, since at a short distance the search on the round cone may end undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would exceed the allowed number of pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
-                // If the forces found are nearly those at the end, shorter distances decide: only the forces of another equilibrium then stay
-                // different from those at the end.
+                // If the forces found are nearly the forces at the end, the search is repeated at shorter distances. Only the forces of another
+                // equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If the forces do not differ, the equilibrium found may be the equilibrium that ends here: rounding may let it exist a little
-                // further.
+                // If no forces differ, the equilibrium found may be the one that ends here, which rounding lets exist a little further: the answer is
+                // undecided. Otherwise the grasp can snap over to the equilibrium found.
                 return if is_another {
                     Beyond::Snap
                 } else {

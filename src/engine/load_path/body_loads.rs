@@ -1,4 +1,4 @@
-//! Loads on single bodies that change along the legs of a load program, beside the program's load on the whole grasp.
+//! Loads on single bodies that change along the legs of a load program, in addition to the program's load.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -13,7 +13,7 @@ use crate::prelude::*;
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. This load acts beside the load of the leg
+    /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. This load is added to the load of the leg
     /// and the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay constant.
     ///
     /// ```
@@ -42,7 +42,7 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_by(body, change)
     }
 
-    /// A leg at whose end the load on one of several bodies is `load`. This load acts beside the load of the leg and the permanent load of the body.
+    /// A leg at whose end the load on one of several bodies is `load`. This load is added to the load of the leg and the permanent load of the body.
     #[must_use]
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)
@@ -85,7 +85,7 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The loads of all bodies, beside their permanent loads, at the beginning and at the end of the present leg. `None` until a leg of the program
+/// The loads of all bodies, without their permanent loads, at the beginning and at the end of the present leg. `None` until a leg of the program
 /// changes a body load.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyLoads(Option<Arc<[Vec<Wrench<3>>; 2]>>);

@@ -74,7 +74,7 @@ impl<'g> Pieces<'g> {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
-                    // A contact that touches already blocks the motion.
+                    // The object would move into a contact whose gap is closed already: this contact blocks the motion.
                     if gap <= shut {
                         return None;
                     }

@@ -50,7 +50,7 @@ impl<const C: usize> fmt::Display for Change<C> {
 }
 
 impl<const C: usize> Leaving<C> {
-    /// The verb for how the contact leaves: "slides", "opens" (or another verb for a link, such as "goes slack"), or "would have to pull".
+    /// The verb for how the contact stops sticking: "slides", "opens" (or another verb for a link, such as "goes slack"), or "would have to pull".
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self.how {
@@ -61,7 +61,7 @@ impl<const C: usize> Leaving<C> {
 }
 
 impl<const C: usize> Departure<C> {
-    /// The verb for how the contact leaves: "slides", "opens" or "would have to pull".
+    /// The verb for how the contact stops sticking: "slides", "opens" or "would have to pull".
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self {

@@ -42,8 +42,8 @@ pub struct Event<const C: usize> {
     /// `None`, and not written, if neither test decides, as at the apex of a round cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
-    /// of Lemke's method. If several motions belong to the same forces, the path takes a motion in which contacts without force do not drag the
-    /// object along.
+    /// of Lemke's method. If several motions are possible with the same forces, the path takes a motion in which contacts without force do not drag
+    /// the object along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
     /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).

@@ -1,5 +1,5 @@
-//! The onset (first slip or opening) in a simple case, which is the most common. Everything clearly sticks under the base load, and one contact
-//! leaves its cone before all others.
+//! The onset (first slip or opening) in a simple case, which is the most common. Everything clearly sticks under the base load, and the force of one
+//! contact leaves its friction cone before all others.
 //!
 //! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
 //! digits of its load factor exact. [`super::sticking_path`] handles all other cases.
@@ -164,12 +164,13 @@ impl FirstToLeave {
 /// conditions are those of being open.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // If the margin of a condition is a smaller fraction, the contact may be on the edge of its cone, and `StickingPath` decides.
+    // If the margin of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with the exit (edge and step) and the affine course of its force.
+/// The contact that reaches the edge of its cone before all others, with the exit (edge and step), and its force as an affine function of the load
+/// factor.
 struct First {
     contact: usize,
     exit: Exit,

@@ -106,8 +106,8 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation that starts at the state `point` at the load factor `from`. Arclength is measured along the curve (q/unit, λ), with
-    /// the twist q and the load factor λ.
+    /// The differential equation of an arc on which contacts keep the states `states`. It starts at the point `point` of the path, at the load factor
+    /// `from`. Arclength is measured along the curve (q/`unit`, λ), with the twist q and the load factor λ.
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],

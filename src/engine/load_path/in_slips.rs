@@ -9,8 +9,8 @@
 //! ```
 //!
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. This is one equation for each sliding
-//! contact, where an [arc](super::arc) has one for each coordinate. Some cases give no answer here and are left to a load path: an onset that does
-//! not begin from clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
+//! contact, where an [arc](super::arc) has one for each coordinate. In some cases this file gives no answer, and the caller follows a load path: an
+//! onset that does not begin from clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
 
 use nalgebra::SVector;
 
@@ -30,9 +30,9 @@ use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, sol
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The result of following a growing load: the contacts that slide, the load factor from which each does, and the end of the path.
+/// The result of following a growing load: the contacts that slide, the load factor from which each slides, and the end of the path.
 pub(crate) struct InSlips {
-    /// Indices of the contacts that slide, in the order in which they begin to, each with the load factor from which it slides.
+    /// Indices of the contacts that slide, in the order in which they begin to slide, each with the load factor from which it slides.
     pub(crate) slid: Vec<(usize, f64)>,
     /// The load factor from which all contacts slide; `None` if some stick up to the end.
     pub(crate) all_slide: Option<f64>,
@@ -45,7 +45,7 @@ pub(crate) struct InSlips {
 
 /// The end of a path along which a load grows.
 pub(crate) enum SlipEnd {
-    /// The grasp holds up to the largest load factor that is followed.
+    /// The grasp holds up to the given load factor at which following stops.
     Held,
     /// This motion (a rotation or slip) has reached its limit of small motions.
     TooFar(CountedMotion),
@@ -103,8 +103,8 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the place `at`, where the contact `first` begins to slide, and writes the result to `path`. `None` where this is left to
-    /// a `LoadPath`.
+    /// Follows the load from the state `at`, in which the contact `first` begins to slide, and writes the result to `path`. `None` in cases that are
+    /// left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -199,7 +199,7 @@ impl Slips<'_> {
         let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
         rates.extend(slips.iter().zip(directions).flat_map(along));
         if slips.iter().all(|slip| *slip > 0.0) {
-            // The unit of slip is chosen so that the rates of slips and load count equally in arclength at the beginning.
+            // The unit of slip is chosen so that slips and load factor count equally in arclength at the beginning.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
             for rate in rates.iter_mut() {
                 *rate *= core::f64::consts::FRAC_1_SQRT_2;
@@ -207,8 +207,8 @@ impl Slips<'_> {
             return Some(SlipEnd::Held);
         }
         // The path may instead continue with only some of these contacts slipping. Bit i of `combination` is set if contact i on the edge of its cone
-        // slips, else it sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases. If one may,
-        // `None` is returned, and the caller follows a load path.
+        // slips, else it sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases. If a
+        // combination may continue the path, `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -280,8 +280,8 @@ impl Slips<'_> {
     }
 }
 
-/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. Those of all other
-/// contacts are zero. `None` if the equations do not determine them.
+/// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. The slip rates of all
+/// other contacts are zero. `None` if the equations do not determine the slip rates.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {

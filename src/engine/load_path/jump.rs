@@ -31,12 +31,13 @@ use crate::words::{Words, listed};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Jump<const C: usize> {
-    /// Further changes of contact states in the jump, in order: contacts that begin to slide, stick again, open or close.
+    /// Further changes of contact states in the jump, in the order in which they occur: contacts that begin to slide, stick again, open or close.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub changes: Vec<ContactChange<C>>,
     /// The contacts that slip in the jump, and how far.
     pub slips: Vec<JumpSlip<C>>,
-    /// The contacts whose gaps close after the object has moved without resistance, in order. Empty if contacts that touch already stop the object.
+    /// The contacts whose gaps close at the end of a free motion of the object, in the order of closing. Empty if the object does not move freely in
+    /// the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
     /// Whether the object snaps over from a fold, a corner or an asymptote of its path ([`LossKind`](super::LossKind)) to another equilibrium.

@@ -35,7 +35,7 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the external force in place of the lost friction is removed.
     pub(super) leg: Pieces<'g>,
-    /// For all contacts and drives: slips before the jump, whether they have slid in it, and the lists of their states in it so far.
+    /// For all contacts and drives: slips before the jump, whether they have slid in the jump so far, and the successive lists of their states.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.

@@ -82,7 +82,8 @@ impl<const C: usize> Leg<C> {
     }
 
     /// A leg along which the load changes as in a [`Turn`]: the change of the turn from its beginning is added to the present load. Other loads stay,
-    /// and the constant part of the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
+    /// and the constant part of the turn does not matter. The finger commands stay constant, so that forces are harmonics of the angle, and the
+    /// angles of events are found without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};

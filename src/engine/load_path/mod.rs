@@ -19,8 +19,8 @@
 //! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone counts as
 //! bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]);
 //! without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if no
-//! other equilibrium exists, the end is a limit load, else a snap. A load path then lets the object move as viscous contacts would, and continues
-//! where it comes to rest.
+//! other equilibrium exists, the end is a limit load, else a snap. At a snap a load path lets the object move as with viscous contacts, and continues
+//! from the equilibrium in which it comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
 //! s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of
@@ -28,7 +28,7 @@
 //!
 //! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter.
 //!
-//! | path | advances by | reports | affordable for |
+//! | path | advances by | reports | takes acceptable time for |
 //! |---|---|---|---|
 //! | [`LoadPath`] | whole pieces, which are stored | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ contacts |

@@ -1,5 +1,5 @@
 //! A node of the load path is the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). At a
-//! node the continuation of the path is decided.
+//! node the rates of forces and motion determine how the path continues.
 
 use nalgebra::{Matrix, SVector};
 
@@ -25,7 +25,8 @@ use crate::search::{
 /// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
 /// solution.
 struct Decided<'g> {
-    /// The load factor whose rates of load and commands the problem has: that of the node or, while the load turns, one slightly ahead.
+    /// The load factor at which the rates of load and commands in the problem are taken: the node's load factor or, while the load turns, a slightly
+    /// larger one.
     ahead: f64,
     rates: Problem<'g>,
     settled: Settled,
@@ -48,7 +49,8 @@ pub(super) struct Node {
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState,
-    /// The load factor whose rates of load and commands decided the continuation: that of the node or, while the load turns, one slightly ahead.
+    /// The load factor whose rates of load and commands determined the continuation: the node's load factor or, while the load turns, a slightly
+    /// larger one.
     pub(super) ahead: f64,
 }
 
@@ -133,8 +135,8 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // The rate problem with the rate of the load at this angle (rad) beyond the node decides. Smaller angles are tried next, in case another
-        // event comes first.
+        // The continuation is taken from the rate problem with the rate of the load at this angle (rad) beyond the node. Smaller angles are tried
+        // next, in case another event comes first.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {

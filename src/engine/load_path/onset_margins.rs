@@ -84,8 +84,9 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor with respect to one datum, for each contact or drive of [`Self::leavers`]. Its unit is the inverse of the
-    /// datum's unit, for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// The derivative of the load factor of the onset with respect to one datum, for each contact or drive of [`Self::leavers`]. Its unit is the
+    /// inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative
+    /// of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;

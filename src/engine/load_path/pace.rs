@@ -16,7 +16,7 @@ const LEAST_RATIO: f64 = 0.2;
 pub(super) struct Pace {
     /// Arclength of the next step; `None` after a node, where it is chosen anew.
     pub(super) length: Option<f64>,
-    /// The displacement, m, that counts in arclength as much as the whole leg of the load program; `None` before the first step from a node.
+    /// The unit of displacement in arclength, m, see [`super::arclength`]; `None` before the first step from a node.
     pub(super) unit: Option<f64>,
     /// Number of steps refused since the last accepted step.
     refused: u8,

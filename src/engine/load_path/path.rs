@@ -21,8 +21,9 @@ use crate::search::Settings;
 /// A load program being followed: an iterator over its events or steps. The caller can inspect each event or step, and stop after it. When the
 /// iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The method of following determines the type `T` of the items, events or steps, and how many contacts are affordable: [`LoadPath`] or
-/// [`SteppedPath`]. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.
+/// The method of following determines the type `T` of the items, events or steps, and for how many contacts the time of computing is acceptable:
+/// [`LoadPath`] for some hundreds, [`SteppedPath`] for 10⁵. The law is the same for both: contacts stick, slide with memory of their slip, open and
+/// close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 
@@ -205,8 +206,8 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.continue_with(legs)
     }
 
-    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not been lost. The search has the limits of the
-    /// path's own settings, see [`Self::beyond_with`].
+    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not been lost. The search has the limits on its
+    /// work (steps, combinations of states) of the path's own settings, see [`Self::beyond_with`].
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)
@@ -232,10 +233,11 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 impl<const C: usize> LoadPath<'_, C> {
     /// Sum of the estimated errors of all integration steps so far, along which directions of sliding turn on the round cone. The estimated error of
     /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
-    /// polygonal friction cones. Small forces and margins that were set to zero where events accumulate are added, relative to the largest force.
+    /// polygonal friction cones. If events accumulate, small forces and margins are set to zero; their sizes, relative to the largest force, are
+    /// added.
     ///
     /// The estimate is the larger of two ratios: error of forces to largest force of the step, and error of displacements to largest displacement.
-    /// The error is usually smaller. The growth of an earlier error on later steps is not included; sliding damps most of it.
+    /// The error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

@@ -1,5 +1,5 @@
-//! Follows a load program piece by piece, from event to event, and finds the exact load of each event. This is affordable for up to some hundreds of
-//! contacts. A leg is a part of the program along which load and commands change linearly, or the load turns.
+//! Follows a load program piece by piece, from event to event, and finds the exact load of each event. With up to some hundreds of contacts this
+//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns.
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event. Under a
 //! turning load they are harmonics of its angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). If a contact slides
@@ -41,7 +41,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g>,
     pub(super) node: Node,
-    /// Whether the path is at a node, the place of an event, at which its continuation is still to be decided.
+    /// Whether the path is at a node, the place of an event, and its continuation is still to be computed.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
     /// All pieces that the path has passed so far, in order, jumps included.

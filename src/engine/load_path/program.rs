@@ -153,8 +153,8 @@ impl Program {
         self.begin_leg()
     }
 
-    /// Two lists with an entry for each contact and drive. The first has the offsets (command minus clearance, m, without slip) at the beginning of
-    /// the present leg. The second has their changes over the whole leg.
+    /// Two lists with an entry for each contact and drive. The first has the offsets (command minus clearance, m; accumulated slips are not
+    /// subtracted) at the beginning of the present leg. The second has the changes of the offsets over the whole leg.
     pub(super) fn offsets(&self, grasp: &Engine) -> [Vec<SVector<f64, 3>>; 2] {
         let mut offsets = [Vec::new(), Vec::new()];
         self.offsets_into(grasp, &mut offsets);
@@ -191,8 +191,8 @@ impl Program {
         }
     }
 
-    /// Loads beside the program's load: on single bodies, and by torques that hold joints. Each is given at the beginning and at the end of the
-    /// present leg; `None` if no leg so far changes it.
+    /// Loads in addition to the program's load: loads on single bodies, and torques that hold joints. Each is given at the beginning and at the end
+    /// of the present leg; `None` if no leg so far changes it.
     fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }

@@ -32,9 +32,9 @@ pub(super) struct Slips<'g> {
     pub(super) sliding: Vec<usize>,
     /// The largest contact force at the first slip, N.
     pub(super) largest: f64,
-    /// The largest load factor that is followed.
+    /// The load factor at which following stops.
     pub(super) most: f64,
-    /// The unit of slip, m: such a slip counts in arclength as much as a change of the load factor by one.
+    /// The unit of slip in arclength, m: arclength is measured along the curve (slips / unit, load factor).
     pub(super) unit: f64,
     pub(super) small: SmallMotions,
     /// The limit of small motions for slips, m.

@@ -21,7 +21,7 @@ pub(super) struct SlipStep {
 /// Index of the condition that the load factor grows. Each condition is a value that must stay positive. After the first three conditions come the
 /// slip rates of sliding contacts along friction, their normal forces, and the margins `μ F_n - |F_t|` of sticking contacts.
 pub(super) const GROWS: usize = 0;
-/// Index of the condition that the load factor is below the largest load factor to follow.
+/// Index of the condition that the load factor is below [`Slips::most`], at which following stops.
 pub(super) const GOES_ON: usize = 1;
 /// Index of the condition that all motions are small.
 pub(super) const SMALL: usize = 2;
@@ -79,8 +79,8 @@ impl Slips<'_> {
     }
 
     /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of this condition.
-    /// `None` if thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. Mostly
-    /// the first trial is close enough.
+    /// `None` if thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. As a
+    /// rule the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -187,7 +187,7 @@ impl Slips<'_> {
     }
 
     /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad. No normal force of a sliding contact
-    /// falls to less than half. The load factor does not exceed the largest load factor to follow.
+    /// falls to less than half. The load factor does not exceed [`Slips::most`].
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {

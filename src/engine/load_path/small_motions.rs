@@ -38,8 +38,8 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {
-    /// Updates the largest ratio of a motion to its limit, and records the first place where a motion exceeds its limit. It is called at the start
-    /// and after each piece of the path.
+    /// Updates the largest ratio of a motion to its limit, and records the first place where a motion exceeds its limit. It must be called at the
+    /// start and after each piece of the path.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);

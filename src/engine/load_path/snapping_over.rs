@@ -69,7 +69,7 @@ impl<'g> RestsAgain<'g> {
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
-        // At the start only rounding would decide whether a contact that slides with kinetic friction sticks and has static friction again. So the
+        // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction. So the
         // present friction cones are restored.
         let cones = problem.cones.clone();
         // At the start only rounding would decide whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of
@@ -167,7 +167,8 @@ impl MovingObject {
 
 impl<'g> Pieces<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if it comes to rest nowhere near, or for a loss, grasp or place on the path for which this is not tried.
+    /// continues. `None` if it does not come to rest within small motions. `None` also without a trial: for other kinds of loss, for suction cups, at
+    /// the end of a leg, after a failed jump, and after [`MOST_SNAPS`] times.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -182,7 +183,7 @@ impl<'g> Pieces<'g> {
         }
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
-        // The largest force includes the load, since contacts may carry no force at all.
+        // The force to which the steps are proportional is at least the load, since contacts may carry no force at all.
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
         let least = a_little(grasp.sites(), change, rate, most);
         // An object that sticks and snaps over again and again moves on by larger and larger steps of the load.
@@ -235,8 +236,8 @@ impl<'g> Pieces<'g> {
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. Also the changes from the present
-    /// contact states to the states of `rests`.
+    /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. The second value has the changes from
+    /// the present contact states to the states of `rests`.
     fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let RestsAgain { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

@@ -10,15 +10,15 @@ use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
 impl Pieces<'_> {
-    /// Whether a contact whose slip has ended at the present place can neither stick nor slide from there. Then both states fail in trial steps with
-    /// errors up to `tolerance`.
+    /// Whether a contact whose slip has ended at the present place can neither stick nor slide from there. This is so if both states violate their
+    /// conditions in trial steps along the path. Only trial steps whose estimated relative error is at most `tolerance` count.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact in the state `state` clearly violates the condition of this state after three trial steps, ever shorter, with errors up to
-    /// `tolerance`. False if the condition is not clearly violated after one of these steps.
+    /// Whether a contact in the state `state` clearly violates the condition of this state after each of three trial steps, ever shorter. Trial steps
+    /// whose estimated relative error exceeds `tolerance` are skipped. False if a step that is not skipped keeps the condition.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;

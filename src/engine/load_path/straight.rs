@@ -21,8 +21,8 @@ impl<'g> Pieces<'g> {
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
-        // If a contact reaches an edge of its cone together with the end of the leg, up to rounding, the step ends with the leg. The edge then counts
-        // when the next leg begins.
+        // If a contact reaches an edge of its cone together with the end of the leg, up to rounding, the step ends with the leg. The edge then enters
+        // the active set of the contact when the next leg begins.
         let at_the_end = |reached: &ExitsReached| {
             reached.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
@@ -48,7 +48,7 @@ impl<'g> Pieces<'g> {
         // makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // The path alternates between continuations, so its further course depends on rounding.
+            // The path alternates between continuations, so that rounding determines how it goes on.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);

@@ -61,7 +61,7 @@ pub(super) struct JumpRecord {
 /// The integration step that made a piece of the path on an arc, along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
-    /// The displacement, m, that counts in arclength as much as the whole leg.
+    /// The unit of displacement in arclength, m, see [`super::arclength`].
     pub(super) unit: f64,
     /// Arclength of the step.
     pub(super) length: f64,

@@ -8,19 +8,20 @@ use crate::contact::ZERO_SLACK;
 /// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that builds up the
 /// whole load or all commands, or the leg if there is neither.
 ///
-/// If smaller, the equilibrium beyond differs from the end by rounding only; if larger, a later event decides.
+/// If smaller, the equilibrium beyond differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
 /// An object snaps over at a distance beyond the end of its path that is proportional to the largest force. For this purpose the largest force counts
 /// as at least this fraction of the imbalance that a whole leg adds at its present rate.
 ///
-/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, a later event decides.
+/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried beyond
+/// a later event.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
 /// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
 /// remaining imbalance is removed along a leg of its own.
 ///
-/// If smaller, slow motions take more steps; if larger, the object is still moving.
+/// If smaller, slow motions take more steps; if larger, an object that still moves counts as at rest.
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
 /// The largest number of steps in which an object snaps over to another equilibrium; some dozens are enough as a rule. With fewer, an object that

@@ -44,8 +44,8 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
-        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. With a smaller limit this
-        // would happen at each change of contact states, and errors would be added up although they decay.
+        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. With a smaller distance
+        // this would happen at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
         // If the paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second

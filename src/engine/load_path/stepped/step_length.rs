@@ -88,7 +88,8 @@ impl<'g> Steps<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // Errors that a step and its halves have in common may be a tenth of the allowed error. A contact makes such an error a few times on a leg.
+        // Errors that a step and its halves have in common may be a tenth of the allowed error, because a contact makes such an error only a few
+        // times on a leg.
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 
