@@ -13,7 +13,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// A load that turns: at angle θ >= 0 (rad) it is `constant + cosine cos θ + sine sin θ`; commands stay.
+/// A load that turns: at angle θ >= 0 (rad) it is `constant + cosine cos θ + sine sin θ`; finger commands stay constant.
 ///
 /// An example is the weight of an object tilted together with its grasp, in the frame of the object, in which grasps are given: see
 /// [`Turn::tilting`].
@@ -52,7 +52,8 @@ impl<const C: usize> Turn<C> {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
     }
 
-    /// A turn in which the bodies of a scene are tilted about `axis`, of any length but zero, by the right-hand rule. Only scenes can answer it.
+    /// A turn in which the bodies of a scene are tilted about `axis`, of any length but zero, by the right-hand rule. Only a scene, which knows the
+    /// weights of its bodies, can answer questions about this turn.
     #[cfg(feature = "serde")]
     pub(crate) fn of_bodies(axis: SVector<f64, 3>) -> Self {
         let turn = Self::new(Wrench::ZERO, Wrench::ZERO, Wrench::ZERO);
@@ -130,7 +131,7 @@ impl<const C: usize> Turn<C> {
         self.angle.min(TAU)
     }
 
-    /// Refuses parts that are not finite or beyond 1e50, and an angle that is not positive.
+    /// Refuses, with an error, terms of the load that are not finite or beyond 1e50, and an angle that [`Self::check_angle`] refuses.
     pub(crate) fn check_in(&self, space: Space) -> Result<(), Error> {
         self.load.constant.check_in(space, "constant load")?;
         self.load.cosine.check_in(space, "cosine of the load")?;
@@ -261,6 +262,6 @@ pub struct EdgeTouch {
 pub enum EdgeOf {
     /// A contact, whose limit is its friction cone.
     Contact(ContactLabel),
-    /// A joint or a tendon, whose limit is that of its drive.
+    /// A joint or a tendon, whose limit is the force limit of its drive.
     Drive(PartLabel),
 }

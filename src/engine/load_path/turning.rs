@@ -259,7 +259,7 @@ impl<'g> Pieces<'g> {
                 }
                 // At the end of a leg a slip rate of this leg does not matter any more.
                 _ if leg_done => {}
-                // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then decide which contacts slide on.
+                // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
@@ -275,7 +275,8 @@ impl<'g> Pieces<'g> {
         }
         self.take_step(journey, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
-        // If another event happens at the same place, the solution at that event decides about contacts that have not slipped during the step.
+        // If another event happens at the same place, contacts that have not slipped during the step get their states from the solution at that
+        // event.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }

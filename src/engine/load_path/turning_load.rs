@@ -70,7 +70,7 @@ impl Segment<'_> {
     }
 
     /// Forces, stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load. The
-    /// offsets belong to the constant term. `angle` is the angle per unit of the load factor, rad.
+    /// offsets act together with the constant term. `angle` is the angle per unit of the load factor, rad.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,

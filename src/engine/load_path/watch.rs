@@ -124,7 +124,7 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // With almost no normal force only rounding would decide whether the contact stops sliding, so its condition counts as satisfied.
+            // With almost no normal force, rounding alone would determine whether the contact stops sliding, so its condition counts as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

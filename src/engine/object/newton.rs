@@ -31,7 +31,8 @@ pub(crate) struct Imbalance {
 }
 
 impl Imbalance {
-    /// The imbalance of contact forces and a load. Its `size` is the sum of the norms of the contact forces plus `beside`, without the load.
+    /// The imbalance of contact forces and a load. Its `size` is `beside` plus the sum of the norms of the contact forces; the norm of the load is
+    /// not included.
     pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));

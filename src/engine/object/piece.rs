@@ -35,7 +35,8 @@ pub(crate) struct Piece {
     /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
     /// exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions)>,
-    /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions). Beside a band they are computed on first use.
+    /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions). If `band` is given, they are computed on first
+    /// use.
     orthogonal: Once<OrthogonalPiece>,
     size: Size,
 }
@@ -92,7 +93,7 @@ impl Piece {
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
-    /// The orthogonal factors of A and B. Beside a band they are computed on first use.
+    /// The orthogonal factors of A and B. If the band matrix is factorised already, they are computed on first use.
     pub(super) fn orthogonal(&self) -> &OrthogonalPiece {
         self.orthogonal.get_or_init(|| {
             let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());

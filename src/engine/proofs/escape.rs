@@ -1,7 +1,9 @@
-//! The margin of a linear contradiction: rounding may hide only an equilibrium whose forces are far larger than the data.
+//! The margin of a linear contradiction, i.e. of a proof by Farkas' lemma that a load cannot be balanced. Rounding may hide from such a proof only an
+//! equilibrium whose forces are far larger than load and commands.
 //!
-//! Let generators g be vectors of length one whose sums with shares s >= 0 are all possible values. Let a unit vector y have `y·g <= δ` for each
-//! generator. Then such a sum has `y·Σ s g <= δ Σ s`. A target t with y·t > 0 is such a sum only if `Σ s >= y·t / δ`.
+//! Let generators g be vectors of length one, such that the possible values are the sums `Σ s g` with coefficients s >= 0. Let a unit vector y have
+//! `y·g <= δ` for each generator, where δ is mere rounding. Then each of these sums has `y·Σ s g <= δ Σ s`. Hence a target t with y·t > 0 is such a
+//! sum only if `Σ s >= y·t / δ`, i.e. only with very large coefficients.
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 

@@ -1,6 +1,7 @@
 //! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and which values count as rounding errors.
 
-/// A proof of no equilibrium counts if any equilibrium that rounding could hide has forces at least this many times as large as the data.
+/// A proof of no equilibrium counts if any equilibrium that rounding could hide from it has forces at least this many times as large as the data
+/// (load and commands).
 ///
 /// If smaller, proofs count that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
@@ -13,7 +14,7 @@ pub(crate) const LEAST_WORK: f64 = 1e-15;
 
 /// A residual below this fraction of the load is no proof: the load is on the boundary, up to rounding.
 ///
-/// If smaller, a load on the boundary seems to separate; if larger, true proofs are refused.
+/// If smaller, a load on the boundary seems to lie outside the cone of contact forces; if larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;
 
 /// With more coordinates the search for the nearest forces (`wrench_cone`) uses at most 200 generators. The time for each grows with the square of

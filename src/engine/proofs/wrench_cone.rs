@@ -1,7 +1,7 @@
 //! A proof that no contact forces at all balance the load: it lies outside the friction wrench cone.
 //!
-//! With the generators γ of all friction cones (wrenches), the load is balanced by admissible forces iff `Σ γ β + W = 0` for
-//! some shares β >= 0. Otherwise the residual of the nearest sum,
+//! With the generators γ of all friction cones (wrenches), the load is balanced by admissible forces iff `Σ γ β + W = 0` for some coefficients β >=
+//! 0. Otherwise the residual of the nearest sum,
 //!
 //! ```text
 //! min |Σ γ β + W|,  β >= 0,       v = Σ γ β + W
@@ -155,8 +155,8 @@ pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
 /// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` if no motion separates them
 /// clearly.
 ///
-/// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the nearest forces decide, for at most
-/// [`MOST_COORDINATES`] coordinates.
+/// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the residual of the nearest forces is tried, for
+/// at most [`MOST_COORDINATES`] coordinates.
 pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
     if !uses_band(problem.size()) {

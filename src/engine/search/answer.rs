@@ -41,7 +41,8 @@ pub enum FoundBy {
 #[non_exhaustive]
 pub enum Doubt {
     /// Lemke's method ended on rays, which prove nothing, and not every combination of states could be tried. Either there are too many contacts for
-    /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
+    /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried gave neither an equilibrium nor a
+    /// proof.
     RayWithoutProof,
     /// Some combination of contact states violates a condition so little that rounding may be the cause. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.

@@ -1,4 +1,4 @@
-//! Trying every combination of contact states: complete, and affordable for a few contacts.
+//! Trying every combination of contact states: a complete search, which takes acceptable time for a few contacts.
 
 use super::answer::Found;
 use super::candidate::Judged;
@@ -33,14 +33,14 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
     pub(crate) found: Vec<Found>,
-    /// Number of combinations tried: without those that a caller's test has excluded.
+    /// Number of combinations tried, without the combinations that a caller's test has excluded.
     pub(crate) tried: usize,
     /// Whether some combination that was tried broke a condition so narrowly that rounding may be the cause.
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states; with `first_only` only up to the first equilibrium. On the round cone each combination is the start of
-/// Newton's method.
+/// Tries all combinations of contact states or, if `first_only`, those up to the first equilibrium. On the round cone each combination is the start
+/// of Newton's method.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

@@ -1,6 +1,7 @@
 //! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method decides.
 //!
-//! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than those below it, or decides less often.
+//! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than the rungs below it, or ends the search less
+//! often.
 
 use super::answer::{Doubt, Effort, Found, FoundBy, Settled};
 use super::candidate::{Refused, admit};
@@ -147,12 +148,12 @@ fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
 
-/// Whether a complementarity problem may be solved with a dense matrix: with few contacts always, with many only if the matrix is affordable.
+/// Whether a complementarity problem may be solved with a dense matrix: with few contacts always, with many only if its pivots take acceptable time.
 fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Lemke's method on the contacts that leave the states of a similar grasp.
+/// Lemke's method on the contacts that break a condition in the contact states of a similar grasp.
 fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let propose = |problem: &Problem, log: &mut Log| propose_near_a_similar_one(scene, problem, log);
     Attempt::of(climb(scene.problem, &propose, log))
@@ -218,7 +219,7 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
 }
 
 /// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of
-/// all contacts if that is affordable. The form with facets for infinite friction is tried last.
+/// all contacts if that takes acceptable time. The form with facets for infinite friction is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {

@@ -1,4 +1,5 @@
-//! Lemke's method for many contacts, of which few leave the state of the elastic trial: only these few contacts pivot.
+//! Lemke's method for many contacts, of which few leave the elastic trial, i.e. break a condition of their states in it: only these few contacts
+//! pivot.
 //!
 //! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
 //! These contacts enter, too, until no contact breaks a condition. If many contacts leave the trial, the start is instead a set of states from Tresca

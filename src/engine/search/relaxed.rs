@@ -9,13 +9,13 @@
 //! ```
 //!
 //! one equation in as many unknowns as there are stretches, without the twist. Either a pair (e, f) that is a sum of hull generators with
-//! shares s >= 0 solves it, or the distance of f⁰ from all such sums is positive. Then the residual y has
+//! coefficients s >= 0 solves it, or the distance of f⁰ from all such sums is positive. Then the residual y has
 //!
 //! ```text
 //! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
 //! ```
 //!
-//! where δ is the largest of these products, nearly zero. It contradicts every equilibrium whose shares sum up to less than `|y|²/δ`.
+//! where δ is the largest of these products, nearly zero. It contradicts every equilibrium whose coefficients have a sum below `|y|²/δ`.
 
 use nalgebra::SVector;
 

@@ -39,7 +39,7 @@ pub struct Settings {
     /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that
     /// error. Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, the largest number of steps along sliding arcs of the round cone within one leg, refused ones included. It also limits the
+    /// On a load path, the largest number of steps along sliding arcs of the round cone within one leg, refused steps included. It also limits the
     /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
     /// point reached.
     pub most_steps: usize,
@@ -50,7 +50,7 @@ pub struct Settings {
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
-    /// Whether searches for an equilibrium at rest leave out the last method, which tries every case and takes longest if no equilibrium exists.
+    /// Whether searches for an equilibrium at rest omit the last method, which tries every case and takes longest if no equilibrium exists.
     pub(crate) is_quick: bool,
 }
 
@@ -113,7 +113,8 @@ impl Settings {
         self
     }
 
-    /// These settings with another largest load factor for the loss of the grasp, a multiple of the load asked about.
+    /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no farther
+    /// than this multiple of the load asked about, see [`Settings::most_load`].
     #[must_use]
     pub fn with_most_load(mut self, most_load: f64) -> Self {
         self.most_load = most_load;

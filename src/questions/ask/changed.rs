@@ -101,7 +101,7 @@ impl<const C: usize> Grasp<C> {
 
     /// This grasp with loads on other bodies that grow in proportion to `load`. A method that applies τ times `load` then also applies τ times each
     /// of `others` to its body. Every load given to a method, base loads included, counts as a multiple of `load`: only its component along `load`
-    /// acts. Constant loads belong to the bodies ([`Body::load`](crate::grasp::Body::load)).
+    /// acts. Constant loads are instead given with the bodies ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};

@@ -81,8 +81,9 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
     }
 
-    /// The proof, by cases, that no equilibrium exists under a load with round friction cones. `None` if an equilibrium exists, if
-    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or if no cone is round, as in the plane.
+    /// The proof that no equilibrium exists under a load on round friction cones. It divides contact states into cases and contradicts each case.
+    /// [`Refutation::check`] verifies the proof and returns its safety factor against rounding, `escape` in the example, at least 1e4. `None` if an
+    /// equilibrium exists, if [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or if no cone is round, as in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -170,9 +171,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Verifies this proof for a grasp and a load. Rounding could hide only an equilibrium with very large stretches and forces. The result is a
-    /// lower bound on their norm over all contacts (in √J), relative to their norm in the elastic trial state. `None` if the proof does not hold for
-    /// this grasp and this load, or if the bound is below 1e4.
+    /// Verifies this proof for a grasp and a load, and returns its safety factor against rounding. Rounding could hide only an equilibrium with very
+    /// large stretches and forces. The factor is a lower bound on their norm over all contacts (in √J), relative to their norm in the elastic trial
+    /// state. `None` if the proof does not hold for this grasp and this load, or if the bound is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

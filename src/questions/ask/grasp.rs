@@ -167,9 +167,9 @@ impl<const C: usize> Grasp<C> {
         &self.settings
     }
 
-    /// Whether the grasp holds a load that grows from zero beside the base load. The [`Verdict`] says in a sentence whether it holds with everything
-    /// sticking, holds while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has the load factors of first
-    /// slip and gross slip, up to [`Settings::most_load`].
+    /// Whether the grasp holds a load that grows from zero in addition to the base load. The [`Verdict`] says in a sentence whether it holds with
+    /// everything sticking, holds while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has the load factors
+    /// of first slip and gross slip, up to [`Settings::most_load`].
     ///
     /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by
     /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only if the path is undecided. If the load is lost,
@@ -269,7 +269,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.bodies().is_some_and(|bodies| bodies.loads.iter().any(|load| *load != Wrench::ZERO))
     }
 
-    /// Names of the bodies that have permanent loads beside their weights.
+    /// Names of the bodies that have permanent loads other than their weights.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         self.engine.loaded_bodies()
     }

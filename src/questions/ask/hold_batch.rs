@@ -67,8 +67,8 @@ fn held<const C: usize>(
     let limit = settings.small_motions.rotation;
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {
-        // Screening decides only if the first slip is clearly beyond the whole load, and the rotation clearly below its limit. Else rounding would
-        // decide.
+        // The result of screening is used only if the first slip is clearly beyond the whole load, and the rotation clearly below its limit.
+        // Otherwise rounding could make it wrong.
         let clear = sticking.filter(|WhileSticking { first, turn }| {
             first.holds_up_to(1.0 + NEGLIGIBLE) && *turn <= limit * (1.0 - NEGLIGIBLE)
         });

@@ -10,8 +10,8 @@ use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch, by its number: appends the contacts of its grasp to an empty list, and returns the base load and the load that grows beside
-/// it.
+/// One row of a batch, by its number: appends the contacts of its grasp to an empty list, and returns the base load and the load that grows in
+/// addition to it.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
 /// Rows in one task of a thread, few enough for their data to fit in the cache of a core.
@@ -29,8 +29,8 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// First slip of each row, and the larger rotation under the base load and the whole load. `None` for a row whose contacts screening does not
-/// support, or if `is_meant` returns false for its contacts and base load.
+/// First slip of each row, and the larger of the rotations under the base load and under the whole load. `None` for a row whose contacts screening
+/// does not support, or if `is_meant` returns false for its contacts and base load.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,

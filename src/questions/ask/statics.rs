@@ -187,7 +187,7 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The shakedown factor: the largest multiple of these loads, each added to a base load in any order, at which some constant slips could keep
-    /// every contact from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether the grasp
+    /// every contact from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] finds out whether the grasp
     /// comes to rest below the factor. In space a polygon around the round cone is used, with as many facets as
     /// [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
     ///

@@ -25,7 +25,8 @@ pub struct Caught {
     pub factor: f64,
     /// The contacts that slip in the jump, each with the length of its slip.
     pub slips: Vec<SlippedBy>,
-    /// The motion in the jump of the body that moves farthest, if it closes gaps. `None` if contacts that are closed already catch the object.
+    /// The motion in the jump of the body that moves farthest, if the jump closes gaps. `None` if no gap closes: contacts that are closed already
+    /// catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
     /// Whether the object snaps over from the end of its path (a fold, a corner or an asymptote) to another equilibrium ([`Jump::snaps`]).
@@ -45,7 +46,7 @@ pub struct SlippedBy {
     /// The contact that slips in the jump.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: WholeContact,
-    /// Length of the slip in the jump, m; for a soft fingertip that of its point that slips farthest.
+    /// Length of the slip in the jump, m; for a soft fingertip the slip of its point that slips farthest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
 }

@@ -11,8 +11,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The data of a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. Proofs and kinetic friction are left
-    /// out.
+    /// The data of a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The fields about proofs and kinetic
+    /// friction stay empty.
     pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);

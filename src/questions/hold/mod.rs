@@ -1,4 +1,4 @@
-//! Does the grasp hold? The load grows along one path from zero beside the base load, the load that acts already at load factor 0.
+//! Does the grasp hold? The load grows along one path from zero, in addition to the base load, which acts already at load factor 0.
 //!
 //! The word "hold" may mean three questions, each with its own method:
 //!

@@ -40,7 +40,7 @@ pub enum WayOut<const C: usize> {
     TipsOver {
         /// The contacts that stay in place; of a soft fingertip the points that stay.
         about: Vec<WholeContact>,
-        /// The contacts that open, also those that were open and move away.
+        /// The contacts that open, including contacts that were open already and move away.
         opens: Vec<WholeContact>,
     },
     /// The object turns about contacts that stay in place; no other contact opens, so that the others slide or stay.
@@ -124,7 +124,7 @@ pub(super) fn way_out(
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
         // The moving bodies move as one, so contacts between two of them do not matter. Only their contacts with the ground, fingers and bodies at
-        // rest decide the name.
+        // rest determine the name of the motion.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));

@@ -30,7 +30,8 @@ pub struct Identified {
     /// wrong, or the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Number of observations (slips and known sums) minus the number of independent combinations of unknowns that they determine.
+    /// Number of observations minus the number of independent combinations of unknowns that they determine. Observations are the observed slips, and
+    /// the sums of unknowns that the question gives as known from other measurements.
     pub degrees_of_freedom: usize,
     /// Combinations of unknowns along which no predicted slip changes, so that the slips do not determine them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]

@@ -1,4 +1,4 @@
-//! Errors for questions of identification that no search can answer.
+//! Errors for questions of identification that no search can answer. A layout is an arrangement of the contact points, with a grasp of its own.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;
@@ -14,7 +14,7 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// An error for contacts that the grasps `layouts` do not have, and for two unknowns that one contact cannot have at once.
+    /// An error for contacts that the grasps of the layouts do not have, and for two unknowns that one contact cannot have at once.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
@@ -99,7 +99,7 @@ impl KnownSum {
 }
 
 impl Unknown {
-    /// Whether one contact cannot have both unknowns: two of one kind, or a squeeze beside a carried force.
+    /// Whether one contact cannot have both unknowns: two of one kind, or a squeeze and a carried force.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))

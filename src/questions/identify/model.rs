@@ -283,14 +283,14 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The contact points to which an unknown belongs, in the layout of this slip.
+    /// The contact points that have an unknown among their data, in the layout of this slip.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
         let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout());
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
     /// The derivatives with respect to the logarithms of all unknowns, in order. `by` returns the derivative for the kind, index and value of an
-    /// unknown. Unknowns that belong to other layouts have derivative zero. `None` if one derivative is not known or not finite.
+    /// unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

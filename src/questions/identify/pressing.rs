@@ -35,12 +35,12 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// The wrench on the object for 1 N of normal force. For a sliding contact it includes the friction force that belongs to this normal force.
+    /// The wrench on the object for 1 N of normal force. For a sliding contact it includes the friction force due to this normal force.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.friction_wrench(motion) } else { self.normal.clone() }
     }
 
-    /// The wrench of the friction force that belongs to 1 N of normal force, against the sliding velocity in this motion of the object.
+    /// The wrench of the friction force due to 1 N of normal force, against the sliding velocity in this motion of the object.
     pub(super) fn friction_wrench(&self, motion: &DVector<f64>) -> DVector<f64> {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }

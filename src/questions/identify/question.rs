@@ -227,7 +227,7 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// A load at rest, from which a scene decides whether anything presses on the contacts. It is the load at rest of the first slip if carried
+    /// The load at rest with which a scene checks whether anything presses on the contacts. It is the load at rest of the first slip if carried
     /// forces are sought, or if every slip has a load at rest; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {

@@ -52,7 +52,7 @@ pub struct Slip<const C: usize> {
     /// A turn up to the angle at the slip, instead of a load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) turn: Option<Turn<C>>,
-    /// The constant load that acts before and beside the growing load; zero if left out.
+    /// The constant load that acts before the growing load, and together with it; zero if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) base: Option<Wrench<C>>,
     /// Factor on the squeeze of the scene; 1 if left out.
@@ -98,7 +98,7 @@ impl<const C: usize> Slip<C> {
         Self::of(SlipKind::Gross, None, Some(turn))
     }
 
-    /// This slip beside a base load that acted before and stayed constant, such as a weight.
+    /// This slip under a load that grew in addition to a base load, such as a weight, which acted before and stayed constant.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = Some(base);

@@ -5,13 +5,13 @@
 /// Forces, velocities, singular values and derivatives below this fraction of the largest count as zero.
 ///
 /// Difference quotients are accurate to about 1e-8. If this were smaller, combinations that no slip determines would get values whose errors are due
-/// to rounding. If larger, combinations that slips determine weakly would be left out.
+/// to rounding. If larger, combinations that slips determine weakly would count as undetermined.
 pub(super) const INDISTINCT: f64 = 1e-6;
 
 /// Components below this fraction of the largest count as zero in a combination of unknowns that slips do not determine. The answer then names fewer
 /// unknowns.
 ///
-/// If smaller, unknowns appear with powers due to rounding. If larger, unknowns that belong to the combination are not named.
+/// If smaller, unknowns appear with powers due to rounding. If larger, some unknowns of the combination are not named.
 pub(super) const NO_COMPONENT: f64 = 1e-4;
 
 /// The search for the unknowns has converged once a step changes the logarithm of each unknown by at most this.

@@ -134,7 +134,7 @@ impl Unknown {
         Ok(points)
     }
 
-    /// Whether the unknown belongs to this contact point in this layout.
+    /// Whether the unknown is a datum of this contact point in this layout.
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }

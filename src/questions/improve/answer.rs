@@ -30,7 +30,8 @@ pub struct Improved<const C: usize> {
     pub force: Option<f64>,
     /// Place and command of every contact in the best grasp found; empty if no grasp was found.
     pub contacts: Vec<Placed<C>>,
-    /// The active sticking conditions and limits that prevent a larger value, each with its multiplier; empty if no multipliers were found.
+    /// The active sticking conditions, and active limits of forces, commands and places, that prevent a larger value, each with its multiplier; empty
+    /// if no multipliers were found.
     pub in_the_way: Vec<InTheWay>,
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
@@ -40,7 +41,7 @@ pub struct Improved<const C: usize> {
     /// multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
-    /// Number of starting grasps, of the given one and the random ones, in which all contacts stick under the base load.
+    /// Number of starting grasps (the given grasp and random grasps) in which all contacts stick under the base load.
     pub starts: usize,
     /// Number of steps tried in the ascents from all starts, including refused steps.
     pub steps: usize,
@@ -80,20 +81,22 @@ pub struct Placed<const C: usize> {
     pub normal_force: f64,
 }
 
-/// One active sticking condition or limit of a contact, which prevents a later first slip or a larger reserve.
+/// One active sticking condition of a contact, or one active limit of its force, command or place. It prevents a later first slip or a larger
+/// reserve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct InTheWay {
-    /// The contact to which the condition or limit belongs.
+    /// The contact whose sticking condition or limit is active.
     pub contact: WholeContact,
     /// The sticking condition or limit that is active, with its multiplier.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub binds: Binds,
 }
 
-/// An active sticking condition or limit with its multiplier. "Gain" means an increase of the load factor of first slip, or of the reserve, N.
+/// An active sticking condition, or an active limit of a force, command or place, with its multiplier. "Gain" means an increase of the load factor of
+/// first slip, or of the reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

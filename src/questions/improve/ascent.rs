@@ -39,7 +39,7 @@ pub(super) struct Ascent {
     pub(super) last: Option<LastStep>,
 }
 
-/// A step, with the sticking conditions under loads (`events`) and the limits (`bounds`) to which its multipliers belong.
+/// A step, with the sticking conditions under loads (`events`) and the limits (`bounds`) for which it has multipliers.
 pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
@@ -168,8 +168,8 @@ impl Climb<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.choice.question.steps() {
-                    // The learnt curvature may be wrong here and hide an ascent direction. Before the ascent ends without an optimum, the curvature
-                    // is reset and steps are tried again.
+                    // The learnt curvature may be wrong here, so that no step gains although a direction of ascent exists. Before the ascent ends
+                    // without an optimum, the curvature is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
@@ -256,7 +256,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may belong to one sticking condition. The event whose value is nearest counts as the same event after the step.
+        // Several events may have the same sticking condition. The event whose value is nearest counts as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

@@ -3,7 +3,7 @@
 //! A sticking condition `a·F >= 0` has the margin `r = a·F⁰` under the base load, and a load adds `s = a·F¹`, usually negative. The goal of first
 //! slip is the load factor τ that uses up the margin, `r + τ s = 0`. The goal of a reserve is the margin under the load, `r + s`.
 
-/// The value to be maximised where fingers are improved; it is the least over all loads.
+/// The value that the search for places and squeezes of the fingers maximises. Each load has such a value, and the least of them is maximised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -18,7 +18,7 @@ use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
     /// Finds places and squeezes (normal forces of the commands) of the fingers of this grasp for which the first slip comes as late as possible, or
-    /// the most friction is left.
+    /// the least friction reserve under the loads is as large as possible.
     ///
     /// Friction cones are round in space. The result has the same bits for any number of threads.
     ///
@@ -65,8 +65,8 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // For each random start that the question asks for, 24 random placings are drawn. The best of all of them become the starts, beside the given
-        // grasp.
+        // For each random start that the question asks for, 24 random placings are drawn. The best of all of them become starts, in addition to the
+        // given grasp.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // The last number, 48, keeps these random numbers apart from those drawn elsewhere with the same seed.

@@ -10,7 +10,7 @@ use crate::numerics::{Each, numbered};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
-/// The loads of a question, one at a time, beside its base load, and the goal.
+/// The base load of a question, the loads that are added to it one at a time, and the goal.
 pub(super) struct Loaded {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,

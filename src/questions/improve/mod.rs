@@ -1,5 +1,5 @@
 //! Optimal finger placement: positions on given curves or surfaces, and normal forces of the commands (squeezes) within limits, such that the first
-//! slip comes as late as possible, or the most friction is left.
+//! slip comes as late as possible, or the least friction reserve is as large as possible.
 //!
 //! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press.
 //! [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]: places, squeezes, the value of the [`ImproveGoal`] before and after, and

@@ -35,7 +35,7 @@ pub(super) enum DesignKind {
 pub(super) struct Choice<'q> {
     pub(super) question: &'q Improve<3>,
     pub(super) contacts: &'q [Contact<3>],
-    /// The contacts of the given grasp, each with the points that belong to it.
+    /// The contacts of the given grasp, each with its points.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
     /// For each contact the first tangent of its frame in the given grasp.

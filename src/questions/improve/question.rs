@@ -14,8 +14,9 @@ use crate::prelude::*;
 use crate::serial::AsGiven;
 use crate::squeeze::{LoadFields, Loads};
 
-/// The question of finger placement: the loads, the goal, the contacts that may move along a surface, and the limits of forces. Invalid values are
-/// refused when the question is asked. In a scene, contacts have their surfaces themselves.
+/// The question of finger placement: the loads, the goal, the contacts that may move along a surface, and the upper limits of the forces with which
+/// fingers press. Invalid values are refused when the question is asked. In a scene file the surface along which a contact may move is a field of the
+/// contact, not of this question.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -29,7 +30,7 @@ pub struct Improve<const C: usize> {
     /// Loads that grow, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(crate) loads: Vec<Wrench<C>>,
-    /// A force of any direction beside the load, N, that acts at `at`; this size counts as load factor 1.
+    /// The size, N, of a force of any direction that acts at `at` in addition to the constant `load`; this size counts as load factor 1.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) any_force: Option<f64>,
     /// The point where the force of any direction acts, m; the origin if left out.
@@ -39,7 +40,7 @@ pub struct Improve<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at: Option<SVector<f64, C>>,
-    /// The largest force with which a contact may press, N; if left out, commands keep their values.
+    /// The upper limit of the normal force with which a contact may press, N; if left out, commands keep their values.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
@@ -49,7 +50,7 @@ pub struct Improve<const C: usize> {
     /// The quantity to maximise; the load at first slip if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) goal: Option<ImproveGoal>,
-    /// Number of random starts beside the grasp of the scene; 8 if left out.
+    /// Number of random starts in addition to the grasp of the scene; 8 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) starts: Option<usize>,
     /// Largest number of steps from each start; 200 if left out.
@@ -63,7 +64,7 @@ pub struct Improve<const C: usize> {
     pub(super) turn: Option<Turn<C>>,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) surfaces: Vec<(usize, Surface<C>)>,
-    /// Contacts with a limit of their own, and the greatest allowed force of each, N.
+    /// Contacts with an upper limit of their own for the normal force, and this limit, N.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) most: Vec<(usize, f64)>,
 }
@@ -164,7 +165,8 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the number of random starts beside the given grasp (default 8). They are the best of 24 times as many random placings on the surfaces.
+    /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random placings on the
+    /// surfaces.
     #[must_use]
     pub fn with_starts(mut self, starts: usize) -> Self {
         self.starts = Some(starts);

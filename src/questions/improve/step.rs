@@ -38,15 +38,15 @@ pub(super) struct TrialStep {
     pub(super) bounds: Vec<f64>,
     /// For each variable the multipliers of the lower and upper end of `reach`; zero unless the variable is at that end now.
     pub(super) ends: Vec<[f64; 2]>,
-    /// First-order residual now: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables not at an end. If it is larger, the complementarity of
-    /// multipliers λ, ν with events and constraints.
+    /// First-order residual at the present values: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables that are not at an end of `reach`. If it is
+    /// larger, the complementarity residual of the multipliers λ, ν with events and constraints.
     pub(super) residual: f64,
 }
 
 /// The solution of the quadratic program: the step d and multipliers, scaled so that the multipliers of the events add up to one.
 struct Solved {
     d: DVector<f64>,
-    /// Multipliers of all events (sticking conditions under loads); zero for those left out of the program.
+    /// Multipliers of all events (sticking conditions under loads); zero for events that the program omits.
     events: Vec<f64>,
     /// Multipliers of the linear constraints `h·d + left >= 0`.
     bounds: Vec<f64>,
@@ -109,7 +109,7 @@ impl StepProgram {
         if !top.is_finite() {
             return None;
         }
-        // An event whose value stays above `top` in the whole box is never the least, so it is left out.
+        // An event whose value stays above `top` in the whole box is never the least, so the program omits it.
         let mut near: Vec<usize> = (0..ranges.len()).list();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {

@@ -147,7 +147,8 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneScene<const C: usize, A: ?Sized = [f64; Layout::<3>::with_parts(MOST_SCREENED)]> {
     contacts: usize,
-    /// Bit i is set if contact point i is the last point of its finger; a bit for every contact unless fingertips are soft.
+    /// Bit i is set if contact point i is the last point of its finger. Without soft fingertips each contact is a single point, and the bits of all
+    /// contacts are set.
     ends: u64,
     numbers: A,
 }
@@ -194,7 +195,7 @@ impl<const C: usize> AnyScene<C> {
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }
 
-    /// Makes this contact point belong to the same soft fingertip as the next contact point.
+    /// Joins this contact point and the next one to the same soft fingertip.
     pub(super) fn join_to_next(&mut self, contact: usize) {
         self.ends &= !(1 << contact);
     }

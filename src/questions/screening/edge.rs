@@ -11,10 +11,10 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 /// friction, α is the coefficient and β is 1; see [`StickingCone`]. In arrays with one entry per contact, the entries of all other contacts are zero.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The load factor at which the margin m of the leaving contact vanishes. NaN if no contact leaves, which makes all derivatives of this factor
-    /// NaN.
+    /// The load factor at which the margin m of the leaving contact vanishes. NaN if no contact leaves its cone, which makes all derivatives of this
+    /// factor NaN.
     pub(super) factor: X,
-    /// The index of the contact that leaves its cone; -1 if no contact leaves.
+    /// The index of the contact that leaves its cone; -1 if no contact leaves its cone.
     pub(super) contact: X,
     /// The derivative of the margin m with respect to the normal force of each contact. As commands of the fingers, this array and `tangential` cause
     /// contact forces from which all derivatives of m follow; see [`Self::probe`].
@@ -25,8 +25,8 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) by_friction: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the load factor, N.
     pub(super) rate: X,
-    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided: several contacts leave together, or the
-    /// friction force is zero.
+    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided: several contacts leave their cones together, or
+    /// the friction force is zero.
     pub(super) kink: X,
 }
 

@@ -13,7 +13,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The load factor at which the force of one contact leaves its cone, and the margin of this contact at load factor zero.
 struct Exit<X: Packed> {
-    /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if rounding decides.
+    /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if the result depends on rounding.
     factor: X,
     /// The margin of the contact at load factor zero, N, scaled by its [`StickingCone`].
     margin: X,
@@ -105,8 +105,8 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A soft fingertip leaves as soon as one of its points does. `until` exceeds the first load factor by rounding, so that all contacts that leave
-    // together are listed.
+    // A soft fingertip stops sticking as soon as one of its points does. `until` exceeds the first load factor by rounding, so that all contacts that
+    // stop sticking together are listed.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

@@ -8,9 +8,9 @@ use crate::prelude::*;
 /// The first slip of one grasp, or a code if there is none, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The load factor at first slip, infinite if no contact leaves, or one of the codes below.
+    /// The load factor at first slip, infinite if no contact ever stops sticking, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that leave at this load factor. A soft fingertip counts as one contact.
+    /// Sum of 2^i over the contacts i that stop sticking at this load factor. A soft fingertip counts as one contact.
     pub(super) leaving: f64,
 }
 

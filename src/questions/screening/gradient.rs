@@ -32,7 +32,7 @@ use crate::numerics::Vectors;
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
     /// The contact whose margin is differentiated, if it leaves its cone at first slip. Otherwise, and for `None`, it is the first contact that
-    /// leaves.
+    /// leaves its cone.
     pub(super) contact: Option<usize>,
 }
 

@@ -15,8 +15,8 @@ impl Screened {
         self.0.verdict()
     }
 
-    /// The positive load factor, the multiple of the load direction, at which the first contact stops sticking. `None` for every verdict but
-    /// [`ScreeningVerdict::Leaves`], so also if no contact ever leaves.
+    /// The load factor at which the first contact stops sticking: a positive multiple of the load direction. `None` for every verdict but
+    /// [`ScreeningVerdict::Leaves`], for example for [`ScreeningVerdict::Never`]: then every contact sticks at every factor.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.factor()

@@ -52,9 +52,10 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: load factor or code of the verdict, leaving
-    /// contacts as bits, contact of the gradient, and kink. The derivatives follow: with respect to n points, n normals, n commands, n pairs of
-    /// stiffnesses, n coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: load factor or code of the verdict, the
+    /// contacts that stop sticking as bits, the contact whose margin is differentiated, and the flag of a kink. The derivatives follow: with respect
+    /// to n points, n normals, n commands, n pairs of stiffnesses, n coefficients of friction, and the components of the base load.
+    /// [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -70,10 +71,10 @@ impl<const C: usize> ScreenedGradients<C> {
 /// The derivatives of the load factor at first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
 /// screening has no load factor.
 ///
-/// If [`Self::is_one_sided`] is true, several contacts leave together, or a contact leaves through the apex of its cone: the least of the contacts'
-/// load factors has a kink. Derivatives are then those for the margin of [`Self::contact`]. For the derivatives of each of these contacts see
-/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). Along a change of the data, the derivative of the load factor is the
-/// least of the derivatives for these contacts.
+/// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex: the least of the
+/// contacts' load factors has a kink. Derivatives are then those of the load factor at which the margin of [`Self::contact`] vanishes. For the
+/// derivatives of each of these contacts see [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). Along a change of the data,
+/// the derivative of the load factor is the least of the derivatives for these contacts.
 ///
 /// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN: with other data there may be no
 /// equilibrium. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps,
@@ -85,8 +86,8 @@ pub struct ScreenedGradient<'a, const C: usize> {
 }
 
 impl<const C: usize> ScreenedGradient<'_, C> {
-    /// The answer of screening, equal bit for bit to that of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the contacts
-    /// that leave their cones at this factor.
+    /// The answer of screening, equal bit for bit to the answer of [`Fingers::onset`](crate::screening::Fingers::onset): the load factor, and the
+    /// contacts that leave their cones at this factor.
     #[must_use]
     pub fn screened(&self) -> Screened {
         Screened(SlipCode {

@@ -8,7 +8,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 pub(super) struct Start<X: Packed> {
     /// The least margin of all contacts, N, except those whose squared forces over- or underflow.
     margin: X,
-    /// The least value of a contact's margin less the bound of its rounding, N; contacts whose squared forces over- or underflow are left out.
+    /// The least value of a contact's margin less the bound of its rounding, N; contacts whose squared forces over- or underflow do not count.
     sure: X,
     /// Minus infinity if squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,

@@ -41,7 +41,7 @@ impl Watched {
 
     /// The least margin over all contacts under the measured forces, N: `μ F_n - |F_t|` if the contact may slide, `F_n` if it can only open. It is
     /// negative if a measured force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It
-    /// is infinite if no contact can leave.
+    /// is infinite if no contact can stop sticking.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin

@@ -66,7 +66,7 @@ pub struct BindingContact {
 
 impl<const C: usize> Shakedown<C> {
     /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` up to
-    /// `factor` if slips change normal forces, friction falls or cones are round; [`Grasp::shake`](crate::ask::Grasp::shake) then decides.
+    /// `factor` if slips change normal forces, friction falls or cones are round; [`Grasp::shake`](crate::ask::Grasp::shake) then finds the answer.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {

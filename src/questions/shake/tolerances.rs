@@ -18,5 +18,5 @@ pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
 /// Relative change of forces per cycle below which the answer calls them constant. It is larger than step errors.
 ///
-/// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are left out.
+/// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are not reported.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

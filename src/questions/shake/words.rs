@@ -11,7 +11,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
-/// The caution added to sentences about a walk or about sliding to and fro, because load paths leave out the inertia of the object.
+/// The caution added to sentences about a walk or about sliding to and fro, because load paths neglect the inertia of the object.
 const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loads contain it";
 
 impl<const C: usize> fmt::Display for Shaken<C> {

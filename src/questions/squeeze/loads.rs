@@ -15,7 +15,7 @@ pub enum Loads<const C: usize> {
     Each(Vec<Wrench<C>>),
     /// The constant load `base` plus a force of size `size` in any direction.
     AnyForce {
-        /// The constant load beside the force, N and N m.
+        /// The constant load to which the force is added, N and N m.
         base: Wrench<C>,
         /// The size of the force, N, at least zero.
         size: f64,
@@ -57,8 +57,8 @@ impl<const C: usize> Loads<C> {
     }
 }
 
-/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` beside
-/// `load`.
+/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` in addition
+/// to the constant `load`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadFields<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,
@@ -85,11 +85,10 @@ impl<const C: usize> From<Loads<C>> for LoadFields<C> {
 }
 
 impl<const C: usize> Loads<C> {
-    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`; `load` may also be the constant load beside
-    /// `any_force`.
+    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`; together with `any_force`, `load` may be
+    /// given as the constant load.
     ///
-    /// # Errors
-    /// [`Error::Question`] with a field that is missing or given beside another field.
+    /// # Errors [`Error::Question`] with a field that is missing, or that excludes another given field.
     pub(crate) fn of_fields(
         question: &'static str,
         (load, loads): (Option<Wrench<C>>, &[Wrench<C>]),

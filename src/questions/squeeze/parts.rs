@@ -19,7 +19,7 @@ pub(super) struct Condition {
     pub(super) load: Wrench<3>,
 }
 
-/// The contact forces while all contacts stick, as a sum of two shares. One is due to the commands at factor 1 (`squeeze`), the other, without
+/// The contact forces while all contacts stick, as a sum of two parts. One is due to the commands at factor 1 (`squeeze`), the other, without
 /// commands, to the loads and clearances.
 pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,

@@ -20,9 +20,9 @@ pub struct WrenchBall<const C: usize> {
     /// Lower bound of ε, N: every load of this size, measured in the [scale](WrenchScale), can be balanced. Zero if in some direction no load can be
     /// balanced.
     pub at_least: f64,
-    /// Upper bound of ε, N. Lower and upper bound differ by at most 1e-9 of the largest wrench: in the plane, with polygonal friction cones, and
-    /// mostly with round cones. For a symmetric grasp with round cones, thin faces or too many faces end the search with bounds up to a percent
-    /// apart. [`Settings::most_steps`] may end the search before.
+    /// Upper bound of ε, N. In the plane, on polygonal friction cones, and for most grasps on round cones, both bounds differ by at most 1e-9 of the
+    /// largest wrench. On round cones the search approximates the set of wrenches by a polytope. For symmetric grasps its faces may become too thin
+    /// or too many: the bounds are then up to a percent apart. They may be farther apart if the search has taken [`Settings::most_steps`] steps.
     pub at_most: f64,
     /// The weakest direction, as a load of size 1 N measured in the scale: more than `at_most` times this load cannot be balanced.
     pub weakest: Wrench<C>,

@@ -15,7 +15,7 @@ use crate::numerics::{Each, RayExit, Size, Vector, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Largest multiple of a load, beside a base load, that some contact forces within a budget balance.
+/// Largest multiple of a load, added to a base load, that some contact forces within a budget balance.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadLimit<const C: usize> {
@@ -78,7 +78,7 @@ impl<const C: usize> LoadLimit<C> {
     }
 }
 
-/// Bounds of the factor by which the unit load `rate` may grow beside `base` before their sum leaves the set of wrenches that can be balanced.
+/// Bounds of the largest factor λ for which the load `base + λ rate`, with the unit load `rate`, lies in the set of wrenches that can be balanced.
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
     // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along them so that it has an interior. A load with a
@@ -141,7 +141,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
 }
 
 /// Contact forces that balance the load at which the ray `crossing` ends. They are the forces of the set's vertices around the crossing, weighted by
-/// their shares. The rest of the weight is distributed evenly over the vertices of the simplex.
+/// their coefficients `shares`. The rest of the weight is distributed evenly over the vertices of the simplex.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());

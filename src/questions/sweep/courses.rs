@@ -1,5 +1,5 @@
-//! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. Contacts
-//! stay sticking or open as under the base load.
+//! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. The
+//! forces due to one source, together with these changes, are called its course. Contacts stay sticking or open as under the base load.
 
 use core::slice::from_ref;
 
@@ -49,8 +49,8 @@ impl Course {
     }
 }
 
-/// The [`Course`] of each source while no contact slides: first commands together with constant loads, then 1 N or 1 N m of each component of the
-/// load.
+/// The [`Course`] of each source, i.e. the forces due to this source and their changes due to errors of the data, while no contact slides. The first
+/// source is commands together with constant loads; then comes 1 N or 1 N m of each component of the load.
 pub(super) fn courses(
     response: &StickingResponse<'_>,
     cone: Cone,

@@ -24,8 +24,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. A failure rarer than `rare` is counted without its
-/// correlation with other failures. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. The correlation with other failures is neglected
+/// for failures whose probability is below `rare`. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -59,8 +59,8 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact for which interactions of errors are computed: all facets of a polygonal cone; of a round cone only the facet that most
-/// probably fails, to first order.
+/// The facets of a contact for which interactions of the errors of several data are computed: all facets of a polygonal cone; of a round cone only
+/// the facet that most probably fails, to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),

@@ -40,8 +40,8 @@ impl OffTogether {
         Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load))[i])
     }
 
-    /// The interaction of errors for each facet of a contact, at the facet's point of failure under a load. Zero for facets whose failure probability
-    /// is below `rare`; an empty list without uncertain data.
+    /// The interaction of the errors of all data for each facet of a contact, at the facet's point of failure under a load. Zero for facets whose
+    /// failure probability is below `rare`; an empty list without uncertain data.
     pub(super) fn of_facets(
         &self,
         (i, edges): (usize, &Edges),

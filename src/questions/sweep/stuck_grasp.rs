@@ -2,8 +2,10 @@
 //! full.
 //!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick under the base load and
-//! with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails under one of these two
-//! loads; [`union`](super::union) bounds the probability that any contact does.
+//! with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops sticking,
+//! under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the uncertain
+//! data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors, see
+//! [`joint_effects`](super::joint_effects).
 
 use super::courses::Course;
 use super::failure::{failures, roughly};
@@ -17,8 +19,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// Interactions of errors are computed at points of failure, which depend on interactions in turn. So both are computed this many times, the first
-/// time without interactions.
+/// Interactions of errors are computed at points of failure (errors of the data with which a margin vanishes), which depend on interactions in turn.
+/// So both are computed this many times, the first time without interactions.
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data in their effect on the force.
@@ -32,8 +34,8 @@ struct Further<'a> {
     factor: f64,
 }
 
-/// A grasp in which no contact slides under the base load, with contact forces for each source (commands, components of the load) and the possible
-/// failures under the base load.
+/// A grasp in which no contact slides under the base load, with contact forces for each source (commands, components of the load), and the failures
+/// of contacts that errors of the data may cause under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: OffTogether,
@@ -48,9 +50,9 @@ pub(super) struct StuckGrasp {
     base: Course,
     /// Contact forces that the base load alone causes.
     by_base_load: Course,
-    /// The interactions of errors under the base load.
+    /// For each contact or drive and each of its facets, the interaction of the errors of all data under the base load.
     joint_at_base: JointEffects,
-    /// The possible failures under the base load.
+    /// The failures of contacts (they stop sticking) that errors of the data may cause under the base load.
     fails_at_base: Failures,
     sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficients of friction.
@@ -62,8 +64,9 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
-    /// Computes the interactions of errors and the possible failures under the base load. `courses` has the forces due to commands and constant
-    /// loads, then those due to each component of the load.
+    /// The grasp with the interactions of the errors of its data, and with the possible failures of contacts to stick, both under the base load.
+    /// `courses` has the contact forces, and their changes due to errors of the data, for each source: first for commands together with constant
+    /// loads, then for each component of the load.
     pub(super) fn new(
         off: OffTogether,
         edges: Vec<Edges>,
@@ -105,7 +108,7 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed failure probability `Φ(-sigmas)`, less a share that is kept for neglected effects.
+    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, less a part that is kept for neglected effects.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }

@@ -17,13 +17,13 @@ pub(super) const AROUND_A_CONE: usize = 16;
 /// that no reserve is left. If larger, frequent failures are counted as rare.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
-/// Share of the allowed failure probability that is kept back for neglected effects of interactions of errors.
+/// Fraction of the allowed failure probability that is kept back because effects of the interactions of data errors are neglected.
 ///
 /// If larger, reserves are smaller. If smaller, grasps may slide more often than allowed.
 pub(super) const NEGLECTED_SHARE: f64 = 0.25;
 
-/// If the failure of a facet or contact is rarer than this share of the allowed failure probability, neither interactions of errors nor its
-/// correlation with other failures are computed.
+/// If the failure probability of a facet or contact is below this fraction of the allowed one, neither interactions of data errors nor the
+/// correlation of this failure with others are computed.
 ///
 /// If larger, reserves are smaller. If smaller, the search also computes failures that hardly matter.
 pub(super) const RARE_SHARE: f64 = 1e-3;

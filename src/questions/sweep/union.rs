@@ -17,7 +17,8 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Failures {
     frequent: Vec<Failure>,
-    /// Sum of the probabilities of failures that count without their correlation with others: too rare, or more often than not.
+    /// Sum of the probabilities of failures whose correlation with other failures is neglected: failures that are too rare, or that happen more often
+    /// than not.
     rare: f64,
 }
 
@@ -28,15 +29,16 @@ struct Failure {
     reliability: f64,
     /// The failure probability to first order, `Φ(-β)`.
     first_order: f64,
-    /// The first point of the contact to whose coefficient of friction the last entry of the gradient belongs.
+    /// The contact, given by the index of its first point. The last entry of the gradient is the derivative with respect to its coefficient of
+    /// friction.
     contact: usize,
     /// Gradient of the margin with respect to the data in standard deviations, friction last, scaled to length one.
     gradient: Vec<f64>,
 }
 
 impl Failures {
-    /// Adds a possible failure of this contact, with its probability. For a round cone `margin` belongs to the facet that most probably fails. If the
-    /// failure is rarer than `rare`, its correlation with others is neglected.
+    /// Adds a possible failure of this contact, with its probability. For a round cone `margin` is the margin of the facet that most probably fails.
+    /// If the failure is rarer than `rare`, its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
         // A negative reliability means that the contact fails more often than not; then any bound is far above the allowed probability.
