@@ -88,7 +88,8 @@ impl<const C: usize> Loads<C> {
     /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`; together with `any_force`, `load` may be
     /// given as the constant load.
     ///
-    /// # Errors [`Error::Question`] with a field that is missing, or that excludes another given field.
+    /// # Errors
+    /// [`Error::Question`] with a field that is missing, or that excludes another given field.
     pub(crate) fn of_fields(
         question: &'static str,
         (load, loads): (Option<Wrench<C>>, &[Wrench<C>]),
