@@ -110,8 +110,8 @@ pub struct Equilibrium<const C: usize> {
     /// Empty if every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium belongs to a whole line of equilibria.
-    /// Their norm is that of `free_motions`. Empty except at loads at which friction just balances on a wedge.
+    /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is a point of a whole line of equilibria.
+    /// Their norm is one, defined as for `free_motions`. Usually empty; not empty, for example, if friction just keeps a wedge from sliding.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest difference, N, between a contact force and its value on the polygonal cone with which the search started.
@@ -138,7 +138,8 @@ impl<const C: usize> Equilibrium<C> {
         self.too_far.is_some()
     }
 
-    /// The largest of the contact forces and the force of the load, N: the scale beside which a printed force is noticeable or negligible.
+    /// The largest of the contact forces and the force of the load, N: the scale to which a printed force is compared, to see whether it is
+    /// noticeable or negligible.
     #[must_use]
     pub fn largest_force(&self) -> f64 {
         let load = self.load.components().iter().take(C).fold(0.0, |norm: f64, x| norm.hypot(*x));

@@ -1,7 +1,7 @@
 //! Contact states that working precision distinguishes from their neighbours.
 //!
 //! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, the friction in reserve or a
-//! slip vanishes. Next to such an edge the last digits of the data of grasp and load decide.
+//! slip vanishes. Next to such an edge the last digits of the data of grasp and load determine the state.
 
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};

@@ -110,8 +110,8 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// Forces of a link in a sentence without its name, "carries 12 N"; forces that are rounding beside the force `largest`, N, are written as zero.
-    /// `None` for a contact, which is no link.
+    /// Forces of a link in a sentence without its name, "carries 12 N"; forces that are rounding compared with the force `largest`, N, are written as
+    /// zero. `None` for a contact, which is no link.
     #[must_use]
     pub fn carries(&self, words: Words, largest: f64) -> Option<String> {
         let force = |x: f64| words.beside(x, largest);
@@ -157,7 +157,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Contacts in order; the points of each soft fingertip are one contact.
+    /// Contacts in the order of the grasp; the points of each soft fingertip are one contact.
     pub fn whole_contacts(&self) -> impl Iterator<Item = WholeAnswer<'_, C>> {
         let mut pads = self.pads.iter().peekable();
         self.contacts.iter().enumerate().filter_map(move |(i, contact)| {

@@ -12,7 +12,7 @@ use crate::search::{self, Settings};
 /// Contact states are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a virtual
 /// motion of the object and virtual contact forces that balance one another. Equilibrium and compatibility make their total work positive, while in
 /// that case no contact can contribute a positive part. [`Self::check`] recomputes this from the data, in closed form for every contact, and checks
-/// that no case is left out. It does not depend on how the proof was found.
+/// that no case is missing. The check does not depend on how the proof was found.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
     steps: Arc<[ProofStep]>,
@@ -26,7 +26,7 @@ face_of_struct! {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Number of cases of the proof, including those that were divided further.
+    /// Number of cases of the proof, including cases that were divided further.
     #[must_use]
     pub fn cases(&self) -> usize {
         self.cases

@@ -16,7 +16,7 @@
 //! ray although an equilibrium exists, so a ray proves nothing.
 //!
 //! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist is
-//! free. The share of corner d_j in the friction force is β_j, and the size of the slip is λ:
+//! free. The coefficient of corner d_j in the friction force `F_t = Σ β_j d_j` is β_j, and the size of the slip is λ:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0
@@ -28,7 +28,7 @@
 //! It is about twice as large. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q
 //! > 0.
 //!
-//! Rows that a contact does not need are left out ([`Why`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
+//! The forms have no rows that a contact does not need ([`Why`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 
 mod force_form;
 mod kinematic;

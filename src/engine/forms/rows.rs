@@ -50,7 +50,7 @@ pub enum Row {
     },
 }
 
-/// Complementary pairs of a contact that are left out of the linear complementarity problem because they are not needed.
+/// Complementary pairs of a contact that the linear complementarity problem does not contain because they are not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {

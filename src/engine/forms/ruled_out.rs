@@ -1,5 +1,5 @@
 //! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. It evaluates only the pairs of the
-//! form. States that pass the test need not be right: only a solution with all contacts decides.
+//! form. States that pass the test need not be right: only a solution with all contacts shows whether they are.
 
 use crate::numerics::{matrix_of, vector_of};
 

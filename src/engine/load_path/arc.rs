@@ -165,8 +165,9 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// LU factors of the bordered matrix at a load factor: T times the displacement u beside -b, and below them the row `across`, transverse to the
-    /// path. Also returns the largest entry of T u and b. `None` if the matrix is singular: the path may continue in more than one direction.
+    /// LU factors of the bordered matrix at a load factor: T times the displacement u, with the column -b to its right, and below both the row
+    /// `across`, transverse to the path. Also returns the largest entry of T u and b. `None` if the matrix is singular: the path may continue in more
+    /// than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)

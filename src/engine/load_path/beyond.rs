@@ -59,7 +59,7 @@ pub enum Beyond<const C: usize> {
         /// The cups whose vacuum is gone.
         cups: Vec<WholeContact>,
     },
-    /// The answer could not be decided.
+    /// It is not known what happens beyond.
     Undecided {
         /// The reason why the answer is undecided.
         doubt: Doubt,

@@ -39,7 +39,7 @@ pub struct Event<const C: usize> {
     pub free_motions: Vec<Motion<C>>,
     /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique. The
     /// matrix of the complementarity problem for the rates is then a P-matrix, or a trial of all states of few contacts found no other solution.
-    /// `None`, and not written, if neither test decides, as at the apex of a round cone.
+    /// `None`, and not written, if neither test gives the number, as at the apex of a round cone.
     ///
     /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
     /// of Lemke's method. If several motions are possible with the same forces, the path takes a motion in which contacts without force do not drag

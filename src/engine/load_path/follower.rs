@@ -48,7 +48,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The end of the path, if the leg cannot start.
     fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
 
-    /// Advances to the next event, by one step, or only decides how the path continues from the present place.
+    /// Advances to the next event or by one step, or only computes how the path continues from the present place.
     ///
     /// # Errors
     /// The end of the path, if it ends here.

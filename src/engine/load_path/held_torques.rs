@@ -55,8 +55,8 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Refuses, with an error, torques of this leg if their number is not that of the joints, or if a torque is not finite or too large. Also refuses
-    /// them while the load turns.
+    /// Refuses, with an error, torques of this leg if their number is not the number of joints, or if a torque is not finite or too large. Also
+    /// refuses them while the load turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";

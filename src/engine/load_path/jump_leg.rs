@@ -80,7 +80,7 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg towards its next event and returns an empty list, or decides at an event how the leg continues. In the second case
+    /// Advances along the leg towards its next event and returns an empty list, or computes at an event how the leg continues. In the second case
     /// returns the contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
     fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
@@ -115,7 +115,7 @@ impl<'g> JumpInProgress<'g> {
 
 impl<'g> Pieces<'g> {
     /// The leg along which the friction forces lost by the contacts `begin`, which begin to slide, are removed as an external force. At its end the
-    /// load is `goal`. `None` if these contacts are at the apex of their cones, with no force to lose. The caller then decides again how the path
+    /// load is `goal`. `None` if these contacts are at the apex of their cones, with no force to lose. The caller then computes again how the path
     /// continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,

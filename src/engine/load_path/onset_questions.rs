@@ -134,7 +134,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The static problem at an onset; `None` if the event belongs to a grasp with another number of contacts and drives.
+    /// The static problem at an onset; `None` if the event is that of a grasp with another number of contacts and drives.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {

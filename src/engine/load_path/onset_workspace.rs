@@ -1,4 +1,4 @@
-//! Memory that the computation of one onset leaves to that of the next.
+//! Memory that the computation of one onset passes on to the computation of the next onset.
 
 use alloc::sync::Arc;
 

@@ -19,7 +19,7 @@ use crate::prelude::*;
 use crate::search::Found;
 
 /// Whether load and all contact forces are as small as the force that rounding of the displacements causes in the softest spring. Rounding alone
-/// would then decide which contacts press, so no contact counts as pressing. In a rate problem the test applies to rates.
+/// would then determine which contacts press, so no contact counts as pressing. In a rate problem the test applies to rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));

@@ -44,7 +44,7 @@ pub(crate) struct Pieces<'g> {
     /// Whether the path is at a node, the place of an event, and its continuation is still to be computed.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
-    /// All pieces that the path has passed so far, in order, jumps included.
+    /// All pieces that the path has passed so far, the first one first, jumps included.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
     /// Number of successive pieces, up to the present place, that are no longer than their own rounding error, see `straight`.

@@ -133,8 +133,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are those of the state `base` at the load factor
-    /// `since` plus those of the change from `since` to `factor`. The state itself may be the small difference of both.
+    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are the sizes of the state `base` at the load factor
+    /// `since` plus the sizes of the change from `since` to `factor`. The state itself may be the small difference of both.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,

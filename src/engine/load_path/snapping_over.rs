@@ -72,8 +72,8 @@ impl<'g> RestsAgain<'g> {
         // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction. So the
         // present friction cones are restored.
         let cones = problem.cones.clone();
-        // At the start only rounding would decide whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix of
-        // the first step, which has the dampers alone.
+        // At the start, rounding alone would determine whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix
+        // of the first step, which has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -210,7 +210,7 @@ impl<'g> Pieces<'g> {
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.leg.pace.steps = self.pace.steps + 1;
         jump.note(&changes);
-        // The changes of contact states at the end of the path belong to the event itself; the jump lists only the changes after them.
+        // The event itself lists the changes of contact states at the end of the path; the jump lists only the changes after them.
         jump.changes.clear();
         jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);

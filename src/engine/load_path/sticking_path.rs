@@ -82,7 +82,7 @@ impl StickingPath<'_> {
     }
 
     /// Contacts on the edge of their cones under the base load, each with its exits. Their step to an exit (edge, apex or closing gap) is zero up to
-    /// rounding, or they touch without force. For both, only the rates of the forces decide whether they leave their cones.
+    /// rounding, or they touch without force. For both, only the rates of the forces show whether they leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

@@ -112,8 +112,8 @@ impl Piece {
         &self.orthogonal().right
     }
 
-    /// The rows that belong to the springs of one contact, in the orthogonal factor Q of the stretch matrix A = Q R. The springs lie along the
-    /// contact's axes. Column a of the result is the row of the spring along axis a; it is zero without a spring.
+    /// The rows of the springs of one contact, in the orthogonal factor Q of the stretch matrix A = Q R. The springs lie along the contact's axes.
+    /// Column a of the result is the row of the spring along axis a; it is zero without a spring.
     pub(crate) fn factor_rows(&self, contact: usize) -> Map {
         let mut rows = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
@@ -248,8 +248,8 @@ impl OrthogonalPiece {
         Self { right, left: Some((left, coupling)) }
     }
 
-    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and they
-    /// are those of A.
+    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and the
+    /// factors of A are returned.
     pub(super) fn balance(&self) -> &Orthogonal {
         self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }

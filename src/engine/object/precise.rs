@@ -76,8 +76,8 @@ impl PreciseTwist {
         self.value()
     }
 
-    /// The stretch `offset - g·q` of a contact along its axis `axis`, for this twist q. Here g is the column of the contact's grasp map that belongs
-    /// to this axis.
+    /// The stretch `offset - g·q` of a contact along its axis `axis`, for this twist q. Here g is the column of the contact's grasp map for this
+    /// axis.
     pub(crate) fn stretch(&self, site: &Site, axis: usize, offset: f64) -> DoubleDouble {
         let v = DoubleDouble::new(offset);
         let of_one_object = site.whole_column_in_twice(axis);

@@ -6,7 +6,7 @@
 //!
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
 //! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
-//! q and F_i are those of stretch, twist and force. Each contact then has the law of the rates at its present state ([`Law`]).
+//! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law of the rates at its present state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -195,12 +195,12 @@ impl<'g> Problem<'g> {
         )
     }
 
-    /// An iterator over the laws [`Self::local`] of all contacts, in order.
+    /// An iterator over the laws [`Self::local`] of all contacts, in the order of contacts.
     pub(crate) fn locals(&self) -> Locals<'_> {
         Locals { problem: self, next: 0 }
     }
 
-    /// The values of the function `of` for the laws of all contacts, in order.
+    /// The values of the function `of` for the laws of all contacts, in the order of contacts.
     pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_>) -> T) -> Vec<T> {
         let mut answers = Vec::with_capacity(self.len());
         for contact in 0..self.len() {
@@ -268,7 +268,8 @@ impl<'g> Problem<'g> {
     }
 }
 
-/// An iterator over the laws of all contacts, in order. It is a named type so that iterator adapters are compiled once, not for each closure.
+/// An iterator over the laws of all contacts, in the order of contacts. It is a named type so that iterator adapters are compiled once, not for each
+/// closure.
 pub(crate) struct Locals<'p> {
     problem: &'p Problem<'p>,
     next: usize,

@@ -97,7 +97,7 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> Sprin
 /// Adds the term `G_i C_i G_iᵀ` of one contact to the tangent stiffness of the object.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
-    // The map of a contact has no entries for joints of other fingers, and that of a drive only for its own joint.
+    // The map of a contact has no entries for joints of other fingers, and the map of a drive only for its own joint.
     for columns in site.support.ranges() {
         for j in columns {
             let column = t.column_slice_mut(j);

@@ -13,7 +13,7 @@ pub(super) const NO_WORK: f64 = 1e-13;
 /// force at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction
 /// such noise is not compared with itself.
 ///
-/// If smaller, rounding errors count as forces; if larger, small forces beside large displacements do not count.
+/// If smaller, rounding errors count as forces; if larger, small forces count as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// Refinement ends at the first correction of the spring forces if it changes no force by more than this fraction of the largest force. The next

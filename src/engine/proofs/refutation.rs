@@ -32,8 +32,9 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof without searching. Returns a factor: an equilibrium that rounding may have hidden from the proof is larger than the data by at
-/// least this factor (both measured in √J). `None` if the steps omit a case, or contradict a case by less than the factor [`ESCAPE`].
+/// Checks a proof without searching. Returns a factor: if rounding has hidden an equilibrium from the proof, this equilibrium is larger than the
+/// elastic trial state by at least this factor (both measured in √J). `None` if the steps omit a case, or contradict a case by less than the factor
+/// [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -80,8 +81,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction. The size, in √J, is that of stretches and
-/// forces of all contacts together. `None` if there is no contradiction.
+/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction. The size, in √J, is the norm of the
+/// stretches and forces of all contacts together. `None` if there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;

@@ -157,7 +157,7 @@ impl PushedBack {
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
-        // `stiffness` is the penalty ρ, here that of the first round.
+        // `stiffness` is the penalty ρ, here its value in the first round.
         Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
     }
 

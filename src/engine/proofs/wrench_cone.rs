@@ -41,7 +41,7 @@ impl Generator {
     }
 
     /// Negative work of the generator along a motion, per unit of its normal force. Generators have unit wrenches. With large friction they are
-    /// mostly tangential, so that a normal force as large as the load needs a large multiple of a generator.
+    /// nearly tangential, so that a normal force as large as the load needs a large multiple of a generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }

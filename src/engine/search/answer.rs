@@ -7,7 +7,7 @@ use crate::grasp::Coordinates;
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
-/// The method that found a solution. If several equilibria exist, the method decides which of them is returned.
+/// The method that found a solution. If several equilibria exist, it depends on the method which of them is returned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

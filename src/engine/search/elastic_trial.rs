@@ -74,7 +74,7 @@ impl Attempt {
 /// Counts of the work of the search so far, and the reason that an undecided result would have.
 pub(super) struct Log {
     pub(super) effort: Effort,
-    /// The reason that the search returns if no method decides.
+    /// The reason that the search returns if no method finds an equilibrium or a proof.
     pub(super) doubt: Doubt,
     /// Whether the last complementarity problem that was solved with a dense matrix was proved to have no solution.
     pub(super) is_infeasible: bool,

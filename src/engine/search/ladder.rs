@@ -1,4 +1,5 @@
-//! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method decides.
+//! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method finds an equilibrium
+//! or a proof.
 //!
 //! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than the rungs below it, or ends the search less
 //! often.

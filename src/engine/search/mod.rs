@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `answer` | the result of a search, and its effort |
 //! | `settings` | limits and tolerances that the caller may set |
-//! | `record` | which rung decides each search, for the report `rungs` |
+//! | `record` | which rung ends each search, for the report `rungs` |
 //! | `elastic_trial` | input and result of a rung |
 //! | `ladder` | the methods that find an equilibrium or a proof, in the order in which they are tried |
 //! | `leaving` | with many contacts: Lemke's method on the contacts that leave the elastic trial |

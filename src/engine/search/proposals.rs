@@ -58,8 +58,8 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one path suffices: branch and bound comes next, and decides more than another path. Elsewhere the search tries all contact
-    // states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
+    // On the round cone one path suffices: branch and bound comes next, and ends more searches than another path. Elsewhere the search tries all
+    // contact states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The affordable number of pivots is only passed to the solver if it is lower than the solver's default limit.

@@ -1,4 +1,4 @@
-//! A record of which method (rung) of the search ladder decides each search, for the report `rungs`.
+//! A record of which method (rung) of the search ladder ends each search with an equilibrium or a proof, for the report `rungs`.
 
 use crate::numerics::mapped;
 
@@ -22,12 +22,12 @@ pub enum RungResult {
     Proved,
 }
 
-/// One search for an equilibrium that the elastic trial did not decide, with the result of each method (rung) of the ladder, tried by itself.
+/// One search for an equilibrium that did not end with the elastic trial, with the result of each method (rung) of the ladder, tried by itself.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
-    /// The index, in [`names`], of the method that decided; `None` if the search stayed undecided.
+    /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.
     pub decided: Option<usize>,
-    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the deciding method are included.
+    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after that method are included.
     pub rungs: Vec<(RungResult, f64)>,
 }
 
@@ -41,14 +41,14 @@ pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)
 }
 
-/// Runs `ask`, a question to a grasp. Returns its answer with a record of all searches for an equilibrium that the elastic trial did not decide.
+/// Runs `ask`, a question to a grasp. Returns its answer with a record of all searches for an equilibrium that did not end with the elastic trial.
 pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     RECORD.set(Some(Vec::new()));
     let answer = ask();
     (answer, RECORD.take().unwrap_or_default())
 }
 
-/// If this thread keeps a record, adds a search and the index of the method that decided it. For comparison every method that applies is tried again,
+/// If this thread keeps a record, adds a search and the index of the method that ended it. For comparison every method that applies is tried again,
 /// by itself.
 pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {

@@ -135,7 +135,7 @@ pub(super) fn search_tree(
 }
 
 /// Searches for a proof that no equilibrium exists on the round cone. Returns its steps (divisions into cases, and contradictions) and the number of
-/// all cases. `None` if the search finds an equilibrium, decides nothing within its limit of cases, or does not apply.
+/// all cases. `None` if the search finds an equilibrium, reaches its limit of cases, or does not apply.
 pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<ProofStep>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {

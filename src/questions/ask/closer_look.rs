@@ -59,9 +59,9 @@ impl<const C: usize> Grasp<C> {
     /// For each contact, whether its state (open, sticking, sliding) can be distinguished from neighbouring states in working precision.
     ///
     /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
-    /// these terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last digits of the data decide
-    /// between, say, sticking and just sliding. Forces and displacements hardly depend on that decision. `None` for an equilibrium with another
-    /// number of contacts.
+    /// these terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last digits of the data determine, say,
+    /// whether the contact sticks or just slides. Forces and displacements hardly depend on this. `None` for an equilibrium with another number of
+    /// contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

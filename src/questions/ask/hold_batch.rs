@@ -18,7 +18,7 @@ use crate::sweep::caught;
 
 impl<const C: usize> Grasp<C> {
     /// The verdicts on many loads, each on a grasp of its own, on all cores. A row, which `row` returns by its number, is one grasp with its base
-    /// load and growing load. The verdicts equal those of [`Self::hold`], without sentences, lists of contacts and equilibria.
+    /// load and growing load. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
     /// With [`Settings::most_load`] at 1 loads are followed no farther than the whole load. A row of two to 64 points in which everything sticks then
     /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The factor of the first slip comes from screening
@@ -56,7 +56,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The verdicts on a range of rows, in order, on one thread.
+/// The verdicts on a range of rows, in the order of the rows, on one thread.
 fn held<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,

@@ -7,9 +7,9 @@ use crate::load_path::{Leg, LoadPath, SteppedPath, path_outside};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
-    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone:
-    /// in space the round cone. Events beyond the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for an
-    /// example. The path ends as soon as a suction cup is open all around. If nothing resists the object any more, it moves freely until a gap
+    /// Follows a load program from the equilibrium under `start`, as found by [`Self::solve`], with the finger commands of the grasp, on the exact
+    /// cone: in space the round cone. Events beyond the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for
+    /// an example. The path ends as soon as a suction cup is open all around. If nothing resists the object any more, it moves freely until a gap
     /// closes. If that motion is small, the path continues after it ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts
     /// and more use [`Self::follow_in_steps`].
     ///

@@ -15,7 +15,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The equilibrium under Coulomb's law, and beside it the minimum of energy under friction constraints ([`MinimumEnergy`]). In space both use the
+/// The equilibrium under Coulomb's law, compared with the minimum of energy under friction constraints ([`MinimumEnergy`]). In space both use the
 /// same polygonal friction cone.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

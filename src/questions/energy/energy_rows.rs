@@ -20,7 +20,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct ForceCondition {
     pub(super) contact: usize,
-    /// The facet of the friction cone to which the condition belongs; `None` for the condition that the normal force is not negative.
+    /// The facet of the friction cone whose condition this is; `None` for the condition that the normal force is not negative.
     pub(super) facet: Option<usize>,
     /// The same condition for the force in N, `law·F_i >= 0`: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
     law: SVector<f64, 3>,

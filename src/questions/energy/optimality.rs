@@ -130,7 +130,7 @@ impl<'g> EnergyProgram<'g> {
         faces
     }
 
-    /// The springs that act with these open gaps: the normal spring of a contact with an open gap is left out.
+    /// The springs that act with these open gaps: the normal spring of a contact with an open gap does not act.
     pub(super) fn springs(&self, faces: &Faces) -> Piece {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
@@ -255,8 +255,8 @@ impl<'g> EnergyProgram<'g> {
     pub(super) fn holds(&self, point: &ProgramPoint, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
-        // The multipliers belong to constraints scaled to unit length, so they have the unit of the energy coordinates x = K^{-1/2} F. Their rounding
-        // is relative to the largest component of x or largest multiplier.
+        // The multipliers are those of constraints with normals of unit length, so they have the unit of the energy coordinates x = K^{-1/2} F. Their
+        // rounding is relative to the largest component of x or largest multiplier.
         let x = |i: usize| {
             let springs = &problem.sites[i].springs;
             springs.deflection(&point.forces[i]).component_mul(&springs.root()).amax()

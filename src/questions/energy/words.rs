@@ -76,7 +76,7 @@ fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     }
 }
 
-/// A force with its unit, and a moment beside it unless the moment is zero. A zero force beside a moment is left out.
+/// A force with its unit, followed by a moment unless the moment is zero. A zero force is not written if there is a moment.
 fn wrench(words: Words, force: f64, moment: f64) -> String {
     let (force_text, moment_text) = (words.number(force), words.number(moment));
     match (force == 0.0, moment == 0.0) {

@@ -160,7 +160,8 @@ impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // Slips below this fraction of the longest slip of the jump count as rounding. A larger fraction would hide contacts that matter.
+        // Slips below this fraction of the longest slip of the jump count as rounding. With a larger fraction, contacts that matter would not be
+        // named.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         let slips: Vec<_> = slips.collect();

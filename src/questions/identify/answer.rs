@@ -96,7 +96,7 @@ pub enum Ending {
         /// The limit of steps of the search.
         iterations: usize,
     },
-    /// The model predicts no load for one slip, at the start of the search or beside the point where the search had to stop.
+    /// The model predicts no load for one slip, at the start of the search, or next to the point where the search had to stop.
     NotPredicted {
         /// The number of the slip for which the model predicts no load, from 0.
         slip: usize,

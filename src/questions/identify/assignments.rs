@@ -28,8 +28,8 @@ const MOST_FITS: usize = 12;
 /// Limit of the work: the number of points at which all slips are predicted in order to find other assignments.
 const MOST_LOOKS: usize = 240;
 
-/// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them beside this kink,
-/// the logarithm of one unknown is changed by this step.
+/// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them next to this
+/// kink, the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments of slips to unknowns. Each fit found is a starting point for further exchanges.
@@ -128,7 +128,7 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are left out if several others fit as well.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are discarded if several others fit as well.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;

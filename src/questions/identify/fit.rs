@@ -25,7 +25,7 @@ pub(super) struct Fitted {
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// The model predicts no load for this slip, either at the start of the search or just beside the point where the search stopped.
+    /// The model predicts no load for this slip, either at the start of the search, or next to the point where the search stopped.
     NoSlip(usize, NoSlip),
 }
 

@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// The groups of slips that share errors, with the contribution of each group to the solution and to its error.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// Information matrix (sum of squares of rows) of the known sums, which belong to no group.
+    /// Information matrix (sum of squares of rows) of the known sums, which are in no group.
     known: DMatrix<f64>,
 }
 

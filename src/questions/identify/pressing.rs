@@ -54,7 +54,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press under the contact forces `forces`, and those that cannot open. Moments are divided by `length`.
+/// The contacts that press under the contact forces `forces`, and the contacts that cannot open. Moments are divided by `length`.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());

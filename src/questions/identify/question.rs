@@ -114,7 +114,7 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// Adds layouts as grasps of their own, for instance with other squeezes. They are numbered after those of [`Self::with_points`].
+    /// Adds layouts as grasps of their own, for instance with other squeezes. They are numbered after the layouts of [`Self::with_points`].
     #[must_use]
     pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
         self.others.grasps.extend(others);

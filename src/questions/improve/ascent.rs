@@ -33,7 +33,7 @@ pub(super) struct Design {
 pub(super) struct Ascent {
     pub(super) design: Design,
     pub(super) search: SearchEnd,
-    /// Number of steps tried so far, including those of earlier ascents from the same starting grasp.
+    /// Number of steps tried so far, including the steps of earlier ascents from the same starting grasp.
     pub(super) steps: usize,
     /// The last step, whose multipliers show which conditions and limits prevent a larger value; `None` if no step was computed.
     pub(super) last: Option<LastStep>,
@@ -44,8 +44,8 @@ pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// For each edge of a surface, segment or triangle that bounds the step, the contact on it. The multipliers of these edges follow those of
-    /// `bounds` in `step`.
+    /// For each edge of a surface, segment or triangle that bounds the step, the contact on it. The multipliers of these edges follow the multipliers
+    /// of `bounds` in `step`.
     pub(super) rooms: Vec<usize>,
 }
 

@@ -108,14 +108,14 @@ impl<const C: usize, const N: usize> Batch<C, N> {
 
     /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
     /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`].
-    /// Each answer equals that of [`Fingers::least_squeeze`] bit for bit.
+    /// Each answer equals the answer of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
     /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data of grasp and load, on one
     /// thread. [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered
-    /// as in [`Self::onsets_into`]. Each gradient equals that of [`Fingers::onset_gradients`] bit for bit.
+    /// as in [`Self::onsets_into`]. Each gradient equals the gradient of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);

@@ -11,8 +11,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 /// friction, α is the coefficient and β is 1; see [`StickingCone`]. In arrays with one entry per contact, the entries of all other contacts are zero.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
-    /// The load factor at which the margin m of the leaving contact vanishes. NaN if no contact leaves its cone, which makes all derivatives of this
-    /// factor NaN.
+    /// The load factor at which the margin m of the first contact to leave its cone vanishes. NaN if no contact leaves its cone, which makes all
+    /// derivatives of this factor NaN.
     pub(super) factor: X,
     /// The index of the contact that leaves its cone; -1 if no contact leaves its cone.
     pub(super) contact: X,
@@ -46,7 +46,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
     }
 
     /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the derivatives of the margin at this factor.
-    /// The margin is that of contact `which` if this contact leaves its cone at the factor, else that of the first contact that leaves.
+    /// The margin is the margin of contact `which` if this contact leaves its cone at the factor, else of the first contact that leaves its cone.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,

@@ -50,7 +50,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 
     /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking at this factor. If screening
-    /// cannot decide, the verdict says why.
+    /// has no factor, the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)
@@ -98,7 +98,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 
     /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. If
-    /// screening cannot decide, the verdict says why.
+    /// screening has no factor, the verdict says why.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, LoadCases, Wrench};

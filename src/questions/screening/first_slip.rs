@@ -30,11 +30,11 @@ pub enum ScreeningVerdict {
     /// However large the load grows, no contact stops sticking.
     Never,
     /// Not every contact sticks at load factor zero: a contact would slide or be open, or there may be no equilibrium.
-    /// [`Grasp::onset`](crate::ask::Grasp::onset) decides which.
+    /// [`Grasp::onset`](crate::ask::Grasp::onset) finds out which of these is true.
     NotSticking,
     /// The base load or the growing load does positive work along a motion that no contact resists.
     GivesWay,
-    /// Screening cannot decide, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) can.
+    /// Screening has no answer, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) may have one. The reasons are:
     ///
     /// * A contact is within rounding of the edge of its cone at load factor zero.
     /// * A margin closes so slowly that rounding would show in the load factor.

@@ -60,7 +60,7 @@ impl<X: Packed> Margin<X> {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval of factors in which this margin of a round friction cone is not negative; NaN if rounding decides.
+    /// The interval of factors in which this margin of a round friction cone is not negative; NaN if it depends on rounding.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -76,14 +76,14 @@ impl<X: Packed> Margin<X> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // If the line of forces passes inside or outside the cone by less than this, rounding decides whether it crosses the cone. The answer is then
-        // unclear.
+        // If the line of forces passes inside or outside the cone by less than this, rounding determines whether it crosses the cone. The answer is
+        // then unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
         // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If rounding
-        // decides which case applies, the interval is known only if the commands cause no force.
+        // determines which case applies, the interval is known only if the commands cause no force.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -123,7 +123,7 @@ pub(super) struct LeastFactor<X: Packed> {
     last_sure: X,
     /// The upper error bound of this least upper end.
     last_most: X,
-    /// Positive if rounding decides whether some margin is negative, or forces do not balance, so that the answer is unclear.
+    /// Positive if rounding determines whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,
     /// Positive if a load added so far does positive work along a motion that no contact resists.
     free: X,

@@ -24,7 +24,7 @@ pub(super) struct OneGrasp<const C: usize> {
 }
 
 impl<const C: usize> OneGrasp<C> {
-    /// Checks two to five contacts and prepares their springs. The error is that of [`write_all`].
+    /// Checks two to five contacts and prepares their springs. Returns an error as for [`write_all`].
     pub(super) fn new(contacts: &[Contact<C>]) -> Result<Self, Error> {
         let (scene, ready) = (OneScene::new(contacts.len()), StickingSprings::none(Method::Edges));
         let mut grasp = Self { scene, ready, squeezed: Forces::none() };

@@ -16,7 +16,8 @@ use crate::prelude::*;
 /// Many grasps for screening, all with the same number of contact points, two to 64, which is known only at run time.
 ///
 /// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which stops sticking as soon as one of its points does.
-/// All grasps have the same number of fingers, with the same number of points each. The answers equal those of [`Batch`](super::Batch) bit for bit.
+/// All grasps have the same number of fingers, with the same number of points each. The answers equal the answers of [`Batch`](super::Batch) bit for
+/// bit.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, PointBatch, Pull, SoftFingertip, Wrench};
@@ -71,8 +72,8 @@ impl<const C: usize> PointBatch<C> {
         self.len == 0
     }
 
-    /// Appends a grasp. Its index in the batch is also that of its answers. Returns `false`, and appends nothing, if contacts are malformed or not
-    /// supported by screening (see [`Fingers::new`](super::Fingers::new)), or if they do not fit the batch: another number of points or other
+    /// Appends a grasp. Its index in the batch is also the index of its answers. Returns `false`, and appends nothing, if contacts are malformed or
+    /// not supported by screening (see [`Fingers::new`](super::Fingers::new)), or if they do not fit the batch: another number of points or other
     /// fingers. For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {

@@ -24,7 +24,8 @@ pub enum SqueezeVerdict {
     NoFactor,
     /// A load does positive work along a motion that no contact resists, however much the fingers press.
     GivesWay,
-    /// Screening cannot decide, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) can.
+    /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have one. The
+    /// reasons are:
     ///
     /// * A factor would have fewer than six digits, because commands hardly change a margin or the line of forces only grazes a cone.
     /// * The least factor for one contact and the largest for another differ by no more than rounding.

@@ -4,7 +4,7 @@
 
 /// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of the forces.
 ///
-/// If this were smaller, rounding would decide whether the contact sticks. If larger, more grasps would be unclear.
+/// If this were smaller, rounding would determine whether the contact sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
 /// If more than this fraction of the load stays unbalanced, and no spring resists some motion, the load does work along that motion.
@@ -15,7 +15,7 @@ pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
 /// Contact forces whose residual exceeds this fraction of the load and forces are refined. Rounding alone leaves about 1e-15.
 ///
-/// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact beside a stiff contact would lose digits.
+/// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact would lose digits if another contact is stiff.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
 /// The rate at which a margin falls with the load must be at least this multiple of the rounding of the rate.

@@ -12,9 +12,10 @@
 //! which is the verdict ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro, or the object walks
 //! by the same motion in each cycle.
 //!
-//! If e converges, the verdict is that of its limit. In the plane, and on a polygonal cone, e changes from cycle to cycle by an affine map as long as
-//! the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed point of this map (minimal
-//! polynomial extrapolation), and a cycle that begins at the fixed point confirms it. On the round cone this holds up to the error of the steps.
+//! If e converges, a cycle that begins at its limit gives the verdict. In the plane, and on a polygonal cone, e changes from cycle to cycle by an
+//! affine map as long as the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed point of
+//! this map (minimal polynomial extrapolation), and a cycle that begins at the fixed point confirms it. On the round cone this holds up to the error
+//! of the steps.
 //!
 //! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, the behaviour may repeat itself only after several cycles. Such
 //! periods are found, too.

@@ -15,7 +15,7 @@ use crate::prelude::*;
 
 /// The last states between cycles, and the linear combination of earlier differences of successive states that gives the last difference.
 pub(super) struct Recurrence<'p> {
-    /// The last states between cycles, in order.
+    /// The last states between cycles, the earliest first.
     places: &'p [CycleState],
     /// The differences of neighbouring entries of `places`, one entry fewer.
     changes: Vec<DVector<f64>>,

@@ -32,7 +32,7 @@ pub struct Shaken<const C: usize> {
     /// undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// The factor by which the difference of successive states shrinks per cycle, if the verdict is that of an extrapolated limit; else zero.
+    /// The factor by which the difference of successive states shrinks per cycle, if the verdict is derived from an extrapolated limit; else zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
     /// The motion of the object, or of each body, from the equilibrium under the base load to the end of the last cycle; if slips die out, to the

@@ -80,7 +80,7 @@ impl Engine {
     }
 
     /// This closure, or an error if a vacuum might change it. If the contacts alone can balance every load, they can do so with a vacuum, too.
-    /// Otherwise the vacuum may hold loads that the contacts do not, so [`Closure`] cannot be decided here.
+    /// Otherwise the vacuum may hold loads that the contacts do not, so that neither closure nor its absence is proved here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<3>,

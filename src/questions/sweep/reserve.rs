@@ -64,7 +64,7 @@ impl Engine {
         sigmas: f64,
         settings: &Settings,
     ) -> Result<Reserve<3>, Error> {
-        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which rounding would hide.
+        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which is less than its rounding error.
         if !(sigmas > 0.0 && sigmas <= 8.0) {
             let what = "standard deviations in reserve";
             return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });
