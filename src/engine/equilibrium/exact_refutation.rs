@@ -3,8 +3,8 @@
 //! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the work of the virtual
 //! forces along the offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex
 //! cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a generator is divided by
-//! the square root of its energy. The result must not exceed the gain divided by [`ESCAPE`] and by the size of the data. Rounding could then hide
-//! only an equilibrium [`ESCAPE`] times larger than the data.
+//! the square root of its energy. The result must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which
+//! every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -140,7 +140,7 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
 }
 
 /// Whether a virtual motion and virtual contact forces contradict, in exact arithmetic, the case in which each contact has one of the states that its
-/// label admits. `data` is the size of the data, the square root of an energy.
+/// label admits. `data` is the size of the elastic trial state, the square root of an energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],
@@ -197,8 +197,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.offsets);
         let contacts: Vec<_> = laws.map(|(law, offset)| Exact::new(law, offset)).collect();
-        // As in `check`, the size of the data is the square root of twice the spring energy in the elastic trial state, in which every contact
-        // sticks.
+        // As in `check`, the size of the elastic trial state, in which every contact sticks, is the square root of twice its spring energy.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));

@@ -1,4 +1,4 @@
-//! Change of the grasp map of one contact under a small change of the geometry.
+//! Change of the grasp map of one contact under a small change of its point or of its frame.
 //!
 //! With the arm p from the reference point and the frame R = (n, t…), columns along the coordinate axes, `G F = (R F, p × R F)`.
 //!

@@ -35,7 +35,7 @@ pub struct JointAnswer {
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// Margin to the limit of the drive, N m or N: the limit minus |drive|; infinite without a limit.
+    /// Margin of the drive's torque or force to its greatest allowed value, N m or N: this value minus |drive|; infinite if there is no such value.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m. Here θ is the command, φ the joint's
@@ -58,7 +58,7 @@ pub struct TendonAnswer {
     /// Tension of the tendon, N: the sum of the tension of its spring and its constant tension.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
-    /// Margin to the greatest tension of the drive, N; infinite without a limit.
+    /// Margin of the tension to the greatest tension of the drive, N; infinite if the tension is not limited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r are the
@@ -75,7 +75,7 @@ pub struct TendonAnswer {
 pub enum DriveState {
     /// The drive holds like a spring.
     Holds,
-    /// The drive has reached its limit and yields.
+    /// The drive yields: its torque or force has reached its greatest allowed value.
     Yields,
     /// A tendon without tension, which follows the joints.
     Slack,
@@ -149,8 +149,8 @@ impl Engine {
     }
 }
 
-/// The margin of a joint or tendon to the limit of its drive, N m or N: the limit minus the magnitude of the force `carried`. Zero while the drive
-/// yields, infinite without a limit.
+/// The margin of a joint or tendon to the force limit of its drive, N m or N: the limit minus the magnitude of the force `carried`. Zero while the
+/// drive yields, infinite without a force limit.
 fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,

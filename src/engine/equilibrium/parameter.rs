@@ -10,7 +10,7 @@
 //! ```
 //!
 //! Here p is the friction force of a sliding contact per unit of its limit μ F_n, and e_a the unit vector along axis a of the contact frame. The
-//! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry (`geometry`) changes the
+//! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the grasp map (see `geometry`) changes the
 //! stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
 
 use nalgebra::SVector;

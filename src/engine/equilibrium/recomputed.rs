@@ -36,8 +36,8 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Raises each residual to the residual of one contact or drive, if the latter is larger. The residual of equilibrium, which all contacts have
-    /// together, stays unchanged.
+    /// Raises each residual to the residual of one contact or drive, if the contact's residual is larger. The residual of equilibrium, which all
+    /// contacts have together, stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;

@@ -21,7 +21,7 @@ pub struct PartChange {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveChange {
-    /// The drive has reached its limit and yields.
+    /// The drive yields: its force or torque has reached its greatest allowed value.
     Yields,
     /// The drive holds again like a spring.
     Holds,

@@ -177,7 +177,7 @@ pub struct Loss<const C: usize> {
     pub kind: LossKind,
     /// The contacts that are on the edge of their cone at the loss.
     pub contacts: Vec<ContactLabel>,
-    /// The joints and tendons of a hand whose drives have reached their limit at the loss.
+    /// The joints and tendons of a hand whose drives have reached their greatest torque or force at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
     /// The unit motion with which the object leaves: every contact on the edge of its cone slides along its friction force, or opens. `None` if these

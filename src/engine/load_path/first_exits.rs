@@ -1,4 +1,4 @@
-//! The first exit along a piece of the path, where a contact force reaches an edge or the apex of its cone, or a gap closes.
+//! The first exit along a piece of the path: a contact force reaches an edge or the apex of its cone, or a gap closes.
 
 use crate::contact::Exit;
 use crate::prelude::*;

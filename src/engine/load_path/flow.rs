@@ -196,7 +196,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // A step that has not come near the load factor of its goal may do so by the correction onto the cones.
+        // A step that has not come near the load factor of its goal may come near it by the correction onto the cones.
         let arrived = if stays(factor) {
             None
         } else {

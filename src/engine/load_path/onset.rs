@@ -1,4 +1,4 @@
-//! The onset: where the first contact stops sticking as a load grows or turns, as answers for the caller.
+//! The onset, i.e. the load factor or angle at which the first contact stops sticking as a load grows or turns, as an answer for the caller.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -73,7 +73,8 @@ pub struct OnsetEvent<const C: usize> {
     pub load: Wrench<C>,
     /// The contacts that stop sticking, all at this load factor. Contacts that have closed before and stick are not among them.
     pub leaving: Vec<Leaving<C>>,
-    /// Drives of a hand that yield at the onset: joints and tendons at their limit, tendons that slacken.
+    /// Drives of a hand that change their state at the onset: drives of joints and tendons that yield at their greatest torque or force, and tendons
+    /// that slacken.
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,

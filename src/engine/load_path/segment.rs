@@ -242,7 +242,7 @@ impl<'g> Segment<'g> {
         Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
-    /// The static problem at a load factor, with the offsets and the load there and the accumulated slips of the segment.
+    /// The static problem at a load factor, with the offsets and the load at this factor and the accumulated slips of the segment.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
         let wrench = self.course.at(factor);
         Problem {

@@ -154,8 +154,8 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// The turn of a force from three terms: its component along the axis, its other component at θ = 0, and the latter a quarter revolution later.
-    /// `wrench` applies each at its point.
+    /// The turn of a force from three terms: its component along the axis, its component across the axis at θ = 0, and its component across the axis
+    /// a quarter revolution later. `wrench` applies each at its point.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)
@@ -240,28 +240,28 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact or a drive of a hand that reaches the edge of its cone or its limit without crossing it.
+/// A contact that reaches the edge of its friction cone, or a drive of a hand that reaches its force limit, without crossing it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeTouch {
-    /// The contact that reaches the edge of its cone, or the drive that reaches its limit.
+    /// The contact that reaches the edge of its cone, or the drive that reaches its force limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// The angle of the load at which the edge or limit is reached, rad.
+    /// The angle of the load at which the edge or the force limit is reached, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }
 
-/// The parts of a grasp that have a limit: contacts with a friction cone, and drives.
+/// The parts of a grasp whose forces are limited: contacts with a friction cone, and drives.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(untagged))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum EdgeOf {
-    /// A contact, whose limit is its friction cone.
+    /// A contact, whose force is limited by its friction cone.
     Contact(ContactLabel),
-    /// A joint or a tendon, whose limit is the force limit of its drive.
+    /// A joint or a tendon, whose drive has a force limit.
     Drive(PartLabel),
 }

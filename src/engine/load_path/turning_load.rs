@@ -22,8 +22,8 @@ impl Segment<'_> {
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from there on as harmonic functions of the load's angle.
-    /// Returns an error if forces cannot balance the load. `near` is as for [`Self::point_at`].
+    /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from this load factor on as harmonic functions of the
+    /// load's angle. Returns an error if forces cannot balance the load. `near` is as for [`Self::point_at`].
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,

@@ -66,8 +66,8 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
 }
 
 /// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the factor of [`check`]; `None` without a
-/// proof. In a rate problem let every contact that may slide or open do so. The tangent stiffness may then have a left null vector, a virtual motion
-/// y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the contacts do no more negative work along y.
+/// proof. In a rate problem let every contact slide or open that may slide or open. The tangent stiffness may then have a left null vector, a virtual
+/// motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the contacts do no more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
@@ -101,7 +101,7 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
     // Tolerance of the balance of virtual forces, relative to their wrenches and to those of the forces that the virtual motion would cause. An
-    // imbalance below it can only hide an equilibrium whose motion is larger than the data by the reciprocal of this tolerance.
+    // imbalance below it can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of this tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

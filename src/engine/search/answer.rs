@@ -140,7 +140,7 @@ pub(crate) enum Settled {
     /// combinations.
     NoneOf(usize),
     /// No equilibrium exists on the round cone: each of the cases of contact states was proved to have none. An equilibrium that rounding hides from
-    /// this proof would be larger than the data by at least the factor `escape`.
+    /// this proof would be larger than the elastic trial state by at least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,

@@ -175,8 +175,8 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved along the motions. `None` if no
-/// coefficients do so. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved along the motions. `None` if
+/// there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

@@ -46,7 +46,8 @@ pub(super) enum Relaxed {
     /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution. If
     /// the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps an equilibrium that is larger than the data by at least this factor, which rounding could hide.
+    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. It would be larger than the elastic trial state by at least
+    /// this factor.
     Contradicted { escape: f64 },
 }
 

@@ -91,7 +91,8 @@ impl Settings {
         space == Space::Spatial && self.round
     }
 
-    /// These settings with another limit on the combinations of contact states that are all tried, see [`Settings::most_states`].
+    /// These settings with another upper limit of the number of combinations of contact states up to which all are tried, see
+    /// [`Settings::most_states`].
     #[must_use]
     pub fn with_most_states(mut self, most_states: usize) -> Self {
         self.most_states = most_states;
@@ -106,7 +107,7 @@ impl Settings {
         self
     }
 
-    /// These settings with another limit on the steps along sliding arcs and the jumps within one leg.
+    /// These settings with another upper limit of the number of steps along sliding arcs, and of jumps, within one leg.
     #[must_use]
     pub fn with_most_steps(mut self, most_steps: usize) -> Self {
         self.most_steps = most_steps;
@@ -121,7 +122,7 @@ impl Settings {
         self
     }
 
-    /// These settings with another limit on the cycles of a repeated load.
+    /// These settings with another upper limit of the number of cycles of a repeated load that are followed.
     #[must_use]
     pub fn with_most_cycles(mut self, most_cycles: usize) -> Self {
         self.most_cycles = most_cycles;
@@ -135,7 +136,7 @@ impl Settings {
         self
     }
 
-    /// These settings with a limit on the pivots of Lemke's method on one complementarity problem.
+    /// These settings with an upper limit of the number of pivots of Lemke's method on one complementarity problem.
     #[must_use]
     pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
         self.max_pivots = Some(max_pivots);

@@ -23,8 +23,8 @@ use crate::proofs::ProofStep;
 #[derive(Debug, Clone)]
 pub(super) enum Tree {
     Found(Found),
-    /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the data by at least the
-    /// factor `escape`.
+    /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the elastic trial state
+    /// by at least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,

@@ -3,7 +3,7 @@
 //!
 //! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press.
 //! [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]: places, squeezes, the value of the [`ImproveGoal`] before and after, and
-//! the active sticking conditions and limits.
+//! the active sticking conditions, and active limits of forces, commands and places.
 //!
 //! While every contact sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹` with the load factor τ. Each sticking condition
 //! `a·F >= 0` of each contact and load is broken at a factor τ of its own. The load factor of first slip is the least of these factors, a piecewise

@@ -48,7 +48,7 @@ fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     [first, perpendicular(&[*axis, first])]
 }
 
-/// The geometry at these coordinates, m, in the plane of a triangle; see [`frame`].
+/// The point with these coordinates, m, in the plane of a triangle (see [`frame`]), with normal, tangents and distances to the edges.
 fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;

@@ -1,4 +1,4 @@
-//! The question of finger placement: its loads, the places and squeezes that may change, and their limits.
+//! The question of finger placement: its loads, the places and squeezes that may change, and upper limits of the squeezes.
 
 use nalgebra::SVector;
 

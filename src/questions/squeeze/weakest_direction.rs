@@ -19,8 +19,8 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WeakestDirection<const C: usize> {
-    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its limit. No smaller force has this effect,
-    /// in any direction.
+    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its force limit. No smaller force has this
+    /// effect, in any direction.
     #[non_exhaustive]
     Force {
         /// Size of the least force, N, exact up to rounding.
@@ -29,17 +29,17 @@ pub enum WeakestDirection<const C: usize> {
         direction: [f64; C],
         /// The base load plus the least force at its point, N and N m.
         load: Wrench<C>,
-        /// The contact that stops sticking, or the drive of a hand that reaches its limit.
+        /// The contact that stops sticking, or the drive of a hand that reaches its force limit.
         leaver: Leaver,
     },
-    /// All contacts keep sticking, and no drive reaches its limit, under a force of any size in any direction.
+    /// All contacts keep sticking, and no drive reaches its force limit, under a force of any size in any direction.
     Never,
     /// Nothing resists this motion, and a force at this point can do work along it.
     GivesWay {
         /// This motion, of unit size.
         motion: Motion<C>,
     },
-    /// Under the base load a contact slides or is open, a drive is at its limit, or no equilibrium with all contacts sticking exists.
+    /// Under the base load a contact slides or is open, a drive is at its force limit, or no equilibrium with all contacts sticking exists.
     NotSticking,
     /// The search for the least force did not end within its number of steps, because of rounding.
     Undecided,
@@ -83,7 +83,7 @@ impl Engine {
     }
 }
 
-/// The least force known so far that makes a contact (or drive) reach the edge of its cone (or limit), and the index of this site.
+/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index of this contact or drive.
 struct Least {
     size: f64,
     direction: SVector<f64, 3>,

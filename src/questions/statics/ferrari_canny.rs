@@ -48,8 +48,8 @@ impl Engine {
         Ok(WrenchBall { at_least, at_most, weakest: set.outside(-direction) })
     }
 
-    /// The set of wrenches that contact forces within this budget can exert, in this scale. An error for a bad budget or scale, hands, and contacts
-    /// without a limit.
+    /// The set of wrenches that contact forces within this budget can exert, in this scale. An error for a bad budget or scale, for hands, and for
+    /// contacts whose forces a budget does not limit.
     pub(super) fn wrench_set(
         &self,
         budget: Budget,

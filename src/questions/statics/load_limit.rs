@@ -67,7 +67,7 @@ impl Engine {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// This limit with factors on a load that is `size` times as large, so that the factors are divided by `size`.
+    /// This answer for a load that is `size` times as large, so that the factors are divided by `size`.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {

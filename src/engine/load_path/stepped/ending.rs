@@ -1,4 +1,4 @@
-//! The end of a path followed in steps, where no step leads further.
+//! The end of a path followed in steps, if no step leads further.
 
 use super::stepped_path::Steps;
 use crate::contact::Law;
