@@ -135,7 +135,7 @@ impl Engine {
 
 /// Whether no residual exceeds the tolerance of an equilibrium: 1e-12 on the round cone, otherwise [`ACCURATE`].
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
-    // Largest allowed residual on the round cone; a larger residual means that Newton's method has not converged.
+    // Tolerance of residuals on the round cone; a larger residual means that Newton's method has not converged.
     let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }

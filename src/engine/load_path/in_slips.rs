@@ -99,7 +99,7 @@ impl Engine {
     }
 }
 
-/// Largest number of steps after the onset: a load that needs more is left to a `LoadPath`, which has implicit steps.
+/// Upper limit of the number of steps after the onset: a load that needs more is left to a `LoadPath`, which has implicit steps.
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {

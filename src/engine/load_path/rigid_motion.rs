@@ -18,7 +18,7 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Largest number of coordinates, and of touching contacts, for which the motion is computed. With more it would take too long.
+/// Upper limit of the number of coordinates, and of touching contacts, for which the motion is computed. With more it would take too long.
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if no contact

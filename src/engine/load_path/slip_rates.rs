@@ -10,8 +10,8 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// The largest number of sliding contacts that `in_slips` follows. With more, an [arc](super::arc) takes less time: each stage of its integration
-/// solves one equation for each coordinate, not one for each sliding contact.
+/// Upper limit of the number of sliding contacts that `in_slips` follows. With more, an [arc](super::arc) takes less time: each stage of its
+/// integration solves one equation for each coordinate, not one for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.

@@ -20,7 +20,7 @@ pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
     /// The caller's load as a function of the load factor.
     pub(super) course: Trajectory<Wrench<3>>,
-    /// The largest load factor up to which the onset is searched: infinite along a ramp, the last angle of a turn.
+    /// The load factor up to which the onset is searched: infinite along a ramp, the last angle of a turn.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,

@@ -24,11 +24,11 @@ pub(super) const LEAST_FORCE: f64 = 1e-3;
 /// If smaller, slow motions take more steps; if larger, an object that still moves counts as at rest.
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
-/// The largest number of steps in which an object snaps over to another equilibrium; some dozens are enough as a rule. With fewer, an object that
-/// moves slowly away from the end of its path counts as lost: an object that turns about a stop takes two hundred.
+/// Upper limit of the number of steps in which an object snaps over to another equilibrium; as a rule some dozens are made. With fewer, an object
+/// that moves slowly away from the end of its path counts as lost: an object that turns about a stop takes two hundred.
 pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
-/// The largest number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium counts as lost.
+/// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium counts as lost.
 ///
 /// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
 /// leg, and forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of
@@ -41,7 +41,7 @@ pub(super) const MOST_SNAPS: usize = 64;
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
 
-/// While an object snaps over, the largest allowed ratio of the norms of the imbalances after and before a step in time.
+/// While an object snaps over, the upper limit of the ratio of the norms of the imbalances after and before a step in time.
 ///
 /// If smaller, steps are many when the motion becomes faster; if larger, an implicit step goes back to an equilibrium that is not stable.
 pub(super) const FASTEST_GROWTH: f64 = 4.0;
@@ -52,8 +52,8 @@ pub(super) const FASTEST_GROWTH: f64 = 4.0;
 /// If smaller, steps are many when contacts chatter; if larger, the contacts overshoot.
 pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 
-/// Largest correction of an event's load factor by means of forces that are solved for at the event, as a fraction of this load factor. A larger
-/// correction means that the event itself is wrong.
+/// Upper limit of the correction of an event's load factor by means of forces that are solved for at the event, as a fraction of this load factor. A
+/// larger correction means that the event itself is wrong.
 ///
 /// If smaller, true corrections are thrown away; if larger, wrong events count as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
@@ -79,7 +79,8 @@ pub(super) const STANDS_STILL: f64 = 1e-10;
 /// A normal force at most this fraction of the size of its terms, and decreasing, no longer determines the direction of friction of its contact. That
 /// direction has the error of the steps divided by this fraction.
 ///
-/// If smaller, friction follows directions that the steps have blurred; if larger, a contact that still presses counts as vanishing.
+/// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses counts as
+/// vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 
 /// Shortest step of a path followed in steps, as a fraction of a leg: a path that needs shorter steps ends there.
@@ -90,7 +91,7 @@ pub(super) const SHORTEST_STEP: f64 = 1e-12;
 /// Absolute value of a condition on an arc up to which it counts as zero, as a fraction of the size of its terms. This is the sum of rounding and of
 /// the error of the arc's steps, 1e-13.
 ///
-/// If smaller, events that the steps have blurred are found twice; if larger, conditions that nearly fail count as events.
+/// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail count as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
 /// If the normal force of a sliding contact falls below this fraction of the largest contact force at the first slip, `in_slips` gives no answer. The

@@ -157,8 +157,8 @@ impl<'g> Pieces<'g> {
     }
 
     /// Whether the object moves while the load factor and all contact forces stay constant: the load factor then approaches a limit that it never
-    /// reaches. The faster a friction force relaxes, the more rounding turns it, so its tolerance grows with the rate of relaxation. Forces of
-    /// contacts that do not slide balance all others, and have the largest tolerance.
+    /// reaches. The faster a friction force relaxes, the more rounding turns it, so the tolerance within which it counts as constant grows with the
+    /// rate of relaxation. Forces of contacts that do not slide balance all others, and have the largest tolerance.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;

@@ -92,7 +92,7 @@ pub(crate) fn newton(
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     let mut response_at = respond(problem, (&twist, beside), contacts, response);
-    // The largest number of steps. As a rule Newton's method converges in a few steps, or not at all.
+    // Upper limit of the number of steps. As a rule Newton's method converges in a few steps, or not at all.
     for steps in 0..20 {
         let norm = response_at.left.norm();
         if norm <= settled * response_at.size {

@@ -22,11 +22,11 @@ pub(crate) const NO_FORCE: f64 = 1e-25;
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// The largest number of refinement steps. If the exact force is zero, each step leaves about 1e-16 of the force before it.
+/// Upper limit of the number of refinement steps. If the exact force is zero, each step leaves about 1e-16 of the force before it.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Largest number of steps of `relaxing`, from the stuck grasp towards the equilibrium to which it relaxes; ten to thirty suffice as a rule. With
-/// fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
+/// Upper limit of the number of steps of `relaxing`, from the stuck grasp towards the equilibrium to which it relaxes; as a rule ten to thirty steps
+/// are made. With fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
 /// The object has nearly relaxed once the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
@@ -38,6 +38,6 @@ pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 /// longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
-/// The largest factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow relaxation
-/// takes longer.
+/// Upper limit of the factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow
+/// relaxation takes longer.
 pub(super) const LONGEST_PACE: f64 = 64.0;

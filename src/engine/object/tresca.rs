@@ -163,14 +163,14 @@ impl GivenLimits {
         // later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
-        // Outer iterations, each with new limits.
+        // Outer iterations, each with new friction limits.
         for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = paired(&next, &self.limits, &|(next, last)| next - last);
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
             let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
-            // The iteration ends when limits change by less than this fraction and no contact changes its state.
+            // The iteration ends when friction limits change by less than this fraction and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;
             }
@@ -193,7 +193,7 @@ impl GivenLimits {
     /// after ten steps. `None` if the stiffness matrix is not positive definite.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
         let mut present = self.answers(q);
-        // Maximum number of Newton steps for the same limits.
+        // Upper limit of the number of Newton steps for the same friction limits.
         for _ in 0..10 {
             if norm(&present.imbalance) <= enough {
                 break;
@@ -216,7 +216,7 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // After a long step the regularisation is reduced, down to this limit.
+                // After a long step the regularisation is reduced, but not below this value.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

@@ -165,7 +165,7 @@ impl PushedBack {
     /// contact forces do not balance; `None` if a factorisation fails.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
-        // Maximum number of Newton steps in a round.
+        // Upper limit of the number of Newton steps in a round.
         for _ in 0..12 {
             if norm(&missing) <= enough {
                 break;

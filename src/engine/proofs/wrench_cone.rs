@@ -72,8 +72,8 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow the tags of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // The largest number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as many
-    // to carry a load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as
+    // many to carry a load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {

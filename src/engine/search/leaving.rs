@@ -101,7 +101,8 @@ fn pivoted(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let mut moved = Moved::default();
-    // The largest number of rounds in which further contacts begin to pivot: a changed state disturbs its neighbours, and the disturbance fades.
+    // Upper limit of the number of rounds in which further contacts begin to pivot: a changed state disturbs its neighbours, and the disturbance
+    // fades.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;

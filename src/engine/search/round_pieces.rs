@@ -34,7 +34,7 @@ struct Progress {
 }
 
 impl RoundPieces {
-    /// Newton's method on the twist from `from`, with every contact free to change its state; `None` if it does not converge.
+    /// Newton's method on the twist from `from`, in which every contact may change its state; `None` if it does not converge.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
         // Newton's method on the twist ends at this imbalance, a fraction of the forces; the caller's Newton steps with fixed contact states reduce
@@ -68,7 +68,7 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
-        // The largest number of Newton steps.
+        // Upper limit of the number of Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
             let Progress { sharp, near, settled } = self.step(problem, &piece);

@@ -24,9 +24,10 @@ pub struct Settings {
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Largest number of pivots of Lemke's method on one complementarity problem of a grasp, all paths together. `None` allows about a second. A
-    /// search over thousands of contacts on which Newton's method has failed then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots).
-    /// The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take some ten seconds.
+    /// Upper limit of the number of pivots of Lemke's method on one complementarity problem of a grasp, all paths together. `None` allows about a
+    /// second. A search over thousands of contacts on which Newton's method has failed then gives up with
+    /// [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take
+    /// some ten seconds.
     pub max_pivots: Option<usize>,
     /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
     /// is 20 000, a few hundredths of a second: 7 contacts in the plane, or 3 contacts with 8 facets in space. On the round cone branch and bound
@@ -39,14 +40,14 @@ pub struct Settings {
     /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that
     /// error. Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, the largest number of steps along sliding arcs of the round cone within one leg, refused steps included. It also limits the
-    /// jumps from static to kinetic friction (default 20 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the
-    /// point reached.
+    /// On a load path, the upper limit of the number of steps along sliding arcs of the round cone within one leg, refused steps included. It also
+    /// limits the jumps from static to kinetic friction (default 20 000). A path that needs more ends
+    /// [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
     /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
     /// of at most 1 the search stops at this load itself.
     pub most_load: f64,
-    /// Largest number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    /// Upper limit of the number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,

@@ -23,9 +23,9 @@ const MOST_PAIRS: usize = 10;
 const MOST_HALVINGS: u8 = 5;
 /// Between two points at which slips depend on different unknowns, a third assignment is sought by at most this many bisections.
 const MOST_BISECTIONS: usize = 4;
-/// Limit of the work: the number of fits.
+/// Upper limit of the number of fits, which limits the work.
 const MOST_FITS: usize = 12;
-/// Limit of the work: the number of points at which all slips are predicted in order to find other assignments.
+/// Upper limit of the number of points at which all slips are predicted to find other assignments, which limits the work.
 const MOST_LOOKS: usize = 240;
 
 /// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them next to this

@@ -50,7 +50,7 @@ pub struct Identify<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) outliers: Option<f64>,
-    /// Largest number of steps of the search; 100 if left out.
+    /// Upper limit of the number of steps of the search; 100 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) iterations: Option<usize>,
     /// Grasps of other layouts in which slips were observed.
@@ -138,7 +138,7 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// Sets the largest number of steps of the search (default 100).
+    /// Sets the upper limit of the number of steps of the search (default 100).
     #[must_use]
     pub fn with_iterations(mut self, most: usize) -> Self {
         self.iterations = Some(most);
@@ -199,8 +199,8 @@ impl Identify<3> {
         self.outliers.unwrap_or(2.0)
     }
 
-    /// The largest number of steps of the search. The default of 100 is enough; a longer search would creep along combinations that the slips hardly
-    /// determine.
+    /// The upper limit of the number of steps of the search. The default of 100 is enough; a longer search would creep along combinations that the
+    /// slips hardly determine.
     pub(super) fn iterations(&self) -> usize {
         self.iterations.unwrap_or(100)
     }

@@ -53,7 +53,7 @@ pub struct Improve<const C: usize> {
     /// Number of random starts in addition to the grasp of the scene; 8 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) starts: Option<usize>,
-    /// Largest number of steps from each start; 200 if left out.
+    /// Upper limit of the number of steps from each start; 200 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) steps: Option<usize>,
     /// The seed of the random starts; 0 if left out.
@@ -173,7 +173,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the largest number of steps from each start, including refused steps (default 200).
+    /// Sets the upper limit of the number of steps from each start, including refused steps (default 200).
     #[must_use]
     pub fn with_steps(mut self, steps: usize) -> Self {
         self.steps = Some(steps);

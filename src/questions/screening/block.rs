@@ -2,9 +2,9 @@
 
 use super::lanes::Packed;
 
-/// The most contacts of a grasp that can be screened outside a [`PointBatch`](super::PointBatch): in `Fingers` and `Batch`.
+/// Upper limit of the number of contacts of a grasp in `Fingers` and `Batch`; a [`PointBatch`](super::PointBatch) allows more.
 pub(super) const MOST_SCREENED: usize = 5;
-/// The most contact points of a grasp in a [`PointBatch`](super::PointBatch).
+/// Upper limit of the number of contact points of a grasp in a [`PointBatch`](super::PointBatch).
 pub(super) const MOST_POINTS: usize = 64;
 /// The number of contacts, limited to the length [`MOST_POINTS`] of the arrays, so that no index exceeds their length.
 #[inline(always)]

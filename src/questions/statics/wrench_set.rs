@@ -45,7 +45,7 @@ impl Pushing {
     }
 }
 
-/// The wrenches that contact forces within a budget can exert, about the point and with moments divided by the length of `scale`.
+/// The wrenches that contact forces within a budget can exert. Moments are about the point of `scale` and divided by its length.
 pub(super) struct WrenchSet {
     space: Space,
     contacts: Vec<Pushing>,
