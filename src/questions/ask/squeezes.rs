@@ -1,4 +1,4 @@
-//! The least factor of the commands that suffices, and the weakest direction.
+//! The least factor of the commands with which all contacts stick, and the direction in which the least force makes a contact stop sticking.
 
 use super::grasp::Grasp;
 use crate::error::Error;

@@ -74,7 +74,8 @@ pub struct Estimate {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
     /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. If slips
-    /// share errors in groups, the number of groups limits them rather than the number of slips; few degrees of freedom make the interval wide.
+    /// share errors in groups, the degrees of freedom depend on the number of groups, not on the number of slips. Few degrees of freedom make the
+    /// interval wide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub degrees_of_freedom: Option<f64>,
 }

@@ -200,7 +200,7 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
 }
 
 /// Whether the fit is on a kink at which these two unknowns are equal. On the kink a slip depends on both unknowns, because its derivative is the
-/// mean of one-sided derivatives. Beside the kink it depends on one of the two.
+/// mean of one-sided derivatives. Next to the kink it depends on one of the two.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);

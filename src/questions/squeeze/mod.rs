@@ -1,4 +1,5 @@
-//! The least sufficient squeeze and the weakest direction, both computed without sampling.
+//! The least squeeze with which all contacts stick, and the weakest direction (in which the least force makes a contact stop sticking), both computed
+//! without sampling.
 //!
 //! While all contacts stick, forces are linear in the load and in the commands. The condition of a contact is `a·F >= 0` for each facet of its cone.
 //! The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the force of size r through a point that lowers `a·F` most is known for

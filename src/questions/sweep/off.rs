@@ -44,7 +44,8 @@ impl ContactErrors {
 
 /// The factor on a datum whose logarithm is in error by `log`.
 pub(super) fn factor(log: f64) -> f64 {
-    // The factor is limited: a datum that became zero or infinite would change its meaning. Data out of range are errors later.
+    // The factor is limited: a datum that became zero or infinite would change its meaning. If the datum is then out of range, a later check returns
+    // an error.
     let least = 1e-200_f64;
     log.exp().clamp(least, least.recip())
 }
