@@ -234,8 +234,8 @@ impl Slips<'_> {
         self.lost_by(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of the path at `at` as a loss of the kind `kind`, a fold or a corner, with the leaving motion `motion`. `None` if the object snaps
-    /// over to another equilibrium there.
+    /// The end of the path at `at` as a loss of the kind `kind`, a fold or a corner, with the leaving motion `motion`. `None` if the object then
+    /// snaps over to another equilibrium, or for a malformed ramp.
     fn lost_by(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;
