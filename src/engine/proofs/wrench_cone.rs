@@ -1,7 +1,7 @@
 //! A proof that no contact forces at all balance the load: it lies outside the friction wrench cone.
 //!
-//! With the generators γ of all friction cones (wrenches), the load is balanced by admissible forces iff `Σ γ β + W = 0` for some coefficients β >=
-//! 0. Otherwise the residual of the nearest sum,
+//! With the generators γ of all friction cones (wrenches), the load is balanced by admissible forces iff `Σ γ β + W = 0` for some nonnegative
+//! coefficients β. Otherwise the residual of the nearest sum,
 //!
 //! ```text
 //! min |Σ γ β + W|,  β >= 0,       v = Σ γ β + W
