@@ -17,7 +17,8 @@ pub(super) struct Frame {
     pub(super) leaving: Option<Motion<3>>,
     /// The load, if there is no equilibrium.
     pub(super) load: Option<Wrench<3>>,
-    /// The grasp of the answer, if its friction or its commands may differ from those of the page's grasp.
+    /// The grasp of the answer, if the caller gave it. Unlike the page's grasp it may have, for example, the friction or the
+    /// commands that a load needs.
     pub(super) grasp: Option<Grasp<3>>,
 }
 

@@ -17,7 +17,7 @@ pub(crate) enum Owner {
     Joint(usize),
     /// The tendon with this index.
     Tendon(usize),
-    /// Neither: the drive belongs to a stiffness matrix of joints, or to a compliance matrix.
+    /// Neither: the drive is a spring of a stiffness matrix of joints, or of a compliance matrix.
     Nobody,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Drive {
 }
 
 impl Drive {
-    /// A spring on a single coordinate that belongs to no joint.
+    /// A spring on a single coordinate, without a joint or tendon as its owner.
     pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
         let mut along = Vector::zeros();
         along[coordinate] = 1.0;
