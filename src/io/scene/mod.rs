@@ -179,7 +179,7 @@
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; for hundreds of contacts in steps, if `in_steps` gives the error that each leg may add to forces |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly applied and removed, or a repeated cycle of legs |
-//! | `identify` | `unknowns`, `slips` (with a `group` if they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
+//! | `identify` | `unknowns`, `slips` (with a `group` if they share measurement errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of the loads |
 //!
 //! With several bodies `together_with` has loads on other bodies by name, `{"upper": {"force": [-5, 0]}}`, in proportion to the load. `base` must

@@ -74,8 +74,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angles at which a sliding contact stops, at most one for each facet on which it slides. At this angle the rate of the slip component along
-    /// the facet becomes negative. Until then the contact stays on its facets.
+    /// The angles at which a sliding contact stops sliding, at most one for each facet on which it slides. At such an angle the rate of the slip
+    /// component along the facet becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,

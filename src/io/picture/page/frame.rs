@@ -11,7 +11,7 @@ pub(super) struct Frame {
     pub(super) label: String,
     /// An equilibrium, or the reason why contacts are drawn without forces.
     pub(super) shown: Result<Equilibrium<3>, String>,
-    /// Sentences beside the answer.
+    /// Sentences that are shown with the answer.
     pub(super) says: Vec<String>,
     /// The motion by which the object is lost, if the caller has given one.
     pub(super) leaving: Option<Motion<3>>,
