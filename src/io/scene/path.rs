@@ -23,8 +23,8 @@ pub struct PathAnswer<const C: usize> {
     /// The steps, in order, if the path was followed in steps; otherwise empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Step<C>>,
-    /// The point of the path where motions cease to be small, if they do. Beyond this point the answer, which assumes the undeformed geometry, is
-    /// inaccurate.
+    /// The point of the path where motions cease to be small, if they do. Beyond this point the answer, which assumes the undeformed geometry of the
+    /// grasp, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
     /// The energies of each leg that the path has reached; empty for a path in steps.
