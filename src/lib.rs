@@ -49,11 +49,11 @@
 //! |---|---|
 //! | [`load_path`] | first slip and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
 //! | [`shake`] | loads that repeat: rest, alternating slip, slip that accumulates (walking), or loss |
-//! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
+//! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their standard errors |
 //! | [`improve`] | finger places on given surfaces, and squeezes, with the latest first slip |
 //! | [`squeeze`] | the least squeeze for a set of loads, and the weakest direction |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
-//! | [`energy`] | the quadratic program of the paper (minimum energy), and its comparison with the complementarity problem |
+//! | [`energy`] | the quadratic program (minimum energy) of "Position Control for Multifingered Robot Hand", and its comparison with the complementarity problem |
 //! | [`sweep`] | the same question for many grasps or loads, in parallel (feature `parallel`, on by default); grasps with uncertain data |
 //! | [`screening`] | first slip as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; monitoring of measured forces |
 //!
@@ -99,8 +99,9 @@
 //! | μ | coefficient of friction, each contact its own | | 1 |
 //!
 //! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body along with the finger, so
-//! F_t and the slip s have the same direction. The contact law is the unified law of the paper (sections 3.A and 3.B), for contacts that may also
-//! open; the sign in equation 3.B.5 of the paper is a misprint. Units are SI in the docs. Any consistent units work.
+//! F_t and the slip s have the same direction. The contact law is the unified law of "Position Control for Multifingered Robot Hand" (sections 3.A
+//! and 3.B), for contacts that may also open; the sign in equation 3.B.5 of that paper is a misprint. Units are SI in the docs. Any consistent units
+//! work.
 //!
 //! # Answers
 //!

@@ -1,4 +1,5 @@
-//! The central path to a solution, through the interior of the cones: û ∘ r = τ at each contact, as the parameter τ decreases to zero.
+//! The central path to a solution, through the interior of the cones: û ∘ r = τ at each contact, with the Jordan product ∘ of the cone, as the
+//! parameter τ decreases to zero.
 //!
 //! A contact with normal n has the force r and the velocity u. Coulomb's law is û ⟂ r with r in the friction cone and û = u + μ ‖u_T‖ n in its dual
 //! cone ([module](super)). In the coordinates r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both cones become ‖x_T‖ ≤ x_N. The law is then r' = P(r' − ρ

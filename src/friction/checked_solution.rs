@@ -40,7 +40,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// The solution with these forces, after forces of open contacts are set to zero and, if needed, forces are moved onto their cones. `None` if its
-    /// residuals exceed the tolerance, or if q is so small beside W r that rounding hides it.
+    /// residuals exceed the tolerance, or if q is smaller than the rounding error of W r.
     pub(super) fn checked_solution(
         &self,
         mut r: DVector<f64>,

@@ -29,7 +29,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// | [`Solved`](Outcome::Solved) | the law is satisfied to the tolerance of the settings |
     /// | [`Infeasible`](Outcome::Infeasible) | no solution: some contact approaches for all forces in the cones. `y` has a weight per contact, see [`Self::proves_infeasible`] |
     /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of states of an island is excluded without rounding |
-    /// | others | undecided. A [`Ray`](crate::lcp::Ray) belongs to the complementarity problem of [`Self::facets`] |
+    /// | others | undecided. A [`Ray`](crate::lcp::Ray) is a ray of the complementarity problem of [`Self::facets`] |
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<Solution> {
         self.solve_watched(settings, &mut |_| ControlFlow::Continue(()))

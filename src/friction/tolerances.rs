@@ -23,7 +23,7 @@ pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 /// Multiple of 1/ρ, the scale of a contact's diagonal block of W, that is added to the block along the central path. This regularises the equations
 /// of redundant contacts.
 ///
-/// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path belong to another problem.
+/// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path solve a visibly different problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
 /// Root mean square of the residuals, relative to √τ for the path's parameter τ, up to which a point counts as on the path around folds.

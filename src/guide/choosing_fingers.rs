@@ -1,4 +1,4 @@
-//! Choosing fingers: places and squeezes for which the first slip comes as late as possible, or most friction is left.
+//! Choosing fingers: places and clamping forces for which the first slip comes as late as possible, or most friction is left.
 //!
 //! The scenes are in `examples/scenes/improve`, and the commands are run there. A contact that may move has a `surface`, on which it lies; its normal
 //! follows. `at_most` (or `--at-most`) is the largest force in newtons that fingers may press with; without it fingers keep their commands. The loads

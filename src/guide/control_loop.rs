@@ -1,8 +1,8 @@
 //! A watch in a control loop, with an operating system and without one.
 //!
 //! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now and the load to come. It returns the margin
-//! of the forces, the load at which the first contact slides, and the extra squeeze that prevents it. It allocates nothing, and the number of
-//! its operations does not depend on the data.
+//! of the forces, the load at which the first contact slides, and the extra squeeze (clamping force) that prevents it. It allocates nothing, and the
+//! number of its operations does not depend on the data.
 //!
 //! # One tick
 //!

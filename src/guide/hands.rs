@@ -41,15 +41,15 @@
 //!
 //! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
 //! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
-//! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts; events and
-//! onsets contain the [drives](crate::load_path::Event::drives) that yield or slacken.
+//! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) in addition to contacts; events
+//! and onsets contain the [drives](crate::load_path::Event::drives) that yield or slacken.
 //!
 //! # Guarantees of theory, and their limits
 //!
 //! Let C be the compliance of all contacts together, pads included (symmetric, positive definite):
 //!
-//! * **While everything sticks the forces are unique**: they minimise `½ FᵀC F - aᵀF` under balance, a strictly convex program (section 4 of the
-//!   paper, with joints).
+//! * **While everything sticks the forces are unique**: they minimise `½ FᵀC F - aᵀF` under balance, a strictly convex program (section 4 of
+//!   "Position Control for Multifingered Robot Hand", here with joints).
 //! * **One contact on a body at rest** has one answer for every command if μ |c_nt| < c_nn, and up to three otherwise: the condition of Klarbring,
 //!   *Examples of non-uniqueness and non-existence of solutions to quasistatic contact problems with friction*, Ingenieur-Archiv 60 (1990).
 //! * **On a body that is free to move this condition does not suffice**: two fingers that each satisfy it can still have several equilibria together.

@@ -1,6 +1,6 @@
 //! Friction that is lower once a contact slides: is the object caught, or does it fall at the first slip?
 //!
-//! Most tables have two coefficients. A scene has the second one as `kinetic_friction` beside `friction`, Rust as
+//! Most tables have two coefficients. A scene has the second one as `kinetic_friction` in addition to `friction`, Rust as
 //! [`kinetic`](crate::grasp::Contact::kinetic). Without it a contact slides with its friction at rest.
 //!
 //! # A box on a plastic foot and a rubber foot is pulled

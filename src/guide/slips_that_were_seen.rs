@@ -37,9 +37,9 @@
 //!
 //! | unknown | meaning | prerequisite |
 //! |---|---|---|
-//! | `friction` | a coefficient, of all contacts or of some | the normal forces: the squeeze, or a weight |
+//! | `friction` | a coefficient, of all contacts or of some | the normal forces: from clamping forces, or from a weight |
 //! | `carried` | load of a support at rest, N | friction, or the sum of the loads from a scale |
-//! | `squeeze` | factor of the given squeeze | friction |
+//! | `squeeze` | factor of the given clamping forces | friction |
 //! | `stiffness` | factor of the given tangential stiffness | friction; only first slips determine it |
 //!
 //! Gross slip is easy to observe, and usually depends on friction and normal forces alone. First slip also depends on stiffness: use `slip` in the

@@ -50,8 +50,8 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis with the stored covering vector, up to `limit` pivots of all paths, and checks its end. `None` if
-    /// the end is a solution.
+    /// Follows Lemke's path from the slack basis with the stored covering vector, until all paths of the solve together have `limit` pivots, and
+    /// checks its end. `None` if the end is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -92,8 +92,8 @@ impl Workspace {
     }
 
     /// Improves a solution whose w is more negative than rounding explains: its path has treated nearly equal ratios as ties, or small values as
-    /// noise. A second path from this solution treats neither as such, and the point with the smaller largest residual is kept. Settings without
-    /// retries skip this step.
+    /// noise. A second path from this solution treats neither ratios as ties nor values as noise, and the point with the smaller largest residual is
+    /// kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,

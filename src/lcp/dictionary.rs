@@ -152,7 +152,8 @@ impl Dictionary {
     }
 
     /// Recomputes `level` for values that equation (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of
-    /// (1). These terms are q_i if the slack w_i is basic in the row, and the entry of each stored column D_{w_j} times q_j.
+    /// (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the row, and the entry of each
+    /// stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));

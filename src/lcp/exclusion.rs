@@ -92,13 +92,14 @@ impl Judge<'_> {
     }
 
     /// Whether a dual solution of the linear program that minimises the largest violation of the constraints of the piece, taken as v, excludes the
-    /// basis. There is one dual solution for each margin.
+    /// basis. There is one dual solution for each margin δ in [`MARGINS`].
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether v excludes the basis, as computed or [`cleaned`]. `v` belongs to the balanced rows and is first converted to the given rows.
+    /// Whether v excludes the basis, as computed or [`cleaned`]. The entries of `v` are multipliers of the balanced rows, and are first converted to
+    /// multipliers of the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);

@@ -47,7 +47,8 @@ impl Loop for UpdateAndCombine<'_> {
     }
 }
 
-/// The sum y −= Σ_j c_j a_j over the stored columns a_j or, with `SIZES`, the sum of magnitudes y += Σ_j |c_j a_j|.
+/// The sum y −= Σ_j c_j a_j over the stored columns a_j or, with `SIZES`, the sum of magnitudes y += Σ_j |c_j a_j|, which scales the rounding
+/// error of the first sum.
 pub(super) struct Combine<'a, const SIZES: bool> {
     pub(super) columns: &'a [f64],
     pub(super) n: usize,

@@ -65,8 +65,8 @@ impl LemkePath {
         self.age = 0;
     }
 
-    /// Converts numbers that belong to the basic variables, one for each row, to a vector z in the caller's units. Returns the number that belongs to
-    /// z₀, or `None` if z₀ is not basic.
+    /// Converts numbers given for the basic variables, one for each row, to a vector z in the caller's units. Returns the number given for z₀, or
+    /// `None` if z₀ is not basic.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;

@@ -20,7 +20,8 @@ impl LemkePath {
             .fold(0.0, |drift, (r, a)| r.abs().max(drift * (a + floor)) / (a + floor))
     }
 
-    /// Computes the defect q + M z + d z₀ − w of the current values, and the magnitude of its terms, row by row.
+    /// Computes the defect q + M z + d z₀ − w of the current values, row by row. Also computes the magnitude of the terms of each row, to which the
+    /// rounding error of the defect is proportional.
     fn compute_defect(&mut self, m: &[f64]) {
         self.defect.clone_from(&self.q);
         self.terms.clear();
@@ -185,7 +186,7 @@ fn index(variable: LemkeVariable, n: usize) -> usize {
 }
 
 /// Adds to `sum` the columns of all basic variables in q + M z + d z₀ − w, each times the number given for its row. Adds the magnitudes of these
-/// products to `terms`.
+/// products to `terms`, which scales the rounding error of `sum`.
 fn add_basic_columns(
     sum: &mut [f64],
     terms: &mut [f64],
@@ -199,7 +200,8 @@ fn add_basic_columns(
     }
 }
 
-/// Adds the column of one variable, times a number, to `sum`, and the magnitudes of these products to `terms`.
+/// Adds the column of one variable, times a number, to `sum`, and the magnitudes of these products to `terms`, which scales the rounding error of
+/// `sum`.
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],

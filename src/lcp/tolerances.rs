@@ -102,7 +102,7 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
 /// With a larger limit, a call takes minutes. With a smaller limit, some problems remain undecided.
 pub(super) const MOST_ENUMERATED: usize = 20;
 
-/// The largest number of rows for which the vertices of a problem are tried: at most a few thousand.
+/// The largest number of rows for which the vertices of a problem are tried, which are then at most a few thousand.
 ///
 /// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;

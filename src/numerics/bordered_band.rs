@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// The bordered matrix of a nearly singular band is regular; its solution must keep all digits.
+    /// The bordered matrix of a nearly singular band is regular; its solution must be accurate to rounding.
     #[test]
     fn solves_near_a_singular_band() {
         let (count, reach) = (24, 3);

@@ -1,7 +1,8 @@
 //! Sums in double-double precision: a second number collects the rounding errors of the sum.
 //!
-//! A sum of nearly cancelling terms keeps all digits of its terms (T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot product*, SIAM J. Sci.
-//! Comput. 26, 2005). The residual of an equation near its solution is such a sum.
+//! The error of a sum is about ε² of its largest term, with ε = 2⁻⁵². A sum of nearly cancelling terms thus keeps correct digits (T. Ogita, S.
+//! M. Rump, S. Oishi, *Accurate sum and dot product*, SIAM J. Sci. Comput. 26, 2005). The residual of an equation near its solution is such a
+//! sum.
 
 /// A sum `high + low`, accurate to about 1e-32 of its largest term.
 #[derive(Debug, Clone, Copy, Default)]

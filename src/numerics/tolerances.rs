@@ -32,8 +32,8 @@ pub(crate) const NEGLIGIBLE: f64 = 1e-9;
 /// This is Armijo's rule. Near 1 full Newton steps are rejected; at 0 steps without progress are accepted, and a search may cycle.
 pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 
-/// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix of products of
-/// orthonormal vectors is then singular.
+/// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix whose smallest pivot
+/// is below this fraction of its largest pivot is singular.
 ///
 /// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding errors count as stiffness
 /// along a free motion. If larger, the stiffness of soft springs is dropped where stiff springs act too.

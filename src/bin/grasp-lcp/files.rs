@@ -71,7 +71,8 @@ pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) ->
     Ok(())
 }
 
-/// Prints the warnings about stiffness that is left out. To find these warnings, each question is answered several times.
+/// Prints the warnings about stiffnesses that the scene does not give. To see whether answers depend on them, each question is answered with
+/// several trial values.
 pub(crate) fn warn_of_stiffness(path: &Path, scene: &Scene) -> Result<(), Failure> {
     tell(path, &scene.stiffness_left_out().map_err(|error| refused(path, &error))?);
     Ok(())

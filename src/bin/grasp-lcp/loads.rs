@@ -7,7 +7,8 @@ use grasp_lcp::squeeze::Loads;
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 
-/// The meaning of the command line's numbers in the plane or in space. Vectors have three components; in the plane the third is zero.
+/// Converts the numbers of command-line options to forces, moments and points of a scene in the plane or in space. Converted vectors have three
+/// components; in the plane the third is zero.
 #[derive(Clone, Copy)]
 pub(crate) struct Meaning {
     /// The number of axes of the scene, 2 or 3.

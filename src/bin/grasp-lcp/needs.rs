@@ -50,8 +50,8 @@ impl Meaning {
         }))
     }
 
-    /// The question for the sought quantity with its loads, and a constant load beside these loads: for accelerations to and fro the weight of the
-    /// mass, for loads of the scene its base load. `None` if there is no such constant load.
+    /// The question for the sought quantity with its loads, and a constant load in addition to these loads: for accelerations to and fro the weight
+    /// of the mass, for loads of the scene its base load. `None` if there is no such constant load.
     fn sought(
         self,
         wanted: &Wanted,
@@ -140,7 +140,7 @@ fn to_and_fro(wanted: &Wanted) -> Option<&Numbers> {
     wanted.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }
 
-/// Refuses options that belong to another quantity.
+/// Refuses options that have no meaning for this quantity.
 fn refuse_others(wanted: &Wanted, sought: SoughtQuantity) -> Result<(), Failure> {
     let of_its_own = [
         (wanted.along.is_some(), SoughtQuantity::Arm, "--along", "an arm"),

@@ -17,7 +17,7 @@ use crate::numerics::{IntoList, chosen, increasing, largest, mapped, moved};
 /// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
 /// within the loop is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
 /// soft fingertip they are the mean slip of its points and the sum of their forces. A note names the contacts that never slide. Charts without a
-/// curve are left out: both charts if no contact slides, the second chart if no contact slides in the last cycle.
+/// curve are omitted: both charts if no contact slides, the second chart if no contact slides in the last cycle.
 ///
 /// ```
 /// use grasp_lcp::picture::charts_of_cycles;
@@ -97,7 +97,7 @@ pub fn charts_of_cycles<const C: usize>(
 
 /// Slip and friction of a contact during all cycles, along the direction of its largest slip.
 struct Rubbing {
-    /// Largest slip from the start, mm.
+    /// Largest slip since the beginning of the first cycle, mm.
     farthest: f64,
     /// Points of the curves: position on the axis of cycles, slip in mm, and friction in N.
     curve: Vec<(f64, f64, f64)>,

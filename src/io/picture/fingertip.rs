@@ -23,7 +23,7 @@ pub(super) struct Resultant {
     pub(super) word: &'static str,
 }
 
-/// A force for pictures and tables, N; zero if it is only a rounding error beside the largest contact force of the equilibrium.
+/// A force for pictures and tables, N; zero if it is only a rounding error compared with the largest contact force of the equilibrium.
 pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C>) -> f64 {
     Words::default().beside(force, state.largest_force())
 }

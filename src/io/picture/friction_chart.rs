@@ -1,4 +1,5 @@
-//! The fraction of its friction that each contact uses along a load path; a soft fingertip counts as one contact.
+//! The fraction of its friction that each contact uses along a load path; a soft fingertip counts as one contact. A leg is one stage of a load
+//! program, along which load and commands change linearly, or the load turns.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;

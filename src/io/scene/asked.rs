@@ -85,7 +85,8 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses faults of a question `identify` that can be found without building a grasp for each of its layouts.
+    /// Refuses faults of a question `identify` that can be found without building a grasp for each of its layouts, i.e. the other arrangements of
+    /// contact points in which slips were observed.
     pub(super) fn check_identify(&self, asked: &Identify<3>) -> Result<(), Error> {
         if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
             return Err(LAYOUTS_OF_HANDS);

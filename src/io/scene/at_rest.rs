@@ -19,7 +19,7 @@ impl Setup<3> {
     /// presses if it pushes the object onto a contact, as a weight does, or if it jams the object. A `solve` with a load, a `need` of an arm and an
     /// `identify` of forces at rest are skipped. Without questions the result depends on the commands alone; without contacts it is false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
-        // A grasp that has links but no contacts needs no squeeze.
+        // A grasp that has links but no contacts needs no command that presses.
         if grasp.presses() || self.entries().next().is_none() {
             return Ok(false);
         }
@@ -44,7 +44,7 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact without a squeeze, as a weight presses it onto a table.
+    /// Whether a load presses an object onto a contact without any command that presses, as a weight presses it onto a table.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();

@@ -24,7 +24,7 @@ pub struct BodySetup<const C: usize> {
     pub mass: f64,
     /// The centre of mass, m.
     pub centre_of_mass: SVector<f64, C>,
-    /// A constant load on the body beside its weight and the loads of questions.
+    /// A constant load on the body, in addition to its weight and the loads of questions.
     pub load: Wrench<C>,
     /// The corners of the body in order, m; only drawn.
     pub outline: Vec<SVector<f64, C>>,

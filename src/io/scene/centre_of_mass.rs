@@ -82,7 +82,7 @@ impl AllBodies {
             return false;
         }
         let accelerates = self.are_heavy && has("accelerated") && !has("mass");
-        // A force with a moment stays a wrench about the origin, which is the form in which answers are written.
+        // A force that is given with a moment gets no point `at`: it is a wrench about the origin, the form in which answers write loads.
         let pulls =
             self.share && !has("moment") && ["force", "weight", "mass", "any_force"].into_iter().any(has);
         if accelerates {

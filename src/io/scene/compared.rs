@@ -1,4 +1,5 @@
-//! The answer to `compare`: the equilibrium, and the minimum of energy from the quadratic program of the paper on which the crate is based.
+//! The answer to `compare`: the equilibrium, and the minimum of energy from the quadratic program of "Position Control for Multifingered Robot
+//! Hand" (see `paper-notes.md`).
 
 use serde::{Deserialize, Serialize};
 

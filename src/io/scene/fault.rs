@@ -1,4 +1,4 @@
-//! Scenes in JSON: the error for a faulty scene names the place and the reason (feature `json`).
+//! Scenes in JSON: the error for a faulty scene names the field and the reason (feature `json`).
 
 use std::fmt;
 
@@ -25,7 +25,7 @@ pub struct Fault {
     /// The path of the field, `planar.contacts[1].friction`; `None` for the scene as a whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<String>,
-    /// The position in the text at which the reader noticed the fault.
+    /// The position in the text at which the JSON parser noticed the fault.
     #[serde(flatten)]
     pub at: Option<TextPosition>,
 }
@@ -46,7 +46,7 @@ pub enum FaultKind {
     Internal,
 }
 
-/// A place in the text.
+/// A position in the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TextPosition {
@@ -72,14 +72,15 @@ impl fmt::Display for Fault {
     }
 }
 
-/// The fields of a faulty scene that are read for messages: the version of the format and the id.
+/// The outermost fields of a text that is no valid scene. They are read nevertheless: a wrong format version explains all other faults, and the
+/// reply repeats the id.
 #[derive(Deserialize)]
 struct Outside {
     format: Option<String>,
     id: Option<Id>,
 }
 
-/// The message of the reader without the position in the text.
+/// The message of the JSON parser without its last words, the position in the text, which [`Fault::at`] holds.
 pub(super) fn message_of(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
@@ -87,7 +88,7 @@ pub(super) fn message_of(error: &serde_json::Error) -> String {
 }
 
 impl Fault {
-    /// The fault that stopped the reader of a scene.
+    /// The fault of a text that the JSON parser could not read as a scene; `error` is the parser's error.
     fn of_reader(text: &[u8], error: &serde_json::Error) -> Self {
         // Some editors begin a file with a byte order mark.
         let unreadable = if text.starts_with(b"\xef\xbb\xbf") {
@@ -152,7 +153,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// A [`Fault`] with the field, its place in the text and the allowed values.
+    /// A [`Fault`] with the field, its position in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
         let read = |text: &[u8]| {
             let InItsUnit(scene) =

@@ -1,4 +1,4 @@
-//! The field of a JSON text at which a reader stopped (feature `json`).
+//! The field of a JSON text at which the JSON parser stopped (feature `json`).
 
 /// Beginnings of serde_json messages that concern a whole list or object, and not one value in it.
 const OF_A_LIST_OR_OBJECT: [&str; 7] = [
@@ -11,7 +11,7 @@ const OF_A_LIST_OR_OBJECT: [&str; 7] = [
     "duplicate field",
 ];
 
-/// The path of the field to which an error of the reader belongs, such as `planar.contacts[1].friction`; `None` for the whole text. `read` is the
+/// The path of the field that caused an error of the JSON parser, such as `planar.contacts[1].friction`; `None` for the whole text. `read` is the
 /// number of bytes that were read, and `message` is the message of the error.
 pub(super) fn faulty_field(
     text: &[u8],
@@ -82,7 +82,7 @@ fn field_path(read: &[u8], around: bool) -> String {
                 }
                 i = read.len().min(i + 1);
                 if name_next {
-                    // A name that is cut off by the end of the text does not belong to the path.
+                    // A name that is cut off by the end of the text is not part of the path.
                     let Ok(name) = serde_json::from_slice::<String>(&read[start..i]) else { break };
                     if !path.is_empty() {
                         path.push('.');

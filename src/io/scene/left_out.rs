@@ -1,4 +1,4 @@
-//! Stiffness that a scene leaves out: its default, and trials with other values that show whether answers depend on it.
+//! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
@@ -19,9 +19,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 impl Setup<3> {
-    /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. Each question is answered several times, with
-    /// trial stiffnesses between a tenth and ten times the default, different for each contact, link and direction. Motions always depend on the
-    /// stiffness of contacts; every `solve` is therefore listed.
+    /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. To test this, each question is answered with
+    /// several trial stiffnesses, which lie between a tenth and ten times the default and are different for each contact, link and direction. Motions
+    /// always depend on the stiffness of contacts; every `solve` is therefore listed.
     ///
     /// # Errors
     /// As for [`Self::answers`].

@@ -32,7 +32,7 @@
 //! | `tendons` | a list of tendons over their joints, see below | none |
 //! | `bodies` | a list of several bodies, see below | one object |
 //! | `links` | a list of hinges, slides, springs, cables between bodies or to the ground, see below | none |
-//! | `gravity` | acceleration on the masses of bodies, m/s², beside the loads of questions | none |
+//! | `gravity` | acceleration on the masses of bodies, m/s², in addition to the loads of questions | none |
 //! | `loaded` | the name of the body that loads of questions act on | the first body |
 //! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass; see wrenches | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
@@ -142,7 +142,7 @@
 //! | `name` | a text | | none |
 //! | `stiffness` | stiffness of its drive | N m/rad or N/m, of a tendon N/m | none: only `torque` or `tension` acts |
 //! | `command`, of a tendon `pull` | commanded position of its drive | rad or m | 0 |
-//! | `torque`, of a tendon `tension` | constant torque or force beside the drive | N m or N | 0 |
+//! | `torque`, of a tendon `tension` | constant torque or force in addition to the drive | N m or N | 0 |
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
@@ -174,12 +174,12 @@
 //! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under the load |
-//! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from the paper's quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
+//! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from a quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; for hundreds of contacts in steps, if `in_steps` gives the error that each leg may add to forces |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly applied and removed, or a repeated cycle of legs |
-//! | `identify` | `unknowns`, `slips` (with a `group` if they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
+//! | `identify` | `unknowns`, `slips` (with a `group` if they share measurement errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of the loads |
 //!
 //! With several bodies `together_with` has loads on other bodies by name, `{"upper": {"force": [-5, 0]}}`, in proportion to the load. `base` must

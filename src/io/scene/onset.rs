@@ -103,7 +103,8 @@ impl<const C: usize, At> OnsetAt<C, At> {
     }
 }
 
-/// First slip under a turning load, and the contacts and drives that touch their limit before; see [`path::TurnOnset`].
+/// First slip under a turning load, and the contacts and drives that touch the limit of their friction, torque or tension before;
+/// see [`path::TurnOnset`].
 ///
 /// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
 ///
@@ -133,7 +134,7 @@ pub struct TurnAnswer<const C: usize> {
     /// The first slip.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
-    /// Contacts and drives that reach a limit before first slip, up to rounding, without exceeding it.
+    /// Contacts and drives that before first slip reach the limit of their friction, torque or tension, up to rounding, without exceeding it.
     pub touches: Vec<EdgeTouch>,
 }
 

@@ -61,7 +61,7 @@ impl Setup<3> {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
 
-    /// The question as the grasp of [`Self::grasp_of`] answers it. If gravity turns, the turning load is the weight of the bodies.
+    /// The question in the form in which the grasp of [`Self::grasp_of`] answers it. If gravity turns, the turning load is the weight of the bodies.
     ///
     /// # Errors
     /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts in addition to the turning gravity and loads

@@ -23,7 +23,8 @@ pub struct PathAnswer<const C: usize> {
     /// The steps, in order, if the path was followed in steps; otherwise empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Step<C>>,
-    /// The place where motions cease to be small, if they do. Beyond this place the answer, which assumes the undeformed geometry, is inaccurate.
+    /// The point of the path where motions cease to be small, if they do. Beyond this point the answer, which assumes the undeformed geometry of the
+    /// grasp, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
     /// The energies of each leg that the path has reached; empty for a path in steps.
@@ -48,7 +49,7 @@ pub enum PathOutcome<const C: usize> {
     },
     /// The equilibrium is lost: it cannot be continued under the load program.
     Lost {
-        /// The place at which equilibrium is lost, and the reason.
+        /// The point of the path at which equilibrium is lost, and the reason.
         #[serde(flatten)]
         loss: Loss<C>,
         /// Whether another equilibrium exists just beyond the loss.

@@ -1,4 +1,4 @@
-//! Rewords messages of the JSON reader for the author of a scene.
+//! Rewords messages of the JSON parser for the author of a scene.
 
 use crate::numerics::IntoList;
 

@@ -1,4 +1,4 @@
-//! Settings in the text of a scene; settings that are left out have the crate's defaults.
+//! Settings in the text of a scene; settings that the scene does not give have the crate's defaults.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};

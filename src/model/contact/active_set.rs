@@ -193,8 +193,8 @@ impl LocalLaw<'_> {
             && across > 1e-6 * line.rate_size * weight
     }
 
-    /// Translates a state under the law `rates` to the corresponding state under the whole contact law. [`Law::Edge`] numbers facets by their place
-    /// in its list, the whole law by their place on the polygon. On the round cone the result is a slide along the facet's normal. `None` for facets
+    /// Translates a state under the law `rates` to the corresponding state under the whole contact law. [`Law::Edge`] numbers facets by their index
+    /// in its list, the whole law by their index on the polygon. On the round cone the result is a slide along the facet's normal. `None` for facets
     /// that the whole law does not have.
     pub(crate) fn of_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         let Law::Edge(edge) = rates else { return Some(state) };

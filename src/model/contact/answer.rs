@@ -177,8 +177,8 @@ impl LocalLaw<'_> {
 /// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
 /// left of the root. From there the steps increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // Least ratio of the radius r to the traction; a smaller r is replaced. At this ratio S is already negligible beside K, and r = 0 would have no
-    // finite λ.
+    // Least ratio of the radius r to the traction; a smaller r is replaced. At this ratio S is already negligible compared with K, and r = 0 would
+    // have no finite λ.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);
@@ -190,7 +190,7 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // A negative λ means slip against the friction force. Its lower bound follows from the softer spring. It must also stay above -1/k of the stiffer
     // spring, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // Relative change of λ at which the iteration ends.
+    // Stopping tolerance: relative change of λ. The lower bound of λ keeps the same relative distance from the pole at -1/k of the stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
     // Upper bound of the number of Newton steps for λ.

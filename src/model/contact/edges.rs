@@ -15,7 +15,7 @@ use super::tolerances::ZERO_SLACK;
 use crate::numerics::{Harmonic, IntoList, Turning, moved, numbered, unit};
 use crate::prelude::*;
 
-/// Conditions on the force of a contact that keeps sticking. For a contact that stays open, the first component is the gap.
+/// Conditions on the force of a contact that keeps sticking. For a contact that stays open, they apply to a vector whose first component is the gap.
 #[derive(Debug, Clone)]
 pub(crate) enum Edges {
     /// `a·F >= 0` for each row a of coefficients: a facet, or the normal force or the gap alone.

@@ -108,7 +108,7 @@ impl Sector {
 
     /// Vertices of a polygon that encloses the arc: its ends, and the intersections of tangents between them.
     fn around(&self) -> Vec<[f64; 2]> {
-        // The enclosing polygon has one vertex for every piece of at most this angle.
+        // The enclosing polygon has one vertex for every part of the arc of at most this angle.
         let pieces = self.pieces(FRAC_PI_8);
         let half = 0.5 * self.width() / f64::from(pieces);
         let reach = 1.0 / half.cos();

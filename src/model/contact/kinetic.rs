@@ -5,8 +5,9 @@
 //! sliding    F_t  =  μ_k F_n p,      μ_k <= μ_s
 //! ```
 //!
-//! A contact has one cone at a time, which depends on its state. When it begins to slide, the same stretch is evaluated with the smaller cone. The
-//! springs relax, and the contact slips by the loss of their deflection, `Δs = -K_t⁻¹ ΔF_t`.
+//! Here p is the slip direction, and μ_s, μ_k are the static and the kinetic coefficient. A contact has one cone at a time, which depends on its
+//! state. When it begins to slide, the same stretch is evaluated with the smaller cone. The springs relax, and the contact slips by the loss of their
+//! deflection, `Δs = -K_t⁻¹ ΔF_t`.
 
 use nalgebra::SVector;
 

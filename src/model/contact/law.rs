@@ -55,8 +55,8 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The friction cone to which the contact's facets belong. If a contact with infinite friction has facets, the coefficient of this cone is very
-    /// large but finite.
+    /// The friction cone whose facets are the facets of the contact. If a contact with infinite friction has facets, the coefficient of this cone is
+    /// very large but finite.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }

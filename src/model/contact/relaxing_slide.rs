@@ -1,7 +1,8 @@
 //! The direction in which a contact with unequal tangential springs slides during a straight stretch. The direction turns gradually towards the
 //! direction of the stretch rate.
 //!
-//! The friction force is r p, with the unit vector p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂)
+//! The friction force is r p, with the cone's radius r = μ F_n and the unit vector p at an angle φ from the first tangent. The contact slips along
+//! p. A prime is a derivative with respect to the time τ, from 0 to 1; v is the stretch, and p⊥ is p turned by a right angle. With K = diag(k₁, k₂)
 //! the spring law gives
 //!
 //! ```text

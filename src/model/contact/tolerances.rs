@@ -20,8 +20,8 @@ pub(crate) const WEIGHTLESS: f64 = 1e-12;
 pub(crate) const SMALLEST: f64 = 1e-250;
 
 /// Least width of a sector of friction directions that is still divided, rad. Fingers whose normals deviate from symmetry by 1e-8 may wedge the
-/// object, so that slip directions matter down to this angle. In narrower sectors a contradiction is only rounding.
+/// object, so that slip directions matter down to this angle. In narrower sectors the contact law is violated only by rounding.
 ///
-/// With a smaller width, the search also divides sectors in which the contradiction is only rounding. With a larger width, grasps that wedge the
+/// With a smaller width, the search also divides sectors in which the law is violated only by rounding. With a larger width, grasps that wedge the
 /// object remain undecided.
 pub(super) const NARROWEST_ARC: f64 = 1e-8;

@@ -74,8 +74,8 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// The angles at which a sliding contact stops, at most one for each facet on which it slides. At this angle the rate of the slip component along
-    /// the facet becomes negative. Until then the contact stays on its facets.
+    /// The angles at which a sliding contact stops sliding, at most one for each facet on which it slides. At such an angle the rate of the slip
+    /// component along the facet becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -175,7 +175,7 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
 
-/// The behaviour of a margin at the start of an arc, φ = 0.
+/// The behaviour of a margin at the start of a turn of the load, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
     /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
@@ -187,11 +187,11 @@ enum Start {
 }
 
 impl Start {
-    /// Classifies a margin at the start of an arc. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
+    /// Classifies a margin at the start of a turn of the load. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The start of an arc is rounded, since it is the computed end of the previous arc. A margin that will grow may first decrease, but by no
-        // more than the slack.
+        // The load at φ = 0 has a rounding error, since it is the computed end of the previous part of the path. A margin that will grow may first
+        // decrease, but by no more than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }

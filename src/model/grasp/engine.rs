@@ -26,8 +26,8 @@ pub(crate) struct Engine {
     pub(super) sites: Vec<Site>,
     /// The contact points in `contacts`, grouped to contacts as users count them: all points of a soft fingertip are one contact.
     wholes: WholeContacts,
-    /// Centroid of the contact points, m. The engine refers moments and rotations to this point, so that a distant origin of the caller costs no
-    /// digits.
+    /// Centroid of the contact points, m. The engine refers moments and rotations to this point, so that a distant origin of the caller causes no
+    /// cancellation.
     pub(super) origin: SVector<f64, 3>,
     /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
     /// translations have comparable size for any unit of the caller.

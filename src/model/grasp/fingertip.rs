@@ -53,8 +53,9 @@ use crate::prelude::*;
 /// its innermost ring slides. In between, the error of the moment decreases with the square of the number of annuli. On the uniform disc it is
 /// at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4 annuli.
 ///
-/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the squeeze.
-/// To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, use a ring of radius τ/(μ N).
+/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the normal
+/// force. To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, use a ring of radius
+/// τ/(μ N).
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};

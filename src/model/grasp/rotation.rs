@@ -1,7 +1,7 @@
 //! Moments and rotations, in one form for the plane and for space.
 //!
-//! A rotation takes place in a coordinate plane (i, j). A planar grasp has only the plane (x, y). In space (y, z), (z, x) and (x, y) are the planes
-//! of the rotations about x, y and z. With r the arm, f a force and θ the rotations,
+//! A rotation k takes place in a coordinate plane (i, j). A planar grasp has only the plane (x, y). In space (y, z), (z, x) and (x, y) are the
+//! planes of the rotations about x, y and z. With r the arm, f a force and θ the rotations,
 //!
 //! ```text
 //! moment_k       = r_i f_j - r_j f_i

@@ -71,7 +71,7 @@ impl Engine {
         cups.first().map(|cup| self.wholes()[cup.contact].label.clone())
     }
 
-    /// Indices of all contact points that belong to these contacts.
+    /// Indices of all points of these contacts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         let mut points = Vec::new();
         for part in parts {

@@ -13,7 +13,7 @@ use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in an answer. For a soft fingertip, the answer may apply to only some of its points.
+/// A contact in a list of an answer, such as the contacts that slide. Of a soft fingertip perhaps only some points slide; `points` is their number.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -26,14 +26,14 @@ pub struct WholeContact {
     /// Kind of the link between bodies that this contact represents; omitted for an ordinary contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
-    /// Number of points to which the answer applies; 1 for a contact that is a single point.
+    /// Number of points to which the list applies, such as the points that slide; 1 for a contact that is a single point.
     pub points: usize,
     /// Number of all points of the contact.
     pub of: usize,
 }
 
 impl WholeContact {
-    /// Whether the answer applies to all points of the contact.
+    /// Whether the list applies to all points of the contact, for example whether all of its points slide.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.points == self.of
@@ -73,7 +73,7 @@ impl ContactPoints {
         self.range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / self.range.len() as f64
     }
 
-    /// This contact as it appears in an answer that applies to `points` of its points.
+    /// This contact in a list that applies to `points` of its points.
     pub(crate) fn with(&self, points: usize) -> WholeContact {
         let ContactLabel { index: contact, link, .. } = self.label;
         WholeContact { contact, label: self.text(), link, points, of: self.range.len() }
@@ -113,7 +113,7 @@ impl WholeContacts {
         &self.0[self.0.partition_point(|contact| contact.range.end <= point)]
     }
 
-    /// The contacts that have a point for which `is_meant` is true, in order, each with the number of such points.
+    /// The contacts that have a point for which `is_meant` is true, by ascending index, each with the number of such points.
     pub(crate) fn with(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
         picked(self, &|contact| {
             let points = contact.range.clone().filter(|i| is_meant(*i)).count();

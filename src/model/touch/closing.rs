@@ -13,14 +13,14 @@ use crate::numerics::{mapped, summed};
 /// A pad with a position and a closing direction.
 ///
 /// The contact's point is the centre of the pad in front of the part, m, and its normal is the closing direction. The contact also gives name,
-/// friction, stiffness and squeeze. If the pad has a [layer](Pad::of_layer), the layer determines the stiffness.
+/// friction, stiffness and pressing force or command. If the pad has a [layer](Pad::of_layer), the layer determines the stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touch {
     pad: Pad,
     contact: Contact<3>,
 }
 
-/// A point of the pad, with the place where it meets the part.
+/// A point of the pad, and where it meets the part.
 struct Meeting<'p> {
     point: &'p PadPoint,
     hit: Hit,

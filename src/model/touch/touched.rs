@@ -32,7 +32,8 @@ impl Touched {
         self.missing
     }
 
-    /// Largest angle between the surfaces of pad and part over the points that press, rad. Without a squeeze only the points that touch first count.
+    /// Largest angle between the surfaces of pad and part over the points that press, rad. If the pad does not press, only the points that touch
+    /// first count.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         self.steepest

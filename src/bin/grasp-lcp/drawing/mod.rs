@@ -68,7 +68,7 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
 #[cfg(feature = "mesh")]
 const SHARP: f64 = 0.5;
 
-/// The end of a picture's file name: `_` and the number of the question, left out for the first question; then `besides` and `.svg`.
+/// The end of a picture's file name: `_` and the number of the question, omitted for the first question; then `besides` and `.svg`.
 fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }

@@ -19,7 +19,7 @@ use grasp_lcp::scene::{Answer, Question, Setup};
 pub(super) struct Shown {
     pub(super) label: String,
     pub(super) says: Vec<String>,
-    /// The grasp of the answer if it differs from the grasp of the scene.
+    /// The grasp to draw, if it is not the grasp of the scene: the grasp with the needed amount of a quantity, or with improved finger places.
     pub(super) grasp: Option<Grasp<3>>,
     pub(super) what: What,
 }

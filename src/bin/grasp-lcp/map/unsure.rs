@@ -1,4 +1,4 @@
-//! Uncertainty of friction, stiffness and squeeze in a map, and the number of standard deviations that are kept in reserve.
+//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations that are kept in reserve.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;

@@ -132,7 +132,7 @@ impl Page {
         self.with(Frame::new(label.into(), Err(why.into())))
     }
 
-    /// Adds a sentence beside the last answer.
+    /// Adds a sentence that is shown with the last answer.
     pub fn says(self, sentence: impl Into<String>) -> Self {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }

@@ -1,4 +1,4 @@
-//! The data of a page as JSON: marks, and the scales by which its script draws them.
+//! JSON data in the HTML of a page: marks of the grasp and of its answers, and the scales with which the JavaScript of the page draws them.
 
 use super::drawing::Drawing;
 use super::eye::View;
@@ -11,7 +11,7 @@ use crate::picture::layout::MARKS;
 use crate::picture::palette::{CONTOUR, FACE, GREY, hex};
 
 impl Drawing<'_> {
-    /// The data of the page as a JSON object with these keys.
+    /// The data that the JavaScript of the page draws, as a JSON object with these keys.
     ///
     /// | key | meaning |
     /// |---|---|

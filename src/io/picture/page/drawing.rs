@@ -107,7 +107,7 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // Arrows must remain visible beside a load that acts far away.
+        // Arrows must remain visible even if a load acts far away, since the picture then shows a larger area.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());

@@ -11,13 +11,14 @@ pub(super) struct Frame {
     pub(super) label: String,
     /// An equilibrium, or the reason why contacts are drawn without forces.
     pub(super) shown: Result<Equilibrium<3>, String>,
-    /// Sentences beside the answer.
+    /// Sentences that are shown with the answer.
     pub(super) says: Vec<String>,
     /// The motion by which the object is lost, if the caller has given one.
     pub(super) leaving: Option<Motion<3>>,
     /// The load, if there is no equilibrium.
     pub(super) load: Option<Wrench<3>>,
-    /// The grasp of the answer, if its friction or its commands may differ from those of the page's grasp.
+    /// The grasp of the answer, if the caller gave it. Unlike the page's grasp it may have, for example, the friction or the
+    /// commands that a load needs.
     pub(super) grasp: Option<Grasp<3>>,
 }
 

@@ -14,7 +14,7 @@ use crate::picture::error::PictureError;
 use crate::picture::palette::{PINK, SKY, hex};
 use crate::picture::words::escaped;
 
-/// Script for the choice of an answer, which planar and spatial pages share. The parts of a script are concatenated and use each other's names.
+/// JavaScript for the choice of an answer, which planar and spatial pages share. The parts of a script are concatenated and use each other's names.
 pub(super) const ANSWERS_SCRIPT: &str = include_str!("view/answers.js");
 const VIEW_SCRIPTS: [&str; 5] = [
     ANSWERS_SCRIPT,

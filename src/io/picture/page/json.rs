@@ -1,4 +1,4 @@
-//! JSON inside a page.
+//! Numbers, texts and lists as JSON in the script of an HTML page.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! One graphical mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the script of a page.
+//! One graphical mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the JavaScript of an HTML page.
 
 use std::fmt::Write;
 
@@ -42,7 +42,7 @@ pub(super) struct Mark {
     pub(super) shape: MarkShape,
     /// The layer by which the mark is shown or hidden; a mark without a layer is always shown.
     pub(super) layer: Option<MarkLayer>,
-    /// The index of the fingertip to which the mark belongs, if it belongs to one.
+    /// The index of the fingertip that the mark shows, if it shows one.
     pub(super) tip: Option<usize>,
 }
 

@@ -29,7 +29,8 @@ const TABLE_COLUMNS: [(&str, &str); 10] = [
     ("|u_c| (mm)", "displacement of the object at the contact"),
 ];
 
-/// Index of the moment of a pad among the numbers of a row, the first of which is in the third column of the table. Tables without pads leave it out.
+/// Index of the moment of a pad among the numbers of a row, the first of which is in the third column of the table. Tables without pads omit this
+/// column.
 const MOMENT: usize = 2;
 
 /// Writes the sentences of each answer, or the reason why it has no equilibrium, at the top of the page.
@@ -162,12 +163,12 @@ fn numbers(
         (WholeAnswer::Pad(pad), Space::Planar) => pad.moment()[pad.moment().len() - 1],
         (WholeAnswer::Point(_), _) => 0.0,
     };
-    // A moment is written as zero if it is only rounding beside the largest force at this arm, m. Pads are larger than a millimetre.
+    // A moment is written as zero if it is only rounding compared with the largest force at this arm, m. Pads are larger than a millimetre.
     let arm = 1e-3;
     let moment = Words::default().beside(moment, arm * state.largest_force());
     let moved = |point: &ContactAnswer<3>| if point.gap > 0.0 { point.gap } else { point.slip.norm() };
     let most = |points: &[ContactAnswer<3>]| points.iter().map(moved).fold(0.0, f64::max);
-    // A length is written as zero if it is only rounding beside the largest length of all contacts.
+    // A length is written as zero if it is only rounding compared with the largest length of all contacts.
     let largest = state.contacts.iter().map(|one| one.body_core.norm()).fold(most(&state.contacts), f64::max);
     let length = |metres: f64| 1e3 * Words::default().beside(metres, largest);
     [pushes, rubs, moment, used, friction, force(answer.margin()), length(most(points)), length(moves)]

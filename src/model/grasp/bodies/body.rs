@@ -9,7 +9,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// A body with its name, its mass, and an own load that acts in addition to the load of a question.
+/// A body with its name, its mass, and a load of its own that acts in addition to the load of a question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Body, Wrench};

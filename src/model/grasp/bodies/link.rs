@@ -9,8 +9,8 @@ use crate::words::LinkKind;
 
 /// A link between two bodies, or between a body and the ground: a hinge, a slide, a rigid joint, a spring, a cable.
 ///
-/// A link is modelled by contacts that never open, a cable by one contact that only pulls. Questions and methods stay the same, and answers contain
-/// the link as one part. A link neither slips nor breaks, and is as compliant as its [stiffness](Self::stiffness).
+/// A link is modelled by contacts that never open, a cable by one contact that only pulls. Questions and methods stay the same, and answers count
+/// all contacts of a link as one contact. A link neither slips nor breaks, and is as compliant as its [stiffness](Self::stiffness).
 ///
 /// | link | free motion | carries |
 /// |---|---|---|

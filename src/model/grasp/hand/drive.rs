@@ -1,5 +1,5 @@
-//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement, with the limit of its motor or
-//! clutch. A drive acts along a single axis. The springs of stiffness and compliance matrices are also drives, but without a command.
+//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement, with the torque or tension limit of
+//! its motor or clutch. A drive acts along a single axis. The springs of stiffness and compliance matrices are also drives, but without a command.
 
 use nalgebra::SVector;
 
@@ -17,7 +17,7 @@ pub(crate) enum Owner {
     Joint(usize),
     /// The tendon with this index.
     Tendon(usize),
-    /// Neither: the drive belongs to a stiffness matrix of joints, or to a compliance matrix.
+    /// Neither: the drive is a spring of a stiffness matrix of joints, or of a compliance matrix.
     Nobody,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct Drive {
 }
 
 impl Drive {
-    /// A spring on a single coordinate that belongs to no joint.
+    /// A spring on a single coordinate, without a joint or tendon as its owner.
     pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
         let mut along = Vector::zeros();
         along[coordinate] = 1.0;
@@ -148,8 +148,8 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the limit of the joint or tendon: of the drive's stretch, and of the constant generalised forces on the
-    /// coordinates.
+    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon: of the drive's stretch, and of the constant
+    /// generalised forces on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {

@@ -151,7 +151,7 @@ impl Linkage {
         presses
     }
 
-    /// Names of the joints and tendons with a command, a constant torque or a constant tension; joints and tendons without a name are left out.
+    /// Names of the joints and tendons with a command, a constant torque or a constant tension; joints and tendons without a name are omitted.
     pub(crate) fn names_that_press(&self) -> Vec<String> {
         let parts = self.joints.iter().chain(&self.tendons).zip(&self.commands);
         let pressing = parts.filter(|(part, command)| **command != 0.0 || part.held_torque != 0.0);
