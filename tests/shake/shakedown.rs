@@ -215,3 +215,40 @@ fn an_interior_point_method_finds_the_same() -> Result<(), Error> {
     assert!(silent < samples(4), "{silent}");
     Ok(())
 }
+
+/// Slips of a pinch leave no residual forces, so that no order of loads is carried beyond the load at which a jaw slips: 2 μ N, and each jaw half of
+/// it. The forces that unit slips leave are rounding alone.
+#[test]
+fn of_a_pinch_it_is_the_static_limit() -> Result<(), Error> {
+    let mut random = seeded(29);
+    for _ in 0..samples(60) {
+        let half = random.between(0.01, 0.1);
+        let [normal, tangential] = [1e3, 1e3].map(|unit| unit * random.between(0.5, 3.0));
+        let (press, friction) = (random.between(5.0, 20.0), random.between(0.2, 0.9));
+        let limit = 2.0 * friction * press;
+        let jaw = |x: f64| {
+            Contact::new([x, 0.0], [-x, 0.0])
+                .series_stiffness(normal, tangential)
+                .friction(friction)
+                .pressed_with(press)
+        };
+        let grasp = Grasp::new([jaw(-half), jaw(half)])?;
+        let found = grasp.statics().shakedown(Wrench::ZERO, &[Wrench::force([0.0, -15.0])])?.expect("rests");
+        assert!((15.0 * found.factor / limit - 1.0).abs() < 1e-9, "{} {limit}", 15.0 * found.factor);
+        assert!(!found.slips_change_normal_forces);
+        let jaw = |x: f64| {
+            spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+                .series_stiffness(normal, tangential)
+                .friction(friction)
+                .pressed_with(press)
+        };
+        let loads = [spatial::Wrench::force([0.0, 0.0, -15.0])];
+        let grasp = spatial::Grasp::new([jaw(-half), jaw(half)])?;
+        let found = grasp.statics().shakedown(spatial::Wrench::ZERO, &loads)?.expect("rests");
+        // The polygon around the round cone is up to 1 / cos(π / facets) wider.
+        let facets = grasp.settings().cone.facets() as f64;
+        let excess = 15.0 * found.factor / limit * (std::f64::consts::PI / facets).cos();
+        assert!(excess < 1.0 + 1e-9 && 15.0 * found.factor > limit * (1.0 - 1e-9), "{excess}");
+    }
+    Ok(())
+}

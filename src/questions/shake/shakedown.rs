@@ -12,7 +12,7 @@
 use nalgebra::{DMatrix, Matrix, SVector};
 
 use crate::contact::{Edges, Fit, PolygonCone};
-use crate::equilibrium::StickingResponse;
+use crate::equilibrium::{ContactForces, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
@@ -106,9 +106,10 @@ impl Engine {
                 let mut offsets = none.clone();
                 offsets[i][axis] = -1.0;
                 let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
-                normal = normal.max(largest(&answer.of, &|force| force[0].abs()));
-                all = all.max(largest(&answer.of, &SVector::norm));
-                slips.push(((i, axis), answer.of));
+                let forces = without_rounding(answer);
+                normal = normal.max(largest(&forces, &|force| force[0].abs()));
+                all = all.max(largest(&forces, &SVector::norm));
+                slips.push(((i, axis), forces));
             }
         }
         let program = Program::new(&sticking.edges, &rest.of, &under, &slips.iter().map(|(_, f)| f).list());
@@ -140,6 +141,13 @@ impl Engine {
             around_the_round_cone,
         }))
     }
+}
+
+/// Forces of which those within rounding are zero. Where slips leave no residual forces, as in a pinch, the program would scale rounding up to forces
+/// that balance loads.
+fn without_rounding(forces: ContactForces) -> Vec<SVector<f64, 3>> {
+    let size = forces.sizes.iter().copied().fold(0.0, f64::max);
+    mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
 }
 
 /// The linear program for the greatest factor λ >= 0 on the loads with slips s such that `b + λ a + S s >= 0`. Each row is one facet of a contact's

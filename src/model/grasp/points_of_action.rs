@@ -1,0 +1,60 @@
+//! Points of action of a load. Equilibrium depends on the line of a force alone. Its stability depends on the point, too: a weight that stands above
+//! its support turns over, and one that hangs below it does not.
+//!
+//! For forces F at points r the sum `V = Σ F rᵀ` is enough. Its antisymmetric part is the moment. As a body turns by the small vector θ, with the
+//! forces fixed in space, their potential grows by `½ θ·Mθ` with `M = (tr V) 1 - ½ (V + Vᵀ)`, beside the work of the moment.
+
+use nalgebra::{SMatrix, SVector};
+
+/// The sum `V = Σ F rᵀ` of the forces F of a load and their points of action r, N m. `None` if the points are not known.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PointsOfAction(Option<SMatrix<f64, 3, 3>>);
+
+impl PointsOfAction {
+    /// The sum of no force at all, or of a pure moment.
+    pub(crate) const NO_FORCE: Self =
+        Self(Some(SMatrix::from_array_storage(nalgebra::ArrayStorage([[0.0; 3]; 3]))));
+    /// The points of a force of which only the line is known.
+    pub(crate) const UNKNOWN: Self = Self(None);
+
+    /// The sum for one force at one point; in the plane the third components are zero.
+    pub(crate) fn of<const C: usize>(force: &SVector<f64, C>, point: &SVector<f64, C>) -> Self {
+        Self::NO_FORCE.moved(force, point)
+    }
+
+    /// The sum with points that are moved by `shift`, where the forces have the resultant `force`.
+    pub(crate) fn moved<const C: usize>(self, force: &SVector<f64, C>, shift: &SVector<f64, C>) -> Self {
+        self.map(|mut sum| {
+            for (i, j) in (0..C).flat_map(|i| (0..C).map(move |j| (i, j))) {
+                sum[(i, j)] += force[i] * shift[j];
+            }
+            sum
+        })
+    }
+
+    /// The sum with forces and points that are rotated by the matrix `rotation`.
+    pub(crate) fn rotated<const C: usize>(self, rotation: &SMatrix<f64, C, C>) -> Self {
+        let mut turn = SMatrix::<f64, 3, 3>::identity();
+        turn.fixed_view_mut::<C, C>(0, 0).copy_from(rotation);
+        self.map(|sum| turn * sum * turn.transpose())
+    }
+
+    /// The sum for the forces times `factor`.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        self.map(|sum| sum * factor)
+    }
+
+    /// The sum for the forces of both loads; unknown if either is.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self(self.0.zip(other.0).map(|(a, b)| a + b))
+    }
+
+    /// The matrix M of the second derivative of the potential, N m; `None` if the points are not known.
+    pub(crate) fn stiffness(self) -> Option<SMatrix<f64, 3, 3>> {
+        self.0.map(|sum| SMatrix::identity() * sum.trace() - (sum + sum.transpose()) * 0.5)
+    }
+
+    fn map(self, change: impl FnOnce(SMatrix<f64, 3, 3>) -> SMatrix<f64, 3, 3>) -> Self {
+        Self(self.0.map(change))
+    }
+}

@@ -1,0 +1,80 @@
+//! What nothing resists decides by the point of action of the load: a part that is pinched above its centre of mass hangs, below it turns over.
+
+use grasp_lcp::hold::{Holding, Verdict};
+use grasp_lcp::nalgebra::{Isometry3, Vector3};
+use grasp_lcp::planar;
+use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+use proptest::prelude::*;
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+fn turns_over<const C: usize>(verdict: &Verdict<C>) -> bool {
+    let is_told = verdict.to_string().starts_with("TURNS OVER: ");
+    assert_eq!(matches!(verdict.holding, Holding::TurnsOver { .. }), is_told, "{verdict}");
+    assert_eq!(verdict.holds(), Some(!is_told), "{verdict}");
+    is_told
+}
+
+fn pinch() -> [Contact; 2] {
+    let finger = |x: f64| {
+        Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(1e5, 1e5)
+            .friction(0.5)
+            .pressed_with(100.0)
+    };
+    [finger(-0.03), finger(0.03)]
+}
+
+proptest! {
+    /// The line through the fingers is the axis of a pendulum, in any frame. A weight beside the centre of the line, or to the side of the fingers,
+    /// still acts above or below it. A load of which only the line is known, and one in the axis itself, are held.
+    #[test]
+    fn a_pinched_part_is_a_pendulum(
+        height in prop_oneof![Just(0.0), -0.05..0.05f64],
+        beside in -0.01..0.01f64,
+        angles in prop::array::uniform3(-3.0..3.0f64),
+        place in prop::array::uniform3(-1.0..1.0f64),
+    ) {
+        let pose = Isometry3::new(Vector3::from(place), Vector3::from(angles));
+        let grasp = Grasp::new(pinch().map(|contact| contact.transformed(&pose)))?;
+        let weight = Wrench::force_at([0.0, 0.0, -10.0], [beside, 0.0, height]);
+        let over = turns_over(&grasp.hold(weight.transformed(&pose))?);
+        prop_assert_eq!(over, height > 1e-6);
+        let moved = weight.transformed(&pose);
+        prop_assert!(!turns_over(&grasp.hold(Wrench::new(moved.resultant(), moved.moment()))?));
+        // A sum acts like its parts: with a second weight as far below, the two balance.
+        let both = weight + Wrench::force_at([0.0, 0.0, -20.0], [beside, 0.0, -height]);
+        prop_assert_eq!(turns_over(&grasp.hold(both.transformed(&pose))?), height < -1e-6);
+    }
+}
+
+/// A pencil stands on its tip at a point of friction: free to turn about it.
+#[test]
+fn a_pencil_on_its_tip() -> Tested {
+    let tip = planar::Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.5);
+    let grasp = planar::Grasp::new([tip])?;
+    assert!(turns_over(&grasp.hold(planar::Wrench::force_at([0.0, -1.0], [0.0, 0.1]))?));
+    assert!(!turns_over(&grasp.hold(planar::Wrench::force_at([0.0, -1.0], [0.0, -0.1]))?));
+    Ok(())
+}
+
+/// A lamp on a hinge below the ceiling: its own weight decides, with a second body on top of the first one.
+#[test]
+fn bodies_on_a_hinge() -> Tested {
+    for (low, high, over) in [(-0.3, 0.1, false), (-0.1, 0.3, true)] {
+        let grasp = planar::Bodies::new([
+            planar::Body::new("arm").mass(1.0, [0.0, low]),
+            planar::Body::new("weight").mass(1.0, [0.0, high]),
+        ])
+        .links([
+            planar::Link::hinge([0.0, 0.0]).stiffness(1e7).to_ground("arm"),
+            planar::Link::hinge([-0.1, 0.0]).stiffness(1e7).between("arm", "weight"),
+            planar::Link::hinge([0.1, 0.0]).stiffness(1e7).between("arm", "weight"),
+        ])
+        .gravity([0.0, -9.81])
+        .grasp()?;
+        let verdict = grasp.hold(planar::Wrench::ZERO)?;
+        assert_eq!(turns_over(&verdict), over, "{verdict}");
+    }
+    Ok(())
+}

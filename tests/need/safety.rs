@@ -1,0 +1,101 @@
+//! What the safety asked for changes is said beside every kind of answer.
+
+use grasp_lcp::Error;
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Turn, Wrench};
+use grasp_lcp::scene::Scene;
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+/// Two jaws of 8 N, μ = 0.5, which hold up to 8 N.
+fn jaws() -> Result<Grasp, Error> {
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e3, 1.5e3).friction(0.5).pressed_with(8.0)
+    };
+    Grasp::new([jaw(-0.04).name("left"), jaw(0.04).name("right")])
+}
+
+/// At the angle θ a weight W presses less on one jaw, by `W sin θ / 2`, and both carry the same friction: `W (cos θ + sin θ / 2) <= 8 N`. That of 0.5 kg
+/// is held at every angle, twice as much at none.
+#[test]
+fn beside_any_amount() -> Tested {
+    let turn = Turn::tilting([0.0, -4.905], [0.0, 0.0]);
+    let told = |safety: f64| jaws()?.need(&Need::angle(turn).with_safety(safety));
+    let needed = told(2.0)?;
+    assert!(matches!(needed.amount, Amount::Any { .. }) && matches!(needed.safe, Some(Amount::None { .. })));
+    assert!(needed.to_string().contains("and no amount does if the load is 2 times as large"), "{needed}");
+    let needed = told(1.6)?;
+    let angle = needed.safe.as_ref().and_then(Amount::bound).expect("a bound");
+    assert!((1.6 * 4.905 * (angle.cos() + 0.5 * angle.sin()) - 8.0).abs() < 1e-8, "{needed}");
+    assert!(needed.to_string().contains("2.31343° if the load is 1.6 times as large"), "{needed}");
+    assert!(!told(1.4)?.to_string().contains(" if "));
+    Ok(())
+}
+
+/// Fingers of constant force on sides that taper by 20° push the part out: `W/2/(sin a + μ cos a)` to `W0/2/(sin a − μ cos a)` hold it, at each end with
+/// the friction asked for.
+#[test]
+fn at_both_ends() -> Tested {
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let finger = |name: &str, x: f64| {
+        let along = -x.signum() * cos;
+        format!(
+            r#"{{"name": "{name}", "point": [{x}, 0], "normal": [{along}, {sin}], "stiffness": 1e5, "friction": 0.3, "force": 20}}"#
+        )
+    };
+    let contacts = [finger("l", -0.03), finger("r", 0.03)].join(", ");
+    let text = format!(r#"{{"format": "grasp-lcp/1", "planar": {{"contacts": [{contacts}]}}}}"#);
+    let grasp = Scene::from_json(text.as_bytes())?.planar().expect("a planar scene").grasp()?;
+    let need = Need::squeeze(Wrench::force([0.0, -1.0]))
+        .on_top_of(Wrench::force([0.0, -10.0]))
+        .if_lower_by(0.2, 0.0);
+    let needed = grasp.need(&need)?;
+    for (amount, friction) in [(Some(&needed.amount), 0.3), (needed.safe.as_ref(), 0.24)] {
+        let Some(Amount::Bound { does, until: Some(until), .. }) = amount else { panic!("{needed}") };
+        let [least, most] = [5.5 / (sin + friction * cos), 5.0 / (sin - friction * cos)];
+        assert!(
+            (20.0 * does - least).abs() < 1e-5 * least && (20.0 * until.does - most).abs() < 1e-5 * most,
+            "{needed}"
+        );
+    }
+    assert!(
+        needed.to_string().contains("It needs 9.69084 N to 42.9207 N if friction is 20 % less"),
+        "{needed}"
+    );
+    Ok(())
+}
+
+/// The weight of a body is a load at rest, which the factor does not multiply.
+#[test]
+fn not_of_the_load_at_rest() -> Tested {
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0])
+            .series_stiffness(2e3, 1.5e3)
+            .friction(0.5)
+            .pressed_with(8.0)
+            .on("box")
+    };
+    let grasp = Bodies::new([Body::new("box").mass(0.5, [0.0, 0.0])])
+        .contacts([jaw(-0.04).name("left"), jaw(0.04).name("right")])
+        .gravity([0.0, -9.81])
+        .grasp()?;
+    let alone = grasp.need(&Need::squeeze(Wrench::ZERO).with_safety(2.0));
+    assert!(matches!(alone, Err(Error::Question { field: "safety", .. })), "{alone:?}");
+    let needed = grasp.need(&Need::squeeze(Wrench::force([0.0, -1.0])).with_safety(2.0))?;
+    assert!(
+        needed.to_string().contains("6.905 N if the load beyond that at rest is 2 times as large"),
+        "{needed}"
+    );
+    Ok(())
+}
+
+/// One of two commands, scaled alone: the jaws press with their mean, so the command is named that is to be entered.
+#[test]
+fn a_command_is_named() -> Tested {
+    let needed = jaws()?.need(&Need::force("left", Wrench::force([0.0, -4.905])))?;
+    assert!(
+        needed.to_string().starts_with("NEEDS 1.81 N of `pressed_with` at left so that it holds"),
+        "{needed}"
+    );
+    Ok(())
+}
