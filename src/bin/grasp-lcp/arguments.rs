@@ -192,7 +192,7 @@ pub(crate) enum Command {
     /// Identifies friction, support loads, clamping force or stiffness from observed slips.
     ///
     /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m), the
-    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance. Further columns: squeeze
+    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance, at the origin as in --base. Further columns: squeeze
     /// (factor on that of the scene), slip (first or gross), scatter_percent, and group, a name or number that is the same for slips that may share
     /// an error. Every estimate comes with its standard error; quantities that the slips do not determine are named.
     Identify {

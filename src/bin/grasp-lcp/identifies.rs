@@ -244,7 +244,7 @@ impl Meaning {
         }
         if given.base.is_some() || heads.iter().any(|head| head.starts_with("base")) {
             let of_all = self.base(given.base.as_ref(), None).map_err(Fault::Usage)?;
-            slip = slip.on_top_of(of_all + Wrench::force_at(base, at));
+            slip = slip.on_top_of(of_all + Wrench::force(base));
         }
         Ok(slip)
     }
