@@ -7,5 +7,6 @@ mod installed;
 mod once_misleading;
 mod reasons;
 mod repeated;
+mod safety;
 mod said_in_full;
 mod windows;

@@ -16,6 +16,8 @@ use crate::words::{listed, printable};
 pub(crate) struct PressOfPart {
     pub(crate) name: String,
     pub(crate) is_body: bool,
+    /// Whether the part is a contact that presses by a command alone, without a given force, tension or vacuum.
+    pub(crate) is_command: bool,
     /// Magnitude of the force or moment that the part exerts, with the unit; `None` if no single number describes it.
     pub(crate) size: Option<(f64, &'static str)>,
 }
@@ -87,7 +89,7 @@ impl Engine {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of a force", value: factor, allowed: MODERATE });
         }
-        let of = |is_body, size| PressOfPart { name: name.to_owned(), is_body, size };
+        let of = |is_body, is_command, size| PressOfPart { name: name.to_owned(), is_body, is_command, size };
         if let Some(bodies) = self.bodies()
             && let Some(body) = bodies.names.iter().position(|other| **other == *name)
             && bodies.user_loads[body] != Wrench::ZERO
@@ -96,17 +98,19 @@ impl Engine {
             let mut bodies = bodies.clone();
             bodies.loads[body] = bodies.loads[body] + given * (factor - 1.0);
             bodies.user_loads[body] = given * factor;
-            return Ok((of(true, given.measure()), self.with_bodies(bodies)));
+            return Ok((of(true, false, given.measure()), self.with_bodies(bodies)));
         }
         let parts = self.wholes();
         if let Some(part) = parts.iter().find(|part| part.text() == *name) {
             let mut contacts = self.contacts.clone();
-            let (mut size, mut presses) = (Some(0.0), false);
+            let (mut size, mut presses, mut is_command) = (Some(0.0), false, true);
             for contact in &mut contacts[part.range.clone()] {
                 let force = contact
                     .at_rest
                     .or(contact.force)
                     .unwrap_or(contact.suction + contact.stiffness.series()[0] * contact.command[0]);
+                let is_given = contact.link.is_some() || contact.at_rest.or(contact.force).is_some();
+                is_command &= !is_given && contact.suction == 0.0;
                 presses |= contact.command.amax() > 0.0 || force != 0.0;
                 size = size.filter(|_| contact.clearance == 0.0).map(|sum| sum + force);
                 contact.command *= factor;
@@ -116,7 +120,7 @@ impl Engine {
             }
             if presses {
                 return Ok((
-                    of(false, size.map(|size: f64| (size.abs(), "N"))),
+                    of(false, is_command, size.map(|size: f64| (size.abs(), "N"))),
                     self.with_data(contacts, &|_| 1.0)?,
                 ));
             }
@@ -129,7 +133,7 @@ impl Engine {
             let tension = tendon
                 .filter(|tendon| tendon.held_torque != 0.0)
                 .map(|tendon| (tendon.held_torque.abs(), "N"));
-            return Ok((of(false, tension), grasp));
+            return Ok((of(false, false, tension), grasp));
         }
         let mut pressing = self.loaded_bodies();
         let is_commanded = |part: &&ContactPoints| {

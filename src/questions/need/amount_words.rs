@@ -79,6 +79,9 @@ impl Needed {
                 None => String::new(),
             },
             Some(PressedBy { part: Some(part), is_body: true, .. }) => format!(" on {}", printable(part)),
+            Some(PressedBy { part: Some(part), is_command: true, .. }) => {
+                format!(" of `pressed_with` at {}", printable(part))
+            }
             Some(PressedBy { part: Some(part), .. }) => format!(" at {}", printable(part)),
             Some(_) => " at rest".to_owned(),
         }

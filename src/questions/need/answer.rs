@@ -32,6 +32,9 @@ pub struct Needed {
     /// Factor on the loads that `safe` allows for; 1 without a factor of safety.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
+    /// Whether a load acts at rest, which `safety` does not multiply: weights and loads of bodies, or the load at rest of the question.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub is_loaded_at_rest: bool,
     /// Size of the load whose multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the loads are one
     /// single force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -80,6 +83,9 @@ pub struct PressedBy {
     pub part: Option<String>,
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
+    /// Whether the force is that of a contact's command, `pressed_with`. Where the commands of other contacts press it, too, its normal force differs.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub is_command: bool,
     /// Size of the given force, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,

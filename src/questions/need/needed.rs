@@ -15,7 +15,7 @@ use super::trial::Trial;
 use super::tried::{Look, Tried};
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::inside;
+use crate::grasp::{Wrench, inside};
 use crate::numerics::{Space, largest};
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -73,7 +73,7 @@ impl Need<3> {
             _ => does * worse,
         });
         let far = match &amount {
-            Amount::Bound { until: Some(end), .. } if !quantity.is_least() => Some([end.does, end.does_not]),
+            Amount::Bound { until: Some(end), .. } => Some([end.does, end.does_not]),
             _ => None,
         };
         let look = Look::Everywhere(far);
@@ -87,6 +87,7 @@ impl Need<3> {
             safe: safe.transpose()?,
             lower: safety.lower,
             safety: safety.load,
+            is_loaded_at_rest: asked.base != Wrench::ZERO || grasp.is_loaded_at_rest(),
             force: asked.force_of_load(),
             of: asked.pressed_by(grasp)?,
             anticlockwise: asked.tilts_anticlockwise(grasp.space()),

@@ -174,16 +174,16 @@ impl Posed {
     /// The part that exerts the sought force, with the size of that force; `None` for other quantities.
     pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
-        let (part, is_body, size) = match of {
+        let (part, is_body, is_command, size) = match of {
             Some(part) => {
                 let pressing = grasp.scaled(part, 1.0)?.0;
-                (Some(pressing.name), pressing.is_body, pressing.size)
+                (Some(pressing.name), pressing.is_body, pressing.is_command, pressing.size)
             }
-            None => (None, false, self.base.measure()),
+            None => (None, false, false, self.base.measure()),
         };
         let (size, unit) =
             size.filter(|(size, _)| *size > 0.0).map(|(size, unit)| (size, unit.to_owned())).unzip();
-        Ok(Some(PressedBy { part, is_body, size, unit }))
+        Ok(Some(PressedBy { part, is_body, is_command, size, unit }))
     }
 
     pub(super) fn quantity(&self) -> Quantity {
@@ -278,6 +278,11 @@ impl Need<3> {
             words: self.words.in_space(space),
         };
         posed.check()?;
+        let is_zero = |load: &Wrench<3>| *load == Wrench::ZERO;
+        let has_no_load = matches!(&posed.loads, Loads::Each(list) if list.iter().all(is_zero));
+        if safety.load != 1.0 && has_no_load {
+            return Err(wrong("safety", NOTHING_TO_MULTIPLY));
+        }
         Ok(posed)
     }
 
@@ -312,6 +317,9 @@ impl Need<3> {
         if is_nothing && has_no_load { Err(NO_LOAD) } else { Ok(()) }
     }
 }
+
+/// The fault of a factor of safety where only a load at rest acts.
+const NOTHING_TO_MULTIPLY: &str = "multiplies the load asked about, and none is given; the load at rest and the weights of bodies stay as they are";
 
 /// The error of a question without a load if nothing acts at rest.
 const NO_LOAD: Error = Error::Question {

@@ -37,7 +37,10 @@ impl Needed {
     fn amount(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.amount {
             Amount::Bound { .. } => self.bound(f),
-            Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {}", self.aim()),
+            Amount::Any { to, .. } if self.has_no_squeeze() => {
+                write!(f, "NEEDS no squeeze: {}", self.aim())?;
+                self.safe_amount(f, (*to, &[]), true)
+            }
             Amount::Any { to, until, tried } => self.any(f, *to, until.as_ref(), *tried),
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
                 write!(f, "NO squeeze does: {otherwise}")
@@ -142,7 +145,8 @@ impl Needed {
             let aim = if self.demand == Demand::Held { "it holds" } else { aim };
             write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]).trim_end_matches(','))?;
         }
-        self.beside(f, to)?;
+        let is_one_amount = self.beside(f, to)? && until.is_none();
+        self.safe_amount(f, (to, &[]), is_one_amount)?;
         self.far_end(f, until)?;
         self.amounts_tried(f, tried)
     }
@@ -293,7 +297,8 @@ impl Needed {
         let mut less: Vec<_> =
             less.map(|(what, part)| format!("{what} is {} % less", words.number(100.0 * part))).collect();
         if self.safety != 1.0 {
-            less.push(format!("the load is {} times as large", words.number(self.safety)));
+            let what = if self.is_loaded_at_rest { "the load beyond that at rest" } else { "the load" };
+            less.push(format!("{what} is {} times as large", words.number(self.safety)));
         }
         let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
         match &self.safe {
@@ -317,7 +322,12 @@ impl Needed {
                     }
                     _ => match until {
                         Some(end) if !self.quantity.is_least() => self.range(words, end.does, *safe),
-                        _ => self.short(words, *safe, safe_presses),
+                        Some(end) => {
+                            let [from, to] = [(*safe, safe_presses), (end.does, &end.presses)]
+                                .map(|(amount, presses)| self.short(words, amount, presses));
+                            format!("{from} to {to}")
+                        }
+                        None => self.short(words, *safe, safe_presses),
                     },
                 };
                 // The safe amount suffices with lower friction and squeeze or larger loads. With the data as given it may be too large or too small.
