@@ -1,7 +1,7 @@
 //! A verdict warns before the forces that small motions leave out buckle what they hold.
 
 use grasp_lcp::hold::Verdict;
-use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Link, Wrench};
 
 const LENGTH: f64 = 0.1;
 const SIDEWAYS: f64 = 1e3;
@@ -40,4 +40,25 @@ fn compressed_links_in_line_are_warned_about() {
         assert_eq!(verdict.to_string().contains("so that nothing stays"), part > 1.0, "{verdict}");
     }
     assert_eq!(pushed(5.0 * critical).holds(), Some(true));
+}
+
+/// A tall weight on two soft feet at ±a: they resist tilting with 2 k a², and the weight at the height h takes W h of it.
+#[test]
+fn a_tall_weight_on_soft_feet() {
+    let (stiffness, half, height) = (2e3, 0.05, 0.4);
+    let foot =
+        |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(stiffness, stiffness).friction(0.5);
+    let grasp = Grasp::new([foot(-half), foot(half)]).unwrap();
+    let critical = 2.0 * stiffness * half * half / height;
+    for part in [0.4, 0.6, 1.5] {
+        let verdict = grasp.hold(Wrench::force_at([0.0, -part * critical], [0.0, height])).unwrap();
+        let taken = (part > 0.5).then_some(part);
+        assert!(
+            verdict.left_out.map(|left| -left).zip(taken).is_none_or(|(is, must)| (is - must).abs() < 1e-8),
+            "{verdict}"
+        );
+        assert_eq!(verdict.left_out.is_some(), taken.is_some(), "{verdict}");
+        // Of a load of which only the line is known the height is not known.
+        assert_eq!(grasp.hold(Wrench::force([0.0, -part * critical])).unwrap().left_out, None);
+    }
 }

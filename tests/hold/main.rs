@@ -12,6 +12,7 @@ mod slides_to_a_stop;
 mod small_motions;
 mod suction;
 mod touching;
+mod turns_over;
 mod ways_out;
 mod within_small_motions;
 mod words;

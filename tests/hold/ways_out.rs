@@ -183,3 +183,25 @@ fn a_bar_turns_about_its_middle() -> Tested {
     }
     Ok(())
 }
+
+/// A shaft in a press fit under an axial force and a moment about its axis leaves in a screw: all contacts slide along the ratio of both.
+#[test]
+fn a_shaft_leaves_its_press_fit_in_a_screw() -> Tested {
+    let (radius, axial, moment) = (0.02, 1150.0, 10.0);
+    let contact = |k: u32| {
+        let (y, x) = (f64::from(k) * std::f64::consts::TAU / 12.0).sin_cos();
+        spatial::Contact::new([radius * x, radius * y, 0.0], [-x, -y, 0.0])
+            .series_stiffness(1e8, 1e8)
+            .friction(0.2)
+            .pressed_with(500.0)
+    };
+    let verdict = spatial::Grasp::new((0..12).map(contact))?
+        .hold(spatial::Wrench::new([0.0, 0.0, axial], [0.0, 0.0, moment]))?;
+    let lost = verdict.lost.as_ref().expect("slips out");
+    assert!((lost.factor - 1200.0 / axial.hypot(moment / radius)).abs() < 1e-9, "{verdict}");
+    let WayOut::Turns { advance, .. } = lost.way_out else { panic!("{verdict}") };
+    assert!((advance.abs() - radius * axial / (moment / radius)).abs() < 1e-6, "{verdict}");
+    assert!(verdict.to_string().starts_with("SLIPS OUT at 0.956943"), "{verdict}");
+    assert!(verdict.to_string().contains("moving 46 mm along it for each radian"), "{verdict}");
+    Ok(())
+}

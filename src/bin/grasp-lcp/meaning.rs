@@ -251,9 +251,11 @@ impl Meaning {
         Ok(Some(Question::Improve(Box::new(question))))
     }
 
-    /// The wrench of a force that acts at a point; `option` is the option that an error names.
+    /// The wrench of a force that acts at a point; `option` is the option that an error names. Without a point the force is through the origin, and
+    /// its point of action on this line counts as not known.
     pub(crate) fn push(self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench, Failure> {
-        Ok(Wrench::force_at(force.along_axes(self.axes, option)?, self.point(at)?))
+        let force = force.along_axes(self.axes, option)?;
+        Ok(if at.is_some() { Wrench::force_at(force, self.point(at)?) } else { Wrench::force(force) })
     }
 
     /// The constant load; zero if left out.

@@ -204,6 +204,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
         Holding::Slides { .. } => "slides",
+        Holding::TurnsOver { .. } => "turns_over",
         Holding::Loose => "loose",
         Holding::Lost => "lost",
         Holding::NoRest(_) => "no_rest",

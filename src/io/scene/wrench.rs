@@ -3,11 +3,12 @@
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
 //! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
 
+use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::carried::{WrittenMass, WrittenTurning};
-use crate::grasp::{Face, Space, Twist, Wrench};
+use crate::grasp::{Face, PointsOfAction, Space, Twist, Wrench};
 use crate::numerics::{Vector, by_axis};
 use crate::serial::object;
 use crate::serial::{Computed, Few, Given, Number, space_of_text};
@@ -98,10 +99,13 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             let space = space_of_text::<C>();
             let axes = space.axes();
             let mut wrench = join(space, parts, ["force", "moment"])?;
+            let mut points = None;
             if at.is_some() {
                 let at = part(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
-                let through = Space::Spatial.wrench_of(&at.into(), &by_axis(force));
+                let force: SVector<f64, 3> = by_axis(force);
+                points = Some(PointsOfAction::of(&force, &at.into()));
+                let through = Space::Spatial.wrench_of(&at.into(), &force);
                 // The rotation in the plane is about z, the last axis of space.
                 let object = space.of_the_object();
                 for k in axes..object {
@@ -116,7 +120,10 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 accelerated: accelerated.as_ref(),
                 turning: turning.as_ref(),
             };
-            let wrench = Self::among(space, &wrench);
+            let mut wrench = Self::among(space, &wrench);
+            if let Some(points) = points {
+                wrench = wrench.acting_at(points);
+            }
             // Added only if there is a carried body: adding a zero wrench would change -0 to 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })

@@ -303,7 +303,7 @@ impl<const C: usize> Face for [f64; C] {
 
 /// Implements [`Face`] for pairs of a linear and an angular part; in the plane the angular part is about z.
 macro_rules! face_of_six {
-    ($($name:ident),*) => {$(
+    ($name:ident $(, $keeps:ident $points:ident)?) => {
         impl<const C: usize> Face for $name<C> {
             type Inside = $name<3>;
             const SAME: bool = C == 3;
@@ -311,18 +311,19 @@ macro_rules! face_of_six {
             #[inline]
             fn widen(&self) -> $name<3> {
                 let space = Space::of::<C>();
-                $name::among(space, &self.coordinates(space))
+                $name::among(space, &self.coordinates(space))$(.$keeps(self.$points()))?
             }
 
             #[inline]
             fn narrow(inside: $name<3>) -> Self {
                 let space = Space::of::<C>();
-                Self::among(space, &inside.coordinates(space))
+                Self::among(space, &inside.coordinates(space))$(.$keeps(inside.$points()))?
             }
         }
-    )*};
+    };
 }
-face_of_six!(Wrench, Twist);
+face_of_six!(Wrench, acting_at points_of_action);
+face_of_six!(Twist);
 
 face_of_struct! {
     Motion { object, joints, bodies }

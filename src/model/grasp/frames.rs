@@ -9,7 +9,7 @@
 //!
 //! so that the work `f·u + m·θ` does not depend on the frame. In the plane R does not change m and θ.
 
-use nalgebra::{AbstractRotation, Isometry, SVector};
+use nalgebra::{AbstractRotation, Isometry, SMatrix, SVector};
 
 use super::commands::Axes;
 use super::contact::Contact;
@@ -93,7 +93,8 @@ macro_rules! in_other_frames {
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();
                 let from = -SVector::<f64, $c>::from(point.into());
-                Self::among(space, &space.moved_wrench(&from, &self.coordinates(space)))
+                let points = self.points_of_action().moved(&self.force_part(), &from);
+                Self::among(space, &space.moved_wrench(&from, &self.coordinates(space))).acting_at(points)
             }
 
             /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame (points:
@@ -102,7 +103,14 @@ macro_rules! in_other_frames {
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
                 let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));
-                Self::among(space, &space.moved_wrench(&pose.translation.vector, &turned))
+                let rotation = SMatrix::<f64, $c, $c>::from_fn(|i, j| {
+                    pose.rotation.transform_vector(&SVector::<f64, $c>::ith(j, 1.0))[i]
+                });
+                let force = pose.rotation.transform_vector(&self.force_part());
+                let points =
+                    self.points_of_action().rotated(&rotation).moved(&force, &pose.translation.vector);
+                let load = Self::among(space, &space.moved_wrench(&pose.translation.vector, &turned));
+                load.acting_at(points)
             }
         }
 

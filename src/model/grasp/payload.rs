@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::face::Face;
+use super::points_of_action::PointsOfAction;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::numerics::{Space, by_axis};
@@ -116,7 +117,8 @@ impl Payload<3> {
         };
         let moment = self.centre.cross(&force) - spin;
         let all = Wrench::<3>::from_components(&[force.as_slice(), moment.as_slice()].concat());
-        let load = Wrench::among(space, &all.coordinates(space));
+        let points = PointsOfAction::of(&force, &self.centre);
+        let load = Wrench::among(space, &all.coordinates(space)).acting_at(points);
         load.check_in(space, "load of the payload").map(|()| load)
     }
 }

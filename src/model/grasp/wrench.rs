@@ -6,6 +6,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{ArrayStorage, Matrix, SVector};
 
+use super::points_of_action::PointsOfAction;
 use super::rotation::of_the_object;
 use crate::error::{Error, is_moderate};
 use crate::numerics::Space;
@@ -29,8 +30,11 @@ use crate::numerics::Space;
 /// let pose = Isometry2::new(Vector2::new(10.0, 0.0), 0.0);
 /// assert_eq!(weight.transformed(&pose), Wrench::force_at([0.0, -2.0], [13.0, 1.0]));
 /// ```
-#[derive(Clone, Copy, PartialEq)]
-pub struct Wrench<const C: usize>(SVector<f64, 6>);
+///
+/// A load made by [`force_at`](Self::force_at), and sums and multiples of such loads, remember their points of action. They decide whether the load
+/// turns the object over where nothing resists that; two wrenches are equal if their components are.
+#[derive(Clone, Copy)]
+pub struct Wrench<const C: usize>(SVector<f64, 6>, PointsOfAction);
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation. It has 3 components in the plane and 6 in space.
 ///
@@ -60,9 +64,6 @@ pub struct Twist<const C: usize>(SVector<f64, 6>);
 macro_rules! vector_like {
     ($name:ident) => {
         impl<const C: usize> $name<C> {
-            /// The zero vector.
-            pub const ZERO: Self = Self(Matrix::from_array_storage(ArrayStorage([[0.0; 6]])));
-
             /// The components, linear before angular: (x, y, xy) in the plane, (x, y, z, x, y, z) in space.
             #[must_use]
             pub fn components(&self) -> &[f64] {
@@ -74,7 +75,7 @@ macro_rules! vector_like {
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
                 all.iter_mut().zip(components).take(of_the_object::<C>()).for_each(|(x, given)| *x = *given);
-                Self(all)
+                Self::of_all(all)
             }
 
             /// Extracts the object's components from all coordinates of the engine.
@@ -83,7 +84,7 @@ macro_rules! vector_like {
                 for (k, &place) in space.components::<C>().iter().enumerate() {
                     all[place] = coordinates[k];
                 }
-                Self(all)
+                Self::of_all(all)
             }
 
             /// This vector in the engine's coordinates: its components first, zeros for joints and other bodies.
@@ -110,27 +111,24 @@ macro_rules! vector_like {
 
         vector_like!($name, 2, 3);
         vector_like!($name, 3, 6);
-        vector_like!($name, Add, add, +);
-        vector_like!($name, Sub, sub, -);
+        impl<const C: usize> Sub for $name<C> {
+            type Output = Self;
+            fn sub(self, other: Self) -> Self {
+                self + -other
+            }
+        }
 
         impl<const C: usize> Neg for $name<C> {
             type Output = Self;
             fn neg(self) -> Self {
-                Self(-self.0)
-            }
-        }
-
-        impl<const C: usize> Mul<f64> for $name<C> {
-            type Output = Self;
-            fn mul(self, factor: f64) -> Self {
-                Self(self.0 * factor)
+                self * -1.0
             }
         }
 
         impl<const C: usize> Mul<$name<C>> for f64 {
             type Output = $name<C>;
             fn mul(self, other: $name<C>) -> $name<C> {
-                $name(other.0 * self)
+                other * self
             }
         }
     };
@@ -149,24 +147,79 @@ macro_rules! vector_like {
             }
         }
     };
-    ($name:ident, $operator:ident, $operate:ident, $symbol:tt) => {
-        impl<const C: usize> $operator for $name<C> {
-            type Output = Self;
-            fn $operate(self, other: Self) -> Self {
-                Self(self.0 $symbol other.0)
-            }
-        }
-    };
 }
 
 vector_like!(Wrench);
 vector_like!(Twist);
 
+const NOTHING: SVector<f64, 6> = Matrix::from_array_storage(ArrayStorage([[0.0; 6]]));
+
+impl<const C: usize> Twist<C> {
+    /// The zero vector.
+    pub const ZERO: Self = Self(NOTHING);
+
+    fn of_all(all: SVector<f64, 6>) -> Self {
+        Self(all)
+    }
+}
+
+impl<const C: usize> Add for Twist<C> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl<const C: usize> Mul<f64> for Twist<C> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor)
+    }
+}
+
+impl<const C: usize> PartialEq for Wrench<C> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
+
+impl<const C: usize> Add for Wrench<C> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1.plus(other.1))
+    }
+}
+
+impl<const C: usize> Mul<f64> for Wrench<C> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor, self.1.times(factor))
+    }
+}
+
 impl<const C: usize> Wrench<C> {
+    /// The zero vector.
+    pub const ZERO: Self = Self(NOTHING, PointsOfAction::NO_FORCE);
+
+    fn of_all(all: SVector<f64, 6>) -> Self {
+        let is_moment = all.as_slice()[..C].iter().all(|force| *force == 0.0);
+        Self(all, if is_moment { PointsOfAction::NO_FORCE } else { PointsOfAction::UNKNOWN })
+    }
+
     /// The wrench of a force, N, that acts at a point, m.
     pub(crate) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
         let space = Space::of::<C>();
-        Self::among(space, &space.wrench_of(point, force))
+        Self::among(space, &space.wrench_of(point, force)).acting_at(PointsOfAction::of(force, point))
+    }
+
+    /// This wrench with these points of action.
+    pub(crate) fn acting_at(self, points: PointsOfAction) -> Self {
+        Self(self.0, points)
+    }
+
+    /// The points of action of the forces.
+    pub(crate) fn points_of_action(&self) -> PointsOfAction {
+        self.1
     }
 
     /// The force of the wrench, N.

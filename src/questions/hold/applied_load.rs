@@ -142,13 +142,16 @@ impl Engine {
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
         let holding = match &state {
-            Some(state) => self.holding(state, &events, first_slip.as_ref()),
+            Some(state) => match self.driven_on(state, &ramp.load_at(1.0)) {
+                Some(motion) => Holding::TurnsOver { motion },
+                None => self.holding(state, &events, first_slip.as_ref()),
+            },
             None if too_far.is_some() => Holding::Lost,
             None => self.holding_of_end(&path, &ramp.base, settings, extent),
         };
         let went_too_far = too_far.map(|far| {
             let state = path.state_at(far.leg, far.fraction);
-            self.gone_too_far(held_to, &far.what, state, everything_slides.is_some())
+            self.gone_too_far(held_to, &far.what, state, everything_slides)
         });
         let lost = path.end().and_then(PathEnd::loss).filter(|_| too_far.is_none()).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
@@ -197,7 +200,7 @@ impl Engine {
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
         let by_the_load =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
-        let by_forces = there.and_then(|there| self.taken_by_forces(there));
+        let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
         verdict.left_out = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
         verdict.caught = Caught::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);

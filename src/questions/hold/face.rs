@@ -19,6 +19,7 @@ face_of_enum! {
     Holding {
         Sticks {},
         Slides { contacts: contacts },
+        TurnsOver { motion: motion },
         Loose {},
         Lost {},
         NoRest { 0: none },
@@ -30,7 +31,7 @@ face_of_enum! {
         SlidesOut { direction: direction },
         TipsOver { about: about, opens: opens },
         TurnsAbout { about: about },
-        Turns { centre: centre, axis: axis },
+        Turns { centre: centre, axis: axis, advance: advance },
         Apart { bodies: bodies },
         LetsGo { cups: cups },
         NotKnown {},

@@ -31,7 +31,7 @@ impl Engine {
         let lost = match &end {
             SlipEnd::Held => None,
             SlipEnd::TooFar(motion) => {
-                Some(self.gone_too_far(factor, &self.too_far(motion), None, all_slide.is_some()))
+                Some(self.gone_too_far(factor, &self.too_far(motion), None, all_slide))
             }
             SlipEnd::Lost(loss) => Some(self.lost(factor, loss, None)),
         };

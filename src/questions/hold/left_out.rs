@@ -5,13 +5,16 @@
 //! plane `Σ F·r θ²`. Fingers that press against each other make it negative. This second part is compared with the work `W·q` of the load along the
 //! motion, which equals `q·Kq` with the secant stiffness K of the grasp.
 //!
+//! Loads count like contact forces, at their points of action; a load of which only the line is known counts as acting at the point of its line nearest
+//! to the centroid of the contacts.
+//!
 //! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. So the second
 //! part is compared with the elastic part in every motion, too, for one object and for several bodies.
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::equilibrium::{ContactState, Equilibrium};
-use crate::grasp::{Engine, Hold, Site, size_of};
+use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::{PositiveBand, Square, dot};
 use crate::object::{tangent_stiffness, uses_band};
 
@@ -36,7 +39,8 @@ impl Engine {
         let kept: f64 = dot(&moved, load.components());
         // In the plane the only angle is the last one, about the axis out of the plane.
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
-        let left_out = rotation.dot(&(self.stiffness_of_arms(0, &self.origin(), rest) * rotation));
+        let left_out =
+            rotation.dot(&(self.stiffness_of_arms(0, &self.origin(), rest, &Wrench::ZERO) * rotation));
         // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
         // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
@@ -47,7 +51,7 @@ impl Engine {
     ///
     /// `None` if the fraction is below a half, if nothing resists some motion, and for many coordinates. Struts between two points count as if they
     /// were infinitely long.
-    pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>) -> Option<f64> {
+    pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let size = size_of(self.sites());
         if uses_band(size) {
             return None;
@@ -58,7 +62,7 @@ impl Engine {
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
         let (elastic, geometric) =
-            (tangent_stiffness(self.sites(), springs), self.geometric_stiffness(there));
+            (tangent_stiffness(self.sites(), springs), self.geometric_stiffness(there, load));
         let count = size.count();
         let is_stable = |times: f64| {
             let mut sum = PositiveBand::zeros(count, count - 1);
@@ -81,10 +85,10 @@ impl Engine {
 
     /// The geometric stiffness of contact forces in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with
     /// arms r about the point to which the coordinates of the body refer.
-    fn geometric_stiffness(&self, there: &Equilibrium<3>) -> Square {
+    fn geometric_stiffness(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
-        let bodies = self.bodies();
+        let (bodies, loads) = (self.bodies(), self.loads_of_bodies(load));
         for body in 0..bodies.map_or(1, |bodies| bodies.places.len()) {
             let place = bodies.map(|bodies| &bodies.places[body]).filter(|place| place.first > 0);
             let (first, centre) = place.map_or((0, self.origin()), |place| (place.first, &place.centre));
@@ -92,7 +96,7 @@ impl Engine {
                 (None, _) | (_, 0) => self.length(),
                 (Some(linkage), _) => linkage.lengths[first + axes + k],
             };
-            let of_body = self.stiffness_of_arms(body, centre, there);
+            let of_body = self.stiffness_of_arms(body, centre, there, &loads[body]);
             let axis = |k: usize| if axes == 3 { k } else { 2 };
             for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
                 stiffness[(first + axes + k, first + axes + l)] =
@@ -102,22 +106,22 @@ impl Engine {
         stiffness
     }
 
-    /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body, and r the arms
-    /// of its contacts about `centre`. In the plane θ is along the third axis, which forces and arms have no component along.
-    fn stiffness_of_arms(
+    /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body and the forces
+    /// of `load`, if their points are known. The arms r are about `centre`. In the plane θ is along the third axis, in which forces and arms are zero.
+    pub(super) fn stiffness_of_arms(
         &self,
         body: usize,
         centre: &SVector<f64, 3>,
         there: &Equilibrium<3>,
+        load: &Wrench<3>,
     ) -> SMatrix<f64, 3, 3> {
-        let mut sum: SMatrix<f64, 3, 3> = SMatrix::zeros();
+        let mut sum = PointsOfAction::NO_FORCE;
         for (i, (contact, answer)) in self.contacts().iter().zip(&there.contacts).enumerate() {
             let sign = self.bodies().map_or(1.0, |bodies| bodies.sign(i, body));
-            let (force, arm): (_, SVector<f64, 3>) = (answer.force_world * sign, contact.point - centre);
-            sum += SMatrix::<f64, 3, 3>::identity() * force.dot(&arm);
-            sum -= (force * arm.transpose() + arm * force.transpose()) * 0.5;
+            sum = sum.moved(&(answer.force_world * sign), &(contact.point - centre));
         }
-        sum
+        let load = load.points_of_action().moved(&load.force_part(), &-centre);
+        [sum, load].iter().filter_map(|points| points.stiffness()).sum()
     }
 }
 

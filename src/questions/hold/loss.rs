@@ -53,7 +53,7 @@ impl Engine {
         factor: f64,
         what: &TooFar,
         state: Option<Equilibrium<3>>,
-        everything_slides: bool,
+        everything_slides: Option<f64>,
     ) -> Lost<3> {
         let contact = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
         let slides = |i: usize| {
@@ -66,11 +66,16 @@ impl Engine {
         Lost {
             too_far: Some(what.clone()),
             slide: self.wholes().with(&slides),
-            is_gross_slip: everything_slides && !(0..self.len()).any(carries),
+            is_gross_slip: everything_slides.is_some_and(|from| from >= factor * (1.0 - SAME_EVENT))
+                && !(0..self.len()).any(carries),
             ..Lost::alone(factor, LossKind::TooFar, WayOut::NotKnown, state)
         }
     }
 }
+
+/// Gross slip within this fraction of the load at which motions cease to be small counts as the same event. A larger fraction would hide how far the
+/// object is held after gross slip.
+const SAME_EVENT: f64 = 0.01;
 
 impl<const C: usize> Lost<C> {
     /// The loss of these suction cups, which let go because their lips are open all around.

@@ -27,6 +27,7 @@
 
 mod applied_load;
 mod caught;
+mod driven_on;
 mod face;
 mod in_slips;
 mod left_out;

@@ -43,6 +43,8 @@ pub enum How {
     Sticks,
     /// The load is held, but contacts slide or have slid before; see [`Holding::Slides`].
     Slides,
+    /// Nothing resists a rotation along which the load drives the object on; see [`Holding::TurnsOver`].
+    TurnsOver,
     /// No contact carries a force under the whole load; see [`Holding::Loose`].
     Loose,
     /// Equilibrium is lost, or motions cease to be small, before the whole load is applied; see [`Holding::Lost`].
@@ -65,7 +67,7 @@ pub enum LossVerb {
     Drops,
     /// All contacts that touch open, and the object does not fall.
     LiftsOff,
-    /// The object, or every moving body, moves and hardly turns; or every contact slides until motions are no longer small.
+    /// The object, or every moving body, moves and hardly turns; or all contacts slide in a screw motion, or until motions are no longer small.
     SlipsOut,
     /// The object, or every moving body, turns about contacts that stay in place, and other contacts open.
     TipsOver,
@@ -91,7 +93,7 @@ impl ShortVerdict {
     pub fn holds(&self) -> Option<bool> {
         match self.how {
             How::Sticks | How::Slides => Some(true),
-            How::Loose | How::Lost | How::NoRest | How::LostAtRest => Some(false),
+            How::TurnsOver | How::Loose | How::Lost | How::NoRest | How::LostAtRest => Some(false),
             How::Undecided => None,
         }
     }
@@ -104,6 +106,7 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
         let how = match &verdict.holding {
             Holding::Sticks => How::Sticks,
             Holding::Slides { .. } => How::Slides,
+            Holding::TurnsOver { .. } => How::TurnsOver,
             Holding::Loose => How::Loose,
             Holding::Lost => How::Lost,
             Holding::NoRest(_) => How::NoRest,
@@ -134,6 +137,8 @@ impl<const C: usize> Lost<C> {
             WayOut::LiftsOff { .. } => LossVerb::LiftsOff,
             WayOut::SlidesOut { .. } => LossVerb::SlipsOut,
             WayOut::TipsOver { .. } => LossVerb::TipsOver,
+            // A shaft that turns and leaves along its axis slips out.
+            WayOut::Turns { advance, .. } if *advance != 0.0 && self.is_gross_slip => LossVerb::SlipsOut,
             WayOut::TurnsAbout { .. } | WayOut::Turns { .. } => LossVerb::TurnsOut,
             WayOut::LetsGo { .. } => LossVerb::LetsGo,
             WayOut::Apart { bodies }

@@ -78,7 +78,11 @@ impl<const C: usize> Verdict<C> {
     pub fn holds(&self) -> Option<bool> {
         match self.holding {
             Holding::Sticks | Holding::Slides { .. } => Some(true),
-            Holding::Loose | Holding::Lost | Holding::NoRest(_) | Holding::LostAtRest { .. } => Some(false),
+            Holding::TurnsOver { .. }
+            | Holding::Loose
+            | Holding::Lost
+            | Holding::NoRest(_)
+            | Holding::LostAtRest { .. } => Some(false),
             Holding::Undecided { .. } => None,
         }
     }
@@ -106,6 +110,12 @@ pub enum Holding<const C: usize> {
     Slides {
         /// The contacts that slide under the whole load or have slid before; contacts that only opened are not listed.
         contacts: Vec<WholeContact>,
+    },
+    /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, as a part held below its centre
+    /// of mass. Only loads whose points of action are known, made by [`Wrench::force_at`](crate::planar::Wrench::force_at), are checked.
+    TurnsOver {
+        /// The unit motion that nothing resists.
+        motion: Motion<C>,
     },
     /// No contact carries a force under the whole load: the object lies loose between the fingers.
     Loose,
@@ -168,8 +178,8 @@ pub struct Lost<const C: usize> {
     /// Contacts that slide at the loss; in a grasp of several bodies only contacts whose two surfaces move relative to each other.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given and no link
-    /// carries a force.
+    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is within a hundredth of
+    /// this load and no link carries a force.
     pub is_gross_slip: bool,
     /// Whether the object is lost at the first slip, because some contact has a lower [kinetic friction](crate::grasp::Contact::kinetic).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]

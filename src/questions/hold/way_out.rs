@@ -56,6 +56,10 @@ pub enum WayOut<const C: usize> {
         /// Unit vector along the axis of rotation; zero in the plane.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         axis: SVector<f64, C>,
+        /// Displacement along the axis for one radian of rotation, m: the motion is a screw. Zero in the plane, and if this displacement is at most
+        /// a twentieth of that of the farthest contact due to the rotation.
+        #[cfg_attr(feature = "serde", serde(default, with = "AsComputed::<f64>"))]
+        advance: f64,
     },
     /// One or several of the bodies of a grasp with several bodies move.
     Apart {
@@ -89,7 +93,7 @@ impl BodyWay<3> {
     fn of(motion: &BodyMotion<3>) -> Self {
         let middle = motion.middle_moves();
         let way = slides_out(&middle, motion.turning_moves())
-            .unwrap_or_else(|| turns(&motion.twist, (&motion.centre, &middle), 0.0));
+            .unwrap_or_else(|| turns(&motion.twist, (&motion.centre, &middle), motion.reach));
         Self { body: motion.body.to_string(), way }
     }
 }
@@ -221,15 +225,17 @@ fn seen_from(
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
-/// [`WayOut::Turns`] for a twist, with the point of its axis nearest to the point `near`, which moves by `moves`. Coordinates within rounding of
-/// lengths like `reach` become zero. `NotKnown` if the axis is not finite.
+/// [`WayOut::Turns`] for a twist, with the point of its axis nearest to the point `near`, which moves by `moves`. The contacts are up to `reach` away
+/// from `near`; coordinates within rounding of such lengths become zero. `NotKnown` if the axis is not finite.
 fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), reach: f64) -> WayOut<3> {
     let (_, rotation) = twist.parts();
     let rounding = SOLVED_ROUNDING * (reach + near.norm());
     let centre = (near + rotation.way_to_axis(moves)).map(|x| if x.abs() <= rounding { 0.0 } else { x });
     let axis = rotation.axis();
-    let is_there = centre.iter().chain(axis.iter()).all(|x: &f64| x.is_finite());
-    if is_there { WayOut::Turns { centre, axis } } else { WayOut::NotKnown }
+    let advance = axis.dot(moves) / rotation.size();
+    let advance = if advance.abs() > STANDS * reach { advance } else { 0.0 };
+    let is_there = centre.iter().chain(axis.iter()).chain([&advance]).all(|x: &f64| x.is_finite());
+    if is_there { WayOut::Turns { centre, axis, advance } } else { WayOut::NotKnown }
 }
 
 impl<const C: usize> WayOut<C> {

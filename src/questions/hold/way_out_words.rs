@@ -58,12 +58,16 @@ impl<const C: usize> WayOut<C> {
         let ending = if are_several { "" } else { "s" };
         match self {
             Self::SlidesOut { direction } => format!("move{ending} along {}", words.along(direction)),
-            Self::Turns { centre, axis } => {
+            Self::Turns { centre, axis, advance } => {
                 let axis = match words.space::<C>() {
                     Space::Planar => String::new(),
                     Space::Spatial => format!("{} through ", words.along(axis)),
                 };
-                format!("turn{ending} about {axis}{}", words.place(centre))
+                let turns = format!("turn{ending} about {axis}{}", words.place(centre));
+                if *advance == 0.0 {
+                    return turns;
+                }
+                format!("{turns}, moving {} along it for each radian", words.length(advance.abs()))
             }
             Self::TipsOver { about, opens } => {
                 let edge = |part: &WholeContact| {

@@ -65,6 +65,13 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 }?;
                 self.cables(f)
             }
+            Holding::TurnsOver { motion } => {
+                let motion = words.direction_of(motion);
+                write!(
+                    f,
+                    "TURNS OVER: every contact holds, but nothing resists {motion}, and the load drives this on"
+                )
+            }
             Holding::Loose => {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
             }
@@ -134,31 +141,20 @@ impl<const C: usize> Verdict<C> {
     ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
-        match self.everything_slides.filter(|_| lost.is_gross_slip) {
-            _ if lost.factor <= NEGLIGIBLE => {
-                write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}")
+        if lost.factor <= NEGLIGIBLE {
+            return write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}");
+        }
+        match self.everything_slides {
+            Some(all) if lost.is_gross_slip => {
+                let (part, from) = (self.part(all, words), amount(lost.factor));
+                write!(f, "SLIPS OUT at {part}: everything slides, {far:.digits$} from {from} on")
             }
-            // Gross slip within 1 % of the load at which motions cease to be small counts as the same event. A larger fraction would hide how far the
-            // object is held after gross slip.
-            Some(all) if all >= lost.factor * (1.0 - 0.01) => {
-                let from = amount(lost.factor);
-                write!(
-                    f,
-                    "SLIPS OUT at {}: everything slides, {far:.digits$} from {from} on",
-                    self.part(all, words)
-                )
-            }
-            Some(all) => {
-                let part = self.part(lost.factor, words);
-                write!(
-                    f,
-                    "SLIPS OUT at {part}: everything slides from {} on, and then {far:.digits$}",
-                    amount(all)
-                )
-            }
-            None => {
-                let part = self.part(lost.factor, words);
-                write!(f, "GOES TOO FAR at {part}: {far:.digits$}{NO_LONGER_SMALL}")
+            all => {
+                write!(f, "GOES TOO FAR at {}: ", self.part(lost.factor, words))?;
+                if let Some(all) = all {
+                    write!(f, "everything slides from {} on, and then ", amount(all))?;
+                }
+                write!(f, "{far:.digits$}{NO_LONGER_SMALL}")
             }
         }
     }

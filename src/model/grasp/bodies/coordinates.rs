@@ -9,7 +9,7 @@ use super::place::{BodyPlace, PlacedBodies};
 use crate::error::Error;
 use crate::grasp::engine::Engine;
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::{IntoList, Size, Vector, indexed};
+use crate::numerics::{IntoList, Size, Vector, indexed, paired};
 use crate::prelude::*;
 
 impl Engine {
@@ -21,6 +21,14 @@ impl Engine {
     /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the coordinates of the object.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
+    }
+
+    /// The load on each body: its constant load, and its share of the load of a question. The object's load alone without bodies.
+    pub(crate) fn loads_of_bodies(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
+        self.bodies().map_or_else(
+            || vec![*load],
+            |bodies| paired(&bodies.loads, &bodies.shared(load), &|(own, share)| *own + *share),
+        )
     }
 
     /// Combines one wrench on each body, in the user's coordinates, into one vector of forces in the engine's coordinates (see the module `inside`).
