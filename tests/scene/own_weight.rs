@@ -126,3 +126,19 @@ fn settings_are_kept_where_gravity_turns() {
     let tilted = setup.grasp_of(&grasp, &setup.questions[0]).expect("a weight that turns");
     assert_eq!(tilted.settings().small_motions, settings.small_motions);
 }
+
+/// A scene may state its gravity for masses that are parts of loads alone: it pulls at them, too, unless the load has a gravity of its own.
+#[test]
+fn the_gravity_of_a_scene_pulls_at_masses_in_loads() {
+    let of = |load: &str| {
+        let contacts = r#"[{"name": "l", "on": "box", "point": [-0.03, 0, 0], "normal": [1, 0, 0], "friction": 0.5, "stiffness": 1e5, "pressed_with": 10},
+            {"name": "r", "on": "box", "point": [0.03, 0, 0], "normal": [-1, 0, 0], "friction": 0.5, "stiffness": 1e5, "pressed_with": 10}]"#;
+        let bodies = r#""bodies": [{"name": "box"}], "gravity": [0, -9.81, 0]"#;
+        let text = format!(
+            r#"{{"format": "grasp-lcp/1", "spatial": {{{bodies}, "contacts": {contacts}, "questions": [{{"hold": {{"load": {load}}}}}]}}}}"#
+        );
+        answer(&text)[0]["hold"]["load"]["force"].as_array().expect("a force").clone()
+    };
+    assert_eq!(of(r#"{"mass": 0.5}"#), [0.0, -4.905, 0.0]);
+    assert_eq!(of(r#"{"mass": 0.5, "gravity": [0, 0, -9.81]}"#), [0.0, 0.0, -4.905]);
+}

@@ -148,7 +148,7 @@ pub(crate) enum Command {
     ///
     /// Without --mass and --weight, the scene's bodies with masses are tilted under its gravity.
     Turn {
-        /// The mass of the object, kg, with 9.81 m/s² down along the last axis.
+        /// The mass of the object, kg, with the scene's gravity, or 9.81 m/s² down along the last axis.
         #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG", conflicts_with = "weight")]
         mass: Option<f64>,
         /// The weight, N, instead of the mass: components separated by commas.

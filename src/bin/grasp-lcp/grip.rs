@@ -114,7 +114,7 @@ impl Grip {
                 Failure::Usage("--at: must be given, for the mesh is not closed".to_owned())
             })?,
         };
-        let closing = Meaning { axes: 3 }.direction(&self.closing, "closing")?;
+        let closing = Meaning::in_space(3).direction(&self.closing, "closing")?;
         let opening = self.opening.as_ref().map(|opening| opening.array::<1>("opening")).transpose()?;
         let path = serde_json::to_string(&path.to_string_lossy()).map_err(std::io::Error::from)?;
         let jaw = |name: &str, sign: f64| {

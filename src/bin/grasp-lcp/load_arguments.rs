@@ -22,7 +22,7 @@ pub(crate) struct LoadArguments {
     /// A mass, kg, whose weight is added to the load.
     #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
-    /// The acceleration of gravity, m/s²; 9.81 down along the last axis if left out.
+    /// The acceleration of gravity, m/s²; the scene's if left out, or 9.81 down along the last axis.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
     /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the masses of the scene's bodies are

@@ -1,6 +1,7 @@
 //! Forces and moments from the loads of the command line.
 
 use grasp_lcp::Error;
+use grasp_lcp::scene::Setup;
 use grasp_lcp::spatial::{ArmMotion, Payload, Wrench};
 use grasp_lcp::squeeze::Loads;
 
@@ -13,9 +14,22 @@ use crate::failure::Failure;
 pub(crate) struct Meaning {
     /// The number of axes of the scene, 2 or 3.
     pub(crate) axes: usize,
+    /// Gravity that pulls at masses, m/s².
+    gravity: [f64; 3],
 }
 
 impl Meaning {
+    /// The options of a scene with this number of axes, with gravity down along the last axis.
+    pub(crate) fn in_space(axes: usize) -> Self {
+        Self { axes, gravity: std::array::from_fn(|a| if a + 1 == axes { -9.81 } else { 0.0 }) }
+    }
+
+    /// The options of a scene, whose gravity, if it has one, also pulls at the masses of the command line.
+    pub(crate) fn of(setup: &Setup<3>) -> Self {
+        let own = Self::in_space(setup.axes());
+        Self { gravity: setup.gravity.map_or(own.gravity, Into::into), ..own }
+    }
+
     /// The point where a force acts; the origin if left out.
     pub(crate) fn point(self, at: Option<&Numbers>) -> Result<[f64; 3], Failure> {
         self.vector(at, "at")
@@ -25,13 +39,12 @@ impl Meaning {
         numbers.map_or(Ok([0.0; 3]), |numbers| numbers.along_axes(self.axes, option))
     }
 
-    /// Motion of an arm that is still, with gravity down along the last axis.
+    /// Motion of an arm that is still.
     fn still(self) -> ArmMotion {
-        let gravity = 9.81;
-        ArmMotion::still().gravity(std::array::from_fn(|a| if a + 1 == self.axes { -gravity } else { 0.0 }))
+        ArmMotion::still().gravity(self.gravity)
     }
 
-    /// The weight of a mass, down along the last axis.
+    /// The weight of a mass.
     pub(crate) fn weight_of(self, mass: f64) -> Result<[f64; 3], Failure> {
         Ok(Payload::new(mass, [0.0; 3]).load(&self.still())?.resultant())
     }

@@ -36,7 +36,7 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
 
 /// The question of the command line; `None` if it gives nothing to ask, i.e. no load, no quantity for `need` and no table for `identify`.
 fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
-    let words = Meaning { axes: setup.axes() };
+    let words = Meaning::of(setup);
     Ok(match asked {
         Command::Hold { load, base, safety, .. } => {
             let asked = &*of_own_masses(load, base.is_some(), setup)?;

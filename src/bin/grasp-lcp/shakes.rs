@@ -14,7 +14,7 @@ pub(crate) struct Shakes {
     /// A force that is applied and removed again, N; several forces are applied one after the other.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) force: Vec<Numbers>,
-    /// The mass of the object, kg; its weight (9.81 m/s² down along the last axis) acts all the time.
+    /// The mass of the object, kg; its weight (with the scene's gravity, or 9.81 m/s² down along the last axis) acts all the time.
     #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
     /// The acceleration, m/s², to and fro: one number along every axis in turn, or a vector.

@@ -1,22 +1,35 @@
 //! Completes loads on all bodies in the text of a scene (feature `json`). A force that is shared by mass acts at the common centre of mass unless a
-//! point is given. An acceleration without a mass accelerates the common mass of all bodies.
+//! point is given. An acceleration without a mass accelerates the common mass of all bodies. The scene's gravity pulls at masses in loads, too.
 
 use serde_json::{Map, Value};
 
-/// The text of a scene with missing masses and centres of mass added to its loads; `None` if no load lacks them.
+/// The text of a scene with missing masses, centres of mass and gravity added to its loads; `None` if no load lacks them.
 pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
     let mut scene: Value = serde_json::from_slice(text).ok()?;
     let mut is_written = false;
     for (space, axes) in [("planar", 2), ("spatial", 3)] {
-        let setup = scene.get_mut(space).and_then(Value::as_object_mut);
-        let Some((all, setup)) = setup.and_then(|setup| AllBodies::of(setup, axes).zip(Some(setup))) else {
-            continue;
-        };
-        if let Some(questions) = setup.get_mut("questions") {
-            is_written |= all.write_into(questions);
-        }
+        let Some(setup) = scene.get_mut(space).and_then(Value::as_object_mut) else { continue };
+        let (all, gravity) = (AllBodies::of(setup, axes), setup.get("gravity").cloned());
+        let Some(questions) = setup.get_mut("questions") else { continue };
+        is_written |= all.is_some_and(|all| all.write_into(questions));
+        is_written |= gravity.is_some_and(|gravity| weigh(questions, &gravity));
     }
     serde_json::to_vec(&scene).ok().filter(|_| is_written)
+}
+
+/// Adds the scene's gravity to all loads that have a mass and no gravity of their own; returns whether a load was changed.
+fn weigh(value: &mut Value, gravity: &Value) -> bool {
+    match value {
+        Value::Array(list) => list.iter_mut().fold(false, |written, value| weigh(value, gravity) | written),
+        Value::Object(fields) => {
+            let is_light = fields.contains_key("mass") && !fields.contains_key("gravity");
+            if is_light {
+                fields.insert("gravity".to_owned(), gravity.clone());
+            }
+            fields.values_mut().fold(is_light, |written, value| weigh(value, gravity) | written)
+        }
+        _ => false,
+    }
 }
 
 /// The mass of all bodies together and its centre, in the unit of the scene's text.

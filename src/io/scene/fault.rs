@@ -161,11 +161,11 @@ impl Scene {
             if scene.unit == Unit::Metre { Ok(scene) } else { in_metres(text, scene.unit) }
         };
         let mut scene = read(text);
-        let acts_on_all = match &scene {
-            Ok(scene) => scene.setup.shared_by_mass,
+        let may_lack = match &scene {
+            Ok(scene) => scene.setup.shared_by_mass || scene.setup.gravity.is_some(),
             Err(fault) => fault.message.contains(ALONE),
         };
-        if let Some(completed) = acts_on_all.then(|| with_centre_of_mass(text)).flatten() {
+        if let Some(completed) = may_lack.then(|| with_centre_of_mass(text)).flatten() {
             // Positions in the completed text do not apply to the text of the user; the fault is therefore given without a position.
             scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }

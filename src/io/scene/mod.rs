@@ -157,7 +157,7 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `mass` | its mass, centred `at` | kg | no body |
-//! | `gravity` | acceleration of gravity along every axis | m/s² | 9.81 down the last axis |
+//! | `gravity` | acceleration of gravity along every axis | m/s² | that of the scene, or 9.81 down the last axis |
 //! | `accelerated` | acceleration of the arm; of a turning arm, the acceleration of the point about which it turns | m/s² | none |
 //! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
 //! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error if the load depends on it |

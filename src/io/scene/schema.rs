@@ -204,7 +204,11 @@ impl<const C: usize> JsonSchema for Wrench<C> {
             let body = [
                 ("mass", number::<Given>(), "Of a body that an arm carries, kg; its centre is `at`."),
                 ("inertia", angular::<Given>(turns), "Of the body about its centre, kg m²."),
-                ("gravity", list::<Given>(C, C), "m/s²; 9.81 down the last axis if left out."),
+                (
+                    "gravity",
+                    list::<Given>(C, C),
+                    "m/s²; that of the scene if left out, or 9.81 down the last axis.",
+                ),
                 (
                     "accelerated",
                     list::<Given>(C, C),

@@ -31,7 +31,7 @@ pub(crate) fn map(
     asked: (&Unsure, MapProgress),
     pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
-    let at = Meaning { axes: scene.setup.axes() }.point(at)?;
+    let at = Meaning::of(&scene.setup).point(at)?;
     match scene.planar() {
         Some(setup) => plane::map(&setup, [at[0], at[1]], asked, pictures),
         None => space::map(&scene.setup, at, asked, pictures),
