@@ -150,6 +150,7 @@ fn number_of_how(how: How) -> u8 {
         How::Lost => 3,
         How::NoRest => 4,
         How::LostAtRest => 5,
+        How::TurnsOver => 7,
         _ => 6,
     }
 }

@@ -207,13 +207,13 @@ class Sentence(Answer):
 
 
 class Verdict(Sentence):
-    """The answer to "does it hold?": ``"sticks"``, ``"slides"``, ``"loose"``, ``"lost"``, ``"no_rest"`` or ``"undecided"``. It prints as a
-    sentence."""
+    """The answer to "does it hold?": ``"sticks"``, ``"slides"``, ``"turns_over"``, ``"loose"``, ``"lost"``, ``"no_rest"``, ``"lost_at_rest"``
+    or ``"undecided"``. It prints as a sentence."""
 
     @property
-    def outcome(self) -> Literal["sticks", "slides", "loose", "lost", "no_rest", "lost_at_rest", "undecided"]:
+    def outcome(self) -> Literal["sticks", "slides", "turns_over", "loose", "lost", "no_rest", "lost_at_rest", "undecided"]:
         """Outcome, in a word of the scene format."""
-        word: Literal["sticks", "slides", "loose", "lost", "no_rest", "lost_at_rest", "undecided"] = self._tree["holding"]
+        word: Literal["sticks", "slides", "turns_over", "loose", "lost", "no_rest", "lost_at_rest", "undecided"] = self._tree["holding"]
         return word
 
     @property

@@ -36,6 +36,8 @@ class VerdictStatus(IntEnum):
     """The load at rest is lost while it grows from zero."""
     UNDECIDED = 6
     """The load could not be followed; :attr:`Verdicts.doubt` says why."""
+    TURNS_OVER = 7
+    """Nothing resists a rotation along which the load drives the object on. Only loads with a point of action are checked, so not rows of wrenches."""
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8

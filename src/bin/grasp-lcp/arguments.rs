@@ -80,8 +80,8 @@ pub(crate) enum Command {
         /// Factor on the load; the base load keeps its size.
         #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
         safety: Option<f64>,
-        /// Says whether the answer changes by more than 5 % where contacts are a tenth or ten times as stiff along their tangents. It takes three
-        /// times as long.
+        /// Says whether the answer changes by more than 5 % if all contacts are a tenth or ten times as stiff along their tangents, or one is ten
+        /// times as stiff. It takes an answer for each contact, and three more.
         #[arg(long)]
         vary_stiffness: bool,
         #[command(flatten)]

@@ -55,7 +55,7 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
         let depends = depends.map_err(|error| files::refused(&ask.scene, &error))?;
         let said = if depends.is_empty() { "stays within" } else { "CHANGES by more than" };
         eprintln!(
-            "stiffness: what it holds {said} 5 % with a tenth or ten times the stiffness along tangents"
+            "stiffness: what it holds {said} 5 % with a tenth or ten times the stiffness along tangents, of all contacts or of one"
         );
     }
     Ok(if is_decided { ExitCode::SUCCESS } else { ExitCode::from(EXIT_UNDECIDED) })

@@ -207,7 +207,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
         Holding::TurnsOver { .. } => "turns_over",
         Holding::Loose => "loose",
         Holding::Lost => "lost",
-        Holding::NoRest(_) => "no_rest",
+        Holding::NoRest { .. } => "no_rest",
         Holding::LostAtRest { .. } => "lost_at_rest",
         Holding::Undecided { .. } => "undecided",
     };

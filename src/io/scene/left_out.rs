@@ -43,7 +43,7 @@ impl Setup<3> {
         }
         let is_motion = |question: &Question<3>| matches!(question, Question::Solve { .. });
         let questions = self.questions_that_depend(
-            &|trial| self.with_springs(trial),
+            &[self.with_springs(1), self.with_springs(2)],
             &without_limits,
             &is_motion,
             SAME_ANSWER,
@@ -68,30 +68,29 @@ impl Setup<3> {
         }
         let questions =
             // Links are usually much stiffer than the contacts, so that answers depend on their stiffness only slightly.
-            self.questions_that_depend(&|trial| self.with_links(trial), &without_limits, &|_| false, 1e-3)?;
+            self.questions_that_depend(&[self.with_links(1), self.with_links(2)], &without_limits, &|_| false, 1e-3)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<3>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// Indices of the questions whose answers depend on the stiffness, i.e. change relatively by more than `same_within` in one of two trials.
+    /// Indices of the questions whose answers depend on the stiffness, i.e. change relatively by more than `same_within` in one of the trials.
     /// Questions for which `is_known` is true are listed in any case. Answers are compared between the grasps that `compared` makes, for example
     /// without limits of small motions. A question is also listed if the given grasp answers otherwise than the grasp without these limits, since the
     /// limits then matter and motions depend on stiffness.
     pub(super) fn questions_that_depend(
         &self,
-        trial: &dyn Fn(usize) -> Self,
+        trials: &[Self],
         compared: &dyn Fn(&Grasp<3>) -> Grasp<3>,
         is_known: &dyn Fn(&Question<3>) -> bool,
         same_within: f64,
     ) -> Result<Vec<usize>, Error> {
         let given = self.grasp_checked()?;
-        let others = [trial(1), trial(2)];
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
             let figures = self.figures(&compared(&given), question)?;
             let mut depends =
                 is_known(question) || !same(&figures, &self.figures(&given, question)?, same_within);
-            for other in &others {
+            for other in trials {
                 let others = other.figures(&compared(&other.grasp_checked()?), question)?;
                 depends |= !same(&figures, &others, same_within);
             }

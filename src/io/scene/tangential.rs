@@ -9,8 +9,9 @@ use crate::grasp::inside;
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
-    /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large.
-    /// Each question is answered three times, with the limits of [small motions](crate::Settings::small_motions).
+    /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large,
+    /// or if that of one contact is ten times as large. Each question is answered with the limits of
+    /// [small motions](crate::Settings::small_motions).
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -22,20 +23,24 @@ impl<const C: usize> Setup<C> {
 impl Setup<3> {
     /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
-        let (softer, stiffer) = (self.with_tangential(0.1)?, self.with_tangential(10.0)?);
-        let trial = |trial: usize| if trial == 1 { softer.clone() } else { stiffer.clone() };
-        self.questions_that_depend(&trial, &Grasp::clone, &|_| false, DEPENDS)
+        // If all contacts change alike, they share a load as before; one contact that is stiffer than the others takes more of it.
+        let mut trials = vec![self.with_tangential(0.1, &|_| true)?, self.with_tangential(10.0, &|_| true)?];
+        for contact in 0..self.entries().count() {
+            trials.push(self.with_tangential(10.0, &|i| i == contact)?);
+        }
+        self.questions_that_depend(&trials, &Grasp::clone, &|_| false, DEPENDS)
     }
 
-    /// This setup with the tangential stiffness of each contact multiplied by `times`.
+    /// This setup with the tangential stiffness of the contacts whose index `is_meant` selects multiplied by `times`.
     #[cfg_attr(
         not(feature = "mesh"),
         allow(clippy::unnecessary_wraps, reason = "a pad on a mesh can be faulty")
     )]
-    fn with_tangential(&self, times: f64) -> Result<Self, Error> {
+    fn with_tangential(&self, times: f64, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
         let mut setup = self.clone();
         let of_fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
-        for entry in setup.contacts.iter_mut().chain(of_fingers) {
+        let all = setup.contacts.iter_mut().chain(of_fingers).enumerate();
+        for (_, entry) in all.filter(|(index, _)| is_meant(*index)) {
             #[cfg(feature = "mesh")]
             if let Some(touches) = &mut entry.touches
                 && let Some([normal, tangential]) = touches.pad()?.stiffness()

@@ -5,7 +5,7 @@ use core::mem::{Discriminant, discriminant};
 use nalgebra::SVector;
 
 use crate::contact::{Polygon, State};
-use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome};
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proof};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
@@ -229,7 +229,15 @@ impl Engine {
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
-                Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
+                Outcome::NoEquilibrium(none) => {
+                    let names_no_motion = matches!(
+                        none.proof,
+                        Proof::EveryStateTried { .. } | Proof::EveryCaseContradicted { .. }
+                    );
+                    let is_told = names_no_motion && matches!(extent, Extent::Whole);
+                    let at_rest = is_told.then(|| self.lost_at_rest(base, settings)).flatten();
+                    Holding::NoRest { none: none.clone(), at_rest }
+                }
                 Outcome::Undecided(undecided) => or_at_rest(Holding::Undecided { doubt: undecided.doubt }),
                 Outcome::Equilibrium(_) => inaccurate,
             },

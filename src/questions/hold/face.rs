@@ -22,7 +22,7 @@ face_of_enum! {
         TurnsOver { motion: motion },
         Loose {},
         Lost {},
-        NoRest { 0: none },
+        NoRest { none: none, at_rest: at_rest },
         LostAtRest { at_rest: at_rest },
         Undecided { doubt: doubt },
     }

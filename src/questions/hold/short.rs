@@ -109,7 +109,7 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
             Holding::TurnsOver { .. } => How::TurnsOver,
             Holding::Loose => How::Loose,
             Holding::Lost => How::Lost,
-            Holding::NoRest(_) => How::NoRest,
+            Holding::NoRest { .. } => How::NoRest,
             Holding::LostAtRest { at_rest } => {
                 motion = Some(at_rest.verb(words));
                 How::LostAtRest

@@ -81,7 +81,7 @@ impl<const C: usize> Verdict<C> {
             Holding::TurnsOver { .. }
             | Holding::Loose
             | Holding::Lost
-            | Holding::NoRest(_)
+            | Holding::NoRest { .. }
             | Holding::LostAtRest { .. } => Some(false),
             Holding::Undecided { .. } => None,
         }
@@ -122,7 +122,15 @@ pub enum Holding<const C: usize> {
     /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
     /// The grasp has no equilibrium even under the base load. The variant carries the proof.
-    NoRest(NoEquilibrium<C>),
+    NoRest {
+        /// The proof.
+        #[cfg_attr(feature = "serde", serde(flatten))]
+        none: NoEquilibrium<C>,
+        /// The loss of the base load as this load grows from zero together with the commands, where the proof names no motion. Its factor is a
+        /// multiple of the base load and the commands.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        at_rest: Option<Box<Lost<C>>>,
+    },
     /// The grasp loses the base load as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].
     LostAtRest {

@@ -76,14 +76,17 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
             }
             Holding::Lost => self.write_loss(f),
-            Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
+            Holding::NoRest { none, at_rest: Some(lost) } => {
+                f.write_str("DOES NOT HOLD even at rest: ")?;
+                lost.write_at_rest(f)?;
+                write!(f, "; proved, since {none:.digits$}")
+            }
+            Holding::NoRest { none, at_rest: None } => {
+                write!(f, "DOES NOT HOLD even at rest: {none:.digits$}")
+            }
             Holding::LostAtRest { at_rest: lost } => {
                 f.write_str("DOES NOT HOLD even at rest, before any load: ")?;
-                if lost.factor > NEGLIGIBLE {
-                    let factor = words.number(lost.factor);
-                    write!(f, "only {factor} of the load at rest is carried, then ")?;
-                }
-                write!(f, "{lost:.digits$}")
+                lost.write_at_rest(f)
             }
             Holding::Undecided { doubt } => {
                 write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
@@ -288,6 +291,16 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
+    /// Writes how a load at rest is lost, and the fraction of it that is carried.
+    fn write_at_rest(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).precision());
+        if self.factor > NEGLIGIBLE {
+            let factor = words.number(self.factor);
+            write!(f, "only {factor} of the load at rest is carried, then ")?;
+        }
+        write!(f, "{self:.digits$}")
+    }
+
     /// The event that ends the range of load factors held: "it is lost", or at the end of small motions without gross slip "it turns by more than
     /// 5.7°".
     fn until(&self) -> Cow<'static, str> {

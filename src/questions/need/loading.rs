@@ -295,7 +295,7 @@ impl Loading {
                 };
                 let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
                 let carried = match &verdict.holding {
-                    Holding::NoRest(_) => NOT_AT_REST,
+                    Holding::NoRest { .. } => NOT_AT_REST,
                     // The load at rest is lost at a fraction of it. The carried part is then negative, but above `NOT_AT_REST`, the value for a proof
                     // that no equilibrium at rest exists.
                     Holding::LostAtRest { at_rest } => {

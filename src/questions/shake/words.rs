@@ -8,6 +8,7 @@ use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -67,8 +68,11 @@ impl<const C: usize> Shaken<C> {
                 if slides.is_empty() { Ok(()) } else { write!(f, ", {slide}") }
             }
             Repeats::Lost { cycle, lost, load, .. } => {
+                // A load under which the object still rests is not the one that moves it.
+                let when =
+                    if lost.factor <= NEGLIGIBLE { "as soon as the load departs from" } else { "under" };
                 let load = words.load(load);
-                write!(f, "{} in cycle {cycle} under {load}: {lost:.digits$}", lost.verb(words))
+                write!(f, "{} in cycle {cycle} {when} {load}: {lost:.digits$}", lost.verb(words))
             }
             Repeats::NoRest { rest } => write!(f, "{rest:.digits$}"),
             Repeats::Undecided { doubt: Some(doubt) } => {
