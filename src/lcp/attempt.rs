@@ -29,8 +29,8 @@ impl Workspace {
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// Clears the residuals and the number of pivots of the previous problem. Returns a breakdown if the settings do not fit this problem, otherwise
-    /// `None`.
+    /// Clears the residuals and the number of pivots of the previous problem, then checks the settings. Returns a breakdown if the settings are
+    /// invalid for this problem, otherwise `None`.
     pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;
         self.path.pivots = 0;

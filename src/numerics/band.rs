@@ -229,7 +229,8 @@ mod tests {
     #[test]
     fn what_is_singular_has_null_vectors() {
         let (mut band, mut full) = random_band(20, 3);
-        // Row 10 becomes the sum of rows 8 and 9, both restricted to columns that row 10 can reach.
+        // The band of row 10 covers the columns 7 to 13. Rows 8 and 9 lose their entries in other columns, and row 10 becomes their sum: the matrix
+        // is singular.
         for j in 5..14 {
             let sum = full[8][j] + full[9][j];
             if (7..14).contains(&j) {

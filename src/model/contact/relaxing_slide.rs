@@ -19,8 +19,8 @@
 //! ```
 //!
 //! Half a step `under_stretch`, a whole step `squeezed` and half a step `under_stretch` (Strang splitting) are correct to second order. They are
-//! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r', and where γ vanishes, the
-//! right-hand side increases at the rate `(p⊥·K v_t')²/r`.
+//! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r'. Whenever γ vanishes, the
+//! right-hand side has the derivative `(p⊥·K v_t')²/r` with respect to τ, which is not negative.
 
 use crate::numerics::Each;
 #[cfg(not(feature = "std"))]

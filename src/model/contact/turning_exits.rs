@@ -75,7 +75,7 @@ impl LocalLaw<'_> {
     }
 
     /// The angles at which a sliding contact stops sliding, at most one for each facet on which it slides. At such an angle the rate of the slip
-    /// component along the facet becomes negative. Until then the contact stays on its facets.
+    /// component along the facet's normal becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,

@@ -24,7 +24,8 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // Largest `|f·m|/(|f||m|)` at which the load counts as a single force: m is then normal to f, and vanishes about a point of its line.
+        // A load is a single force along some line if its moment m is normal to its force f. This limit is the largest `|f·m|/(|f||m|)` that counts
+        // as normal.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }

@@ -20,7 +20,7 @@ pub(super) struct Hit {
     pub(super) depth: f64,
     /// Unit normal of the triangle, into the part.
     pub(super) normal: Vector3<f64>,
-    /// Whether the ray leaves the part at this triangle, so that it started inside.
+    /// Whether the ray leaves the part at this triangle, which means that the ray started inside the part.
     pub(super) leaves: bool,
 }
 

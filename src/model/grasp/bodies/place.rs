@@ -217,7 +217,8 @@ impl PlacedBodies {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead each body carries its entry of `loads` times the first force component of the question's load, N.
+    /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor: the number of newtons in the first force
+    /// component of the question's load.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
