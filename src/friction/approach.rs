@@ -1,9 +1,9 @@
 //! The sequence of methods for many contacts, or for a few if facets have failed: sweeps, the central path, anchored Newton steps, and a final
 //! polish.
 //!
-//! [`Sweeps`](super::sweeps) find the magnitude of the forces, the [`central_path`] the states of most contacts, and
-//! [anchored](super::alart_curnier) Newton steps continue from there. The forces with the smallest residual, contact by contact, are kept. If
-//! all of this fails, the next start makes more sweeps or begins the central path farther inside the cones.
+//! [`Sweeps`](super::sweeps) find the magnitude of the forces, the [`central_path`] the states of most contacts, and [anchored](super::alart_curnier)
+//! Newton steps continue from the forces at the end of the path. The forces whose largest residual over all contacts is smallest are kept. If a start
+//! fails, the next start makes more sweeps or begins the central path farther inside the cones.
 
 use super::alart_curnier::Anchored;
 use super::blocks::Blocks;

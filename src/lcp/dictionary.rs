@@ -110,7 +110,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic, so that row i of w = q + M z + d z₀ holds with w_i = 0.
+    /// Whether w_i is nonbasic, i.e. whether row i of w = q + M z + d z₀ holds with w_i = 0.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }

@@ -86,7 +86,7 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0, so that u_i may be noise.
+/// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
 ///
 /// A row is violated if its value becomes negative by more than rounding: its own rounding error, or the rounding error of the largest value. If no
 /// row is violated, it does not matter whether a doubtful row blocks first.

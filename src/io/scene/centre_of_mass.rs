@@ -25,7 +25,7 @@ struct AllBodies {
     centre: Vec<f64>,
     /// Whether loads are shared by mass.
     share: bool,
-    /// Whether the scene's gravity pulls at the bodies, so that an acceleration needs no mass.
+    /// Whether the scene's gravity pulls at the bodies; an acceleration then needs no mass.
     are_heavy: bool,
 }
 

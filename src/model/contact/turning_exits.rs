@@ -180,7 +180,7 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
 enum Start {
     /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
     Above { roots: usize },
-    /// The margin is zero at φ = 0 and negative beyond.
+    /// The margin is zero at φ = 0 and negative just after it.
     Falls,
     /// The margin is zero at every angle.
     Stays,
