@@ -22,8 +22,8 @@ impl Workspace {
         self.reserve(lcp.len());
     }
 
-    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if it
-    /// ends in a solution.
+    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if the
+    /// path ends in a solution.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))

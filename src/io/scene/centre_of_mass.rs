@@ -66,7 +66,7 @@ impl AllBodies {
             Value::Object(fields) => {
                 is_written = self.complete(fields);
                 for (name, value) in fields {
-                    // Each of these loads acts on one body.
+                    // Loads in these fields act on one body each; only loads on all bodies are completed.
                     let is_on_one = matches!(&**name, "together_with" | "body_loads_by" | "body_loads_to");
                     is_written |= !is_on_one && self.write_into(value);
                 }

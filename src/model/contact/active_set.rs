@@ -220,7 +220,8 @@ impl LocalLaw<'_> {
             // On the round cone an edge has only one facet, with the direction of the slide as its normal.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // A state that slides has the bonded law for its rates only if the contact has just stopped sliding.
+            // With the bonded law for the rates the contact does not slide. A sliding `state` is possible only if the contact has just stopped
+            // sliding, so it sticks now.
             (Law::Bonded, _) => return Some(Mode::Sticking),
             // At the apex of a round cone the law for rates does not determine a slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,

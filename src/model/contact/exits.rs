@@ -79,8 +79,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. The second step is infinite without a second
-    /// exit; `None` if the force never leaves the cone.
+    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. The second step is infinite if no second exit
+    /// exists. `None` if the force never leaves the cone.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;

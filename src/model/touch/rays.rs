@@ -28,7 +28,7 @@ pub(super) struct Hit {
 pub(super) struct Met {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<Hit>>,
-    /// Least travel of the pad until one of its points, its centre, or a vertex of the mesh is touched, m.
+    /// Least travel, m, at which a point of the pad or its centre meets the part, or the pad meets a vertex of the mesh.
     pub(super) foremost: f64,
 }
 

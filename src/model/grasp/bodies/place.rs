@@ -176,7 +176,7 @@ impl PlacedBodies {
             }
             Sharing::ByParts(list) => list,
         };
-        // Each body gets its fraction of the force, at its centre of mass, and its fraction of the moment that remains.
+        // Each body gets its fraction of the force, at its centre of mass, and its fraction of the moment that these forces leave unbalanced.
         let force = load.force_part();
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
