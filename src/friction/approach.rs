@@ -120,7 +120,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // Line search gives up below this fraction of a Newton step, which would not be worth its factorisation.
+            // The line search gives up below `shortest`, a fraction of a Newton step: so short a step would not be worth its factorisation.
             let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
@@ -153,7 +153,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let equations = self.anchored_at(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
-            // Polishing ends when neither a step nor sweeps reduce the residual to this fraction.
+            // Polishing ends when neither a step nor sweeps reduce the residual to this fraction of its previous value.
             let worthwhile = 0.9;
             if step.is_some_and(|step| self.record_if_best(&(&r + step)) <= worthwhile * before) {
                 continue;

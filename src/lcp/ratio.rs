@@ -23,8 +23,8 @@ pub(super) enum Covering {
 /// The row whose basic variable reaches zero first as the entering variable increases; `None` if no basic variable ever reaches zero. If z₀ is
 /// `Artificial` and reaches zero together with others, the row of z₀ is returned. If z₀ is a `Parameter`, its row never blocks.
 ///
-/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among these
-/// the row with the smallest p_i / −u_i is chosen.
+/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among the
+/// preferred rows the row with the smallest p_i / −u_i is chosen.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,

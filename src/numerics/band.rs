@@ -153,7 +153,7 @@ impl BandFactors {
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            // A zero in the right-hand side changes no later row. The load of one contact has many zeros.
+            // A zero in the right-hand side changes no later row. A right-hand side due to the force of one contact has many zeros.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);

@@ -67,8 +67,8 @@ impl Setup<3> {
             return Ok(None);
         }
         let questions =
-            // Links are usually much stiffer than the contacts. Answers therefore depend only slightly on the stiffness of links, and the limit is a
-            // thousandth.
+            // Links are usually much stiffer than the contacts. Answers therefore depend only slightly on the stiffness of links, and changes of up
+            // to a thousandth do not count.
             self.questions_that_depend(&|trial| self.with_links(trial), &without_limits, &|_| false, 1e-3)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<3>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))

@@ -40,7 +40,8 @@ pub(crate) struct LocalLaw<'c> {
     pub(super) friction: Coulomb,
     /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient.
+    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient. They are needed in a
+    /// complementarity problem, where only facets remove the tangential force of an open contact.
     pub(super) infinite_friction_has_edges: bool,
 }
 
