@@ -191,7 +191,7 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// The smoothed positive part φ of `x`, with the product ρ τ as `width` (see the top of the file). It is accurate also where φ is small.
+/// The smoothed positive part φ of `x`, with the product ρ τ as `width` (see the top of the file). Also small values φ are accurate.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }

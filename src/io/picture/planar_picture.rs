@@ -98,8 +98,8 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws a motion of the object, if there is one, such as that of a [loss](crate::hold::Lost::motion): the outline, or the contact points, displaced
-    /// along it. Only the direction of the motion matters.
+    /// Draws a motion of the object, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). The outline, or else the contact
+    /// points, are drawn displaced along the motion, of which only the direction matters.
     pub fn maybe_leaving<const C: usize>(mut self, motion: Option<&'a Motion<C>>) -> Self {
         self.leaving = motion.map(inside);
         self

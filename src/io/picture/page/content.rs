@@ -137,8 +137,8 @@ impl Page {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
-    /// Draws a motion of the object in the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction of the
-    /// motion matters.
+    /// Draws a motion of the object in the last answer, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). Only the
+    /// direction of the motion matters.
     pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
