@@ -9,9 +9,10 @@
 //! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
 //! ```
 //!
-//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, so Newton's method may drift among them.
-//! With ζ = r − ρ u − δ (r − a) they are determined: the term in δ holds them near an anchor a. If a moves to each answer and δ decreases, the
-//! answers converge to a solution (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
+//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, so Newton's method may drift among them. With ζ
+//! = r − ρ u − δ (r − a) they are determined: the term in δ holds them near an anchor a. If a moves to the forces that solve these equations and δ
+//! decreases, again and again, the forces converge to a solution of the law (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14,
+//! 1976).
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};

@@ -1,9 +1,9 @@
 //! The sequence of methods for many contacts, or for a few if facets have failed: sweeps, the central path, anchored Newton steps, and a final
 //! polish.
 //!
-//! [`Sweeps`](super::sweeps) find the magnitude of the forces, the [`central_path`] the states of most contacts, and
-//! [anchored](super::alart_curnier) Newton steps continue from there. The forces with the smallest residual, contact by contact, are kept. If
-//! all of this fails, the next start makes more sweeps or begins the central path farther inside the cones.
+//! [`Sweeps`](super::sweeps) find the magnitude of the forces, the [`central_path`] the states of most contacts, and [anchored](super::alart_curnier)
+//! Newton steps continue from the forces at the end of the path. The forces whose largest residual over all contacts is smallest are kept. If a start
+//! fails, the next start makes more sweeps or begins the central path farther inside the cones.
 
 use super::alart_curnier::Anchored;
 use super::blocks::Blocks;
@@ -120,7 +120,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // Line search gives up below this fraction of a Newton step, which would not be worth its factorisation.
+            // The line search gives up below `shortest`, a fraction of a Newton step: so short a step would not be worth its factorisation.
             let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
@@ -153,7 +153,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let equations = self.anchored_at(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
-            // Polishing ends when neither a step nor sweeps reduce the residual to this fraction.
+            // Polishing ends when neither a step nor sweeps reduce the residual to this fraction of its previous value.
             let worthwhile = 0.9;
             if step.is_some_and(|step| self.record_if_best(&(&r + step)) <= worthwhile * before) {
                 continue;

@@ -71,12 +71,12 @@ pub(super) fn follow<const C: usize>(
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     // The first factor by which τ is reduced.
     let slow = 0.2;
-    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. The path is lost if
-    // τ can only be reduced by a factor above 0.9.
+    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's method has
+    // lost the path if it converges only for a reduction of τ by a factor above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
-        // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, steps are repeated that the next
-        // τ makes obsolete; if larger, the path is lost.
+        // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made that the
+        // next τ makes obsolete; if larger, Newton's method fails to follow the path.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
         let patience = Patience { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (place, steps) = descend(&smoothed, order, r.clone(), patience);
@@ -191,7 +191,7 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// The smoothed positive part φ of `x`, with the product ρ τ as `width` (see the top of the file). It is accurate also where φ is small.
+/// The smoothed positive part φ of `x`, with the product ρ τ as `width` (see the top of the file). Also small values φ are accurate.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }

@@ -104,7 +104,7 @@ impl<const C: usize> FrictionProblem<C> {
 
     pub(super) fn polygon(&self, facets: Facets<C>) -> Result<FacetedProblem<C>, LcpError> {
         let (n, width) = (self.len(), facets.width());
-        // Each column is the contact force of a unit of one unknown. The transpose maps velocities to slacks.
+        // Each column of `span` is the contact force due to one unit of one unknown. The transpose of `span` maps velocities to slacks.
         let mut span = DMatrix::zeros(C * n, width * n);
         for (i, facets) in facets.0.iter().enumerate() {
             span[(C * i, width * i)] = 1.0;

@@ -39,7 +39,7 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // Shortest step along the path; the path ends where it would have to be shorter.
+        // Shortest step along the path. The search ends where a step would have to be shorter.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);

@@ -95,8 +95,8 @@ impl<const C: usize> FrictionProblem<C> {
         let mut approach = Approach::new(self, blocks, settings, (names, watch));
         match polygon.take_if(|outcome| self.is_known(outcome)) {
             Some(Outcome::Solved(solution)) if solution.residuals.max() > 0.1 * settings.tolerance => {
-                // Solutions with residuals close to the tolerance are refined by further Newton steps, since residuals computed in another order
-                // might exceed it.
+                // Solutions with residuals close to the tolerance are refined by further Newton steps: residuals that the caller sums in another
+                // order might exceed the tolerance.
                 let r = approach.polished(&solution.r);
                 let polished = self.checked_solution(r, &rho, solution.residuals.max());
                 let (pivots, steps) = (solution.pivots, solution.steps);

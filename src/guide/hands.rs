@@ -42,7 +42,7 @@
 //! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
 //! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
 //! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) in addition to contacts; events
-//! and onsets contain the [drives](crate::load_path::Event::drives) that yield or slacken.
+//! and onsets contain the [drives](crate::load_path::Event::drives) that reach their limit or go slack.
 //!
 //! # Guarantees of theory, and their limits
 //!

@@ -29,7 +29,8 @@
 //! [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for an M and q that differ from the given ones by rounding, and
 //! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) says how large every z would have to be.
 //!
-//! [`NoBasis`](crate::lcp::Outcome::NoBasis): each of the 2ⁿ bases is excluded.
+//! [`NoBasis`](crate::lcp::Outcome::NoBasis): it is proved for each of the 2ⁿ complementary bases that no solution belongs to it, thus no solution
+//! exists.
 //!
 //! [`Ray`](crate::lcp::Outcome::Ray): nothing is known. Raise [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or formulate
 //! the problem differently.

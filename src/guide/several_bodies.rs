@@ -148,7 +148,8 @@
 //! # Limits
 //!
 //! The measure of Ferrari and Canny, limit analysis, the least squeeze over loads and screening accept a single object only. Links are exact to first
-//! order, like all displacements: the tension of a cable keeps its direction as its line turns. Many bodies are solved in an order in which bodies
-//! that touch are close to each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is lost in some seconds:
-//! the reports `several_bodies` and `scaling` have the times. These times are for the plane. In space half a brick rests on four points; a wall of 36
-//! bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that cannot stand, the proof takes no longer.
+//! order, like all displacements: the tension of a cable keeps its direction as its line turns. The equations of many bodies are ordered by body, and
+//! bodies that touch are close to each other in this order. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is
+//! lost in some seconds: the reports `several_bodies` and `scaling` have the times. These times are for the plane. In space half a brick rests on
+//! four points; a wall of 36 bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that cannot stand, the proof takes no
+//! longer.

@@ -14,11 +14,12 @@
 //! | peel: a moment across the normal | V R / 2 | one point opens |
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
-//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. With a bellows that follows, the vacuum may last until the
-//! lip is open all around. There at the latest [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go, and a path ends. An equilibrium
-//! beyond names the cup among its [`open_cups`](crate::equilibrium::Equilibrium::open_cups). [`SuctionCup`](crate::grasp::SuctionCup) lists the
-//! behaviour in other questions. A load of several kinds at once has no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for
-//! it. [`Grasp::need`](crate::ask::Grasp::need) for a squeeze returns the required vacuum.
+//! A point of a real lip that opens lets air in, which means that the cup lets go at the onset of peeling. With a bellows that follows, the vacuum
+//! may last until the lip is open all around. When the lip is open all around, [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go,
+//! and a load path ends. If an equilibrium is computed under a larger load, its [`open_cups`](crate::equilibrium::Equilibrium::open_cups) list the
+//! cup: the vacuum is gone, and this equilibrium does not hold. [`SuctionCup`](crate::grasp::SuctionCup) lists the behaviour in other questions. A
+//! load of several kinds at once has no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for it.
+//! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze returns the required vacuum.
 //!
 //! ```
 //! use grasp_lcp::need::Need;

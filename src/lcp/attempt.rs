@@ -22,15 +22,15 @@ impl Workspace {
         self.reserve(lcp.len());
     }
 
-    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if it
-    /// ends in a solution.
+    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if the
+    /// path ends in a solution.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// Clears the residuals and the number of pivots of the previous problem. Returns a breakdown if the settings do not fit this problem, otherwise
-    /// `None`.
+    /// Clears the residuals and the number of pivots of the previous problem, then checks the settings. Returns a breakdown if the settings are
+    /// invalid for this problem, otherwise `None`.
     pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;
         self.path.pivots = 0;

@@ -1,4 +1,4 @@
-//! The secondary ray at the end of a path, and the infeasibility proof that it may contain.
+//! The secondary ray at the end of a Lemke path, and the infeasibility proof that the ray may contain.
 //!
 //! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0. Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang &
 //! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector. Whether ẑ is a Farkas vector can be checked without knowing the class of M.
@@ -11,8 +11,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::vector_of;
 use nalgebra::DVector;
 
-/// The outcome of a path at whose end the entering variable grows without bound. If the ray is a Farkas vector the outcome is a proof. Otherwise the
-/// outcome is the ray, in the caller's units and with largest entry 1. `None` if the ray overflows in these units.
+/// The outcome of a Lemke path at whose end the entering variable grows without bound. If the ray is a Farkas vector the outcome is a proof.
+/// Otherwise the outcome is the ray, in the caller's units and with largest entry 1. `None` if the ray overflows in these units.
 pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;

@@ -69,8 +69,8 @@ pub(super) struct Dictionary {
     pub(super) u: Vec<f64>,
     /// The balanced covering vector d.
     pub(super) d: Vec<f64>,
-    /// The column of M, or d, from which equation (1) of the file header computes the entering column. A zero follows it, for rows whose basic
-    /// variable is no slack.
+    /// The column of M, or d, from which equation (1) of the file header computes the entering column. The list has one more entry, zero, to which
+    /// `slack` refers the rows whose basic variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
@@ -110,7 +110,7 @@ impl Dictionary {
         }
     }
 
-    /// Whether w_i is nonbasic, so that row i of w = q + M z + d z₀ holds with w_i = 0.
+    /// Whether w_i is nonbasic, i.e. whether row i of w = q + M z + d z₀ holds with w_i = 0.
     pub(super) fn is_active(&self, i: usize) -> bool {
         self.slot[i].is_some()
     }

@@ -80,8 +80,8 @@ impl Workspace {
         self.path.d.clear();
         self.path.d.extend(
             // Entry i of d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths would stay close to the
-            // first path. In a wider range the problems would be badly scaled. Attempts use different values of [`generic`], since no dense problem
-            // has a million rows.
+            // first path. In a wider range the problems would be badly scaled. Each attempt starts a million entries further in the sequence
+            // [`generic`]; dense problems have fewer rows, thus attempts share no entry.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -111,8 +111,8 @@ impl Workspace {
     }
 }
 
-/// A basis for the start of a path, for problems whose paths from the slack basis end in rays: z_i and z_j are basic, or one z_i alone if M_ii ≠ 0.
-/// `None` if no j has nonzero M_ij and M_ji.
+/// A basis for the start of a path, for problems whose paths from the slack basis end in rays: z_i and z_j are basic, or z_i alone (returned as `[i,
+/// i]`) if M_ii ≠ 0. `None` if no j has nonzero M_ij and M_ji.
 ///
 /// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few basic z's. Each attempt uses another index i.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {

@@ -1,7 +1,7 @@
-//! The least violation of linear constraints, by linear programming. It yields proofs of infeasibility.
+//! The least violation of linear constraints, by linear programming. If the least violation is positive, the dual solution proves infeasibility.
 //!
-//! If a ray proves nothing, the solver tries the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }. If the minimum of t is positive, no z ≥ 0 satisfies
-//! M z + q ≥ 0, and the dual solution is a Farkas vector.
+//! If Lemke's path ends in a ray that proves nothing, the solver tries the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }. If the minimum of t is
+//! positive, no z ≥ 0 satisfies M z + q ≥ 0, and the dual solution is a Farkas vector.
 
 use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};
@@ -21,8 +21,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // For large problems only one program is solved, since each further margin costs one more path on 2 n + 1 rows. If rounding invalidates its
-    // proof, the outcome is nearly infeasible. Data of large problems usually contain rounding errors themselves.
+    // For large problems only one program is solved, since each further margin costs one more Lemke path of a problem of 2 n + 1 rows. If rounding
+    // invalidates the proof, the outcome is nearly infeasible. Data of large problems usually contain rounding errors themselves.
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {

@@ -1,4 +1,4 @@
-//! A path through the dictionaries of one problem, by pivots.
+//! Lemke's path through the dictionaries of one problem: each pivot leads from one dictionary to the next.
 
 use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};

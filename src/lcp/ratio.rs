@@ -23,8 +23,8 @@ pub(super) enum Covering {
 /// The row whose basic variable reaches zero first as the entering variable increases; `None` if no basic variable ever reaches zero. If z₀ is
 /// `Artificial` and reaches zero together with others, the row of z₀ is returned. If z₀ is a `Parameter`, its row never blocks.
 ///
-/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among these
-/// the row with the smallest p_i / −u_i is chosen.
+/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among the
+/// preferred rows the row with the smallest p_i / −u_i is chosen.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
@@ -86,7 +86,7 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0, so that u_i may be noise.
+/// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
 ///
 /// A row is violated if its value becomes negative by more than rounding: its own rounding error, or the rounding error of the largest value. If no
 /// row is violated, it does not matter whether a doubtful row blocks first.

@@ -116,8 +116,8 @@ impl LemkePath {
     /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their largest
     /// term. Returns whether there are such rows.
     ///
-    /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector to which this
-    /// column belongs.
+    /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector that has this
+    /// column.
     pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;

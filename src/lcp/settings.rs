@@ -156,8 +156,8 @@ impl Settings {
         }
     }
 
-    /// Settings with which a single path is followed: without a linear program for a proof, without retries and without enumeration. They are for
-    /// problems on which Lemke's method cannot fail, and for callers that have a better alternative.
+    /// Settings with which a single path is followed: without a linear program for a proof, without retries and without enumeration. Such settings
+    /// are for problems on which Lemke's method cannot fail, and for callers that have a better alternative to retries.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }

@@ -42,7 +42,7 @@ pub struct SolutionView<'a> {
     pub residuals: Residuals,
     /// Number of pivots, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero, so that other bases have the same point.
+    /// Whether a basic variable is zero. Other bases then have the same point, and the solution may be one of several.
     pub degenerate: bool,
 }
 

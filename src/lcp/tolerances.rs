@@ -113,7 +113,7 @@ pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
 /// With a larger limit, these checks take longer than Lemke's path. With a smaller limit, proofs are longer than necessary.
 pub(super) const MOST_PAIRED_ROWS: usize = 48;
 
-/// 2⁵³, the largest denominator that is tried for the ratios of a Farkas vector: beyond it not all integers are doubles.
+/// 2⁵³, the largest denominator that is tried for the ratios of a Farkas vector: above 2⁵³ not all integers are doubles.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 /// The lower bound on z that follows from a Farkas vector is reduced by this fraction, to cover its own rounding error.

@@ -153,7 +153,7 @@ impl BandFactors {
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            // A zero in the right-hand side changes no later row. The load of one contact has many zeros.
+            // A zero in the right-hand side changes no later row. A right-hand side due to the force of one contact has many zeros.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
@@ -229,7 +229,8 @@ mod tests {
     #[test]
     fn what_is_singular_has_null_vectors() {
         let (mut band, mut full) = random_band(20, 3);
-        // Row 10 becomes the sum of rows 8 and 9, both restricted to columns that row 10 can reach.
+        // The band of row 10 covers the columns 7 to 13. Rows 8 and 9 lose their entries in other columns, and row 10 becomes their sum: the matrix
+        // is singular.
         for j in 5..14 {
             let sum = full[8][j] + full[9][j];
             if (7..14).contains(&j) {

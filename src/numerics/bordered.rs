@@ -18,7 +18,7 @@ pub(crate) struct Bordered {
     rows: Square,
     /// The last column of the bordered matrix, without its corner.
     last: Vector,
-    /// The border row, below the rows of T, without its corner.
+    /// The border row, below the rows of the balance matrix T, without its corner.
     border: Vector,
     corner: f64,
     /// The original index of each row after row exchanges; the border row has index d.

@@ -1,6 +1,6 @@
 //! Short arrays and vectors made element by element.
 //!
-//! The library is compiled faster with them: the compiler makes two hundred lines of code of each use of `array::map`, and a hundred of each
+//! These functions shorten the compilation: the compiler makes two hundred lines of code of each use of `array::map`, and a hundred of each
 //! `SVector::from_fn`.
 
 use nalgebra::SVector;

@@ -10,7 +10,7 @@ use crate::prelude::*;
 
 /// Number of limbs of 64 bits: 4196 bits for a product, the rest for carries and the sign.
 const LIMBS: usize = 68;
-/// Binary exponent of the unit: the square of the smallest subnormal number.
+/// Binary exponent of the lowest bit of a sum. The value of this bit is the square of the smallest subnormal number.
 const LOWEST: i32 = -2148;
 
 /// A sum in two's complement, least significant limb first.

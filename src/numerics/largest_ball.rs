@@ -125,7 +125,8 @@ impl Polytope {
             }
             face.is_alive
         });
-        // A ridge between two removed faces occurs twice, a ridge of their rim once. After sorting, equal ridges are adjacent.
+        // A ridge between two removed faces occurs twice; a ridge on the rim of the removed region occurs once. After sorting, equal ridges are
+        // adjacent.
         let mut ridges = core::mem::take(&mut self.ridges);
         ridges.sort_unstable();
         for same in ridges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1) {

@@ -1,4 +1,4 @@
-//! An order of coordinates in which coupled coordinates are close to each other.
+//! An order of coordinates in which coupled coordinates are close to each other, so that a matrix over these coordinates has a narrow band.
 //!
 //! Coordinates that always occur together form one node of a graph. The nodes are visited breadth first, starting from a peripheral node, and
 //! neighbours of low degree first (Cuthill–McKee order).

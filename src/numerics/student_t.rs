@@ -1,4 +1,4 @@
-//! Quantiles of Student's distribution: the error of a mean if the scatter is estimated from the same few numbers.
+//! Quantiles of Student's distribution. They give the error of a mean if the scatter is estimated from the same few numbers.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 

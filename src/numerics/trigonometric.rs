@@ -5,8 +5,9 @@
 //! ```
 //!
 //! A full turn is treated as four quarter turns. With t = tan(φ/2) from the start of a quarter, `(1 + t²)² f` is a polynomial of degree four on 0 ≤ t
-//! ≤ 1. Its extrema are the roots of its derivative, which are found recursively down to degree one. Between two neighbouring extrema lies at most
-//! one root, so no root is missed and no root is spurious.
+//! ≤ 1. Its extrema are the roots of its derivative, which are found recursively down to degree one. Between two neighbouring extrema the polynomial
+//! is monotone: a sign change between them shows exactly one root, and no root with a sign change is missed. A double root is an extremum whose value
+//! is zero up to rounding, and counts as a touch.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -85,7 +86,8 @@ impl Trigonometric {
     /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn. `None` if there is no
     /// such angle.
     ///
-    /// A value is zero within `rounding`. The first `roots_here` roots at φ = 0 do not count: the polynomial is zero at φ = 0 and increases.
+    /// A value up to `rounding` counts as zero. The polynomial has `roots_here` roots at φ = 0, which do not count, because it is positive just after
+    /// φ = 0.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut shifted = *self;

@@ -52,3 +52,17 @@ fn a_load_that_is_reached_by_small_motions_only_with_stiff_springs_depends() {
     assert_eq!(setup.grasp().unwrap().hold(load).unwrap().holds(), Some(true));
     assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
 }
+
+/// On three supports with kinetic friction the stiffest one slides first, and the load holds that the others carry beside it: 2 + 5 + 5 N if it is ten
+/// times as stiff, 15 N if all are alike.
+#[test]
+fn one_support_that_is_stiffer_than_the_others_changes_what_holds() {
+    let support = |x: f64| {
+        let at = Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e6, 1e5).friction(0.5).kinetic(0.2);
+        Fingertip::from(at)
+    };
+    let (base, load) = (Wrench::force([0.0, -30.0]), Wrench::force([13.0, 0.0]));
+    let question = Question::Hold { base, load, together_with: BTreeMap::default() };
+    let setup = Setup::<2>::new([-0.1, 0.0, 0.1].map(support)).ask(question);
+    assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
+}

@@ -1,4 +1,4 @@
-//! Joints and tendons of a hand in pictures. Joints and tendons that yield at the limit of their torque or tension are marked.
+//! Joints and tendons of a hand in pictures. Joints and tendons whose torque or tension is at its limit are marked.
 
 use nalgebra::SVector;
 

@@ -30,7 +30,7 @@ impl EqualScales {
         Self { window, middle: low / 2.0 + high / 2.0, scale }
     }
 
-    /// Whether scale and middle are finite, so that everything can be drawn.
+    /// Whether scale and middle are finite; otherwise nothing can be drawn.
     pub(super) fn are_finite(&self) -> bool {
         self.scale > 0.0 && self.scale.is_finite() && self.middle.iter().all(|x| x.is_finite())
     }

@@ -29,8 +29,8 @@ pub(super) struct Drawn<'a, const C: usize> {
 }
 
 impl<const C: usize> Drawn<'_, C> {
-    /// The chart with one curve per contact, from the start to the end of the path. Marks are at the first slip, opening or yield of a drive, and at
-    /// the end.
+    /// The chart with one curve per contact, from the start to the end of the path. Marks are at the first slip, opening, or drive that reaches its
+    /// limit, and at the end.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
@@ -70,7 +70,8 @@ impl<const C: usize> Drawn<'_, C> {
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
-            // On straight legs curves are smooth between events, and few points suffice. The events themselves are added.
+            // On legs along which the load changes linearly, curves are smooth between events, and few points suffice. The events themselves are
+            // added.
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
@@ -144,7 +145,7 @@ fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state
             f64::NAN
         };
     }
-    // The margin is μ F_n - |F_t|, so that friction force and margin add up to the limit.
+    // The margin is μ F_n - |F_t|; friction force and margin therefore add up to the limit μ F_n.
     let (used, all) = answers.iter().filter(rubs).fold((0.0, 0.0), |(used, all), answer| {
         (used + answer.friction_force(), all + answer.friction_force() + answer.margin)
     });
@@ -193,7 +194,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: 
     Shared { drawn: moved(drawn, &|(_, series)| series), left_out }
 }
 
-/// Whether two curves coincide on paper. The caller then dashes the second, so that both are visible.
+/// Whether two curves coincide on paper. If so, the caller draws the second curve dashed, which keeps both visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
         // A difference of at most 4e-3 is invisible.
@@ -225,7 +226,8 @@ pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
     if more > 0 { format!("{shown} and {more} more") } else { shown }
 }
 
-/// The first contact or drive that slides, opens or yields at an event, in words such as "left slides"; `None` if there is none.
+/// The first contact that slides or opens at an event, or else the first drive that reaches its limit, in words such as "left slides". `None` if
+/// neither exists.
 fn left_by<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
     let contact = event.changes.iter().find_map(|change| {
         let tip = tips.at(change.contact.index);

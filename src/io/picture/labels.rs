@@ -12,8 +12,8 @@ type Plate = (Place, (f64, f64));
 /// Distance of a name from its point, pixels, beyond which a line joins them; without this line a name could seem to belong to another point.
 const NEAR: f64 = 16.0;
 
-/// If a name beside its point covers strokes whose total cost exceeds this, places farther away are tried. Covering an arrow or the edges of a cone
-/// costs more than this.
+/// Limit of the total cost of the strokes that a name beside its point may cover; above this limit places farther away are tried. Covering an arrow
+/// or the edges of a cone costs more than this limit.
 const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {
@@ -60,8 +60,8 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best place of a name: beside its point or, if the name would cover too many strokes there, anywhere on the paper. A line joins a name to a
-    /// point that is not near. `None` if the paper is full.
+    /// The best place of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins a
+    /// name to a point that is not near. `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &Plate| self.cost(point, plate) <= COVERS_MUCH;

@@ -24,8 +24,8 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A
 /// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
 /// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure; dots in the colours of their states are the
-/// points. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons that yield at their limit are marked. No name
-/// covers another name.
+/// points. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons whose torque or tension is at its limit are
+/// marked. No name covers another name.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;
@@ -98,8 +98,8 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws a motion of the object, if there is one, such as that of a [loss](crate::hold::Lost::motion): the outline, or the contact points, displaced
-    /// along it. Only the direction of the motion matters.
+    /// Draws a motion of the object, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). The outline, or else the contact
+    /// points, are drawn displaced along the motion, of which only the direction matters.
     pub fn maybe_leaving<const C: usize>(mut self, motion: Option<&'a Motion<C>>) -> Self {
         self.leaving = motion.map(inside);
         self

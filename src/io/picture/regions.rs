@@ -1,7 +1,7 @@
 //! The region of a triangle mesh in which a function is at least some level, as one area.
 //!
-//! The function is linear on each triangle, so that its part above the level is a polygon. Edges that two of these polygons share cancel. The other
-//! edges surround the whole region, which is drawn as one area and has no visible seams.
+//! The function is linear on each triangle. The part of a triangle on which the function is at least the level is therefore a polygon. Edges that two
+//! of these polygons share cancel. The other edges surround the whole region, which is drawn as one area and has no visible seams.
 
 use super::sheet::{Pixel, Place, pixel};
 

@@ -108,7 +108,8 @@ impl Setup<3> {
             }
         }
         if pressed > 0 && warnings.len() == pressed {
-            // If no contact presses with its force, one common reason is stated instead, if known.
+            // If no contact presses with the force that the scene states, and all contacts are on the same side, one warning about this common reason
+            // replaces the others.
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
         let contacts = self.entries().count();

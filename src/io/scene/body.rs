@@ -46,7 +46,7 @@ struct Written<const C: usize> {
     /// The centre of mass, m; the origin if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     centre_of_mass: Option<AxisRow<Given, C>>,
-    /// A constant load on the body beside its weight and the loads of questions; zero if left out.
+    /// A constant load on the body, in addition to its weight and the loads of questions; zero if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load: Option<Wrench<C>>,
     /// The corners of the body in order, m; only drawn.

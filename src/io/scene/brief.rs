@@ -66,7 +66,7 @@ pub struct Brief {
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the model of small motions. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
-    /// Whether a suction cup is [open all around](Equilibrium::open_cups), so that the equilibrium does not hold. Left out if false.
+    /// Whether a suction cup is [open all around](Equilibrium::open_cups), which means that the equilibrium does not hold. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub vacuum_gone: bool,
 }

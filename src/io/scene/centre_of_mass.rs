@@ -38,7 +38,7 @@ struct AllBodies {
     centre: Vec<f64>,
     /// Whether loads are shared by mass.
     share: bool,
-    /// Whether the scene's gravity pulls at the bodies, so that an acceleration needs no mass.
+    /// Whether the scene's gravity pulls at the bodies; an acceleration then needs no mass.
     are_heavy: bool,
 }
 
@@ -79,7 +79,7 @@ impl AllBodies {
             Value::Object(fields) => {
                 is_written = self.complete(fields);
                 for (name, value) in fields {
-                    // Each of these loads acts on one body.
+                    // Loads in these fields act on one body each; only loads on all bodies are completed.
                     let is_on_one = matches!(&**name, "together_with" | "body_loads_by" | "body_loads_to");
                     is_written |= !is_on_one && self.write_into(value);
                 }

@@ -36,7 +36,7 @@ pub struct Fingertip<const C: usize> {
     pub touches: Option<super::part::Touches>,
     /// The curve or surface along which the contact may move if fingers are [improved](crate::improve).
     pub surface: Option<Surface<C>>,
-    /// Whether no stiffness was given, so that the default takes its place; see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
+    /// Whether no stiffness was given; the default then takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
     pub no_stiffness: bool,
     /// A comment for the reader of the file.
     pub comment: Option<String>,

@@ -67,7 +67,8 @@ impl Setup<3> {
             return Ok(None);
         }
         let questions =
-            // Links are usually much stiffer than the contacts, so that answers depend on their stiffness only slightly.
+            // Links are usually much stiffer than the contacts. Answers therefore depend only slightly on the stiffness of links, and changes of up
+            // to a thousandth do not count.
             self.questions_that_depend(&[self.with_links(1), self.with_links(2)], &without_limits, &|_| false, 1e-3)?;
         let (depends, stiffness) = (!questions.is_empty(), Link::<3>::STIFF);
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
@@ -141,7 +142,7 @@ impl Setup<3> {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
-                // If the load is lost, the first slip on the way to it is not part of the answer.
+                // If the grasp does not hold the whole load, the load factor at first slip is not part of the answer.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let first = first.map_or(f64::INFINITY, |first| first.factor);
                 let lost = lost.map_or(f64::INFINITY, |lost| lost.factor);
@@ -182,7 +183,7 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// This grasp without limits on rotation and slip, so that all motions count as small.
+/// This grasp without limits on rotation and slip; all motions then count as small.
 fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }

@@ -79,7 +79,7 @@ struct Written<const C: usize> {
     /// The pull of a spring or cable before anything moves, N; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pretension: Option<f64>,
-    /// The pull of a spring or cable without load, N, after all other springs have yielded; instead of the pretension.
+    /// The pull of a spring or cable without load, N, after all other springs have deflected; instead of the pretension.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     tension: Option<f64>,
     /// The length of a cable in excess of the distance between its ends, m; 0 if left out.

@@ -112,7 +112,7 @@
 //! | `on` | the body that the link joins to the ground | | an error with several bodies and no `between` |
 //! | `stiffness` | stiffness along each direction in which the link prevents relative motion | N/m | 1e9; of a spring an error |
 //! | `pretension` | pull of a spring or a cable before anything moves | N | 0 |
-//! | `tension` | in place of `pretension`: the pull without load, after all other springs have yielded | N | not used |
+//! | `tension` | in place of `pretension`: the pull without load, after all other springs have deflected | N | not used |
 //! | `slack` | the length of a cable in excess of the distance between its ends | m | 0 |
 //!
 //! Lists with an entry for each contact have no entries for links.

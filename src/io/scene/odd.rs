@@ -180,8 +180,8 @@ impl Setup<3> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// A warning if each pair of normals encloses less than 90°, so that no contact can press against another. `None` for a single contact, and with
-    /// links or bodies.
+    /// A warning if each pair of normals encloses less than 90°, which means that no contact can press against another. `None` for a single contact,
+    /// and with links or bodies.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().list();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {

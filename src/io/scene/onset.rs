@@ -1,4 +1,4 @@
-//! Answers about first slip under a growing load, at a load factor, or under a turning load, at an angle.
+//! Answers about first slip: its load factor under a growing load, or its angle under a turning load.
 
 use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};

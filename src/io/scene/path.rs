@@ -89,7 +89,7 @@ pub struct BalancedEnergy {
 }
 
 impl SceneNames<'_> {
-    /// The answer for a path that was followed to its end, with the events on the way.
+    /// The answer for a path that was followed to its end, with the events along the path.
     pub(super) fn path(&self, path: &LoadPath<'_, 3>, events: Vec<Event<3>>) -> PathAnswer<3> {
         let balanced = |energy: &LegEnergy| BalancedEnergy {
             energy: LegEnergy { turnover: 0.0, ..*energy },

@@ -67,7 +67,8 @@ struct WrittenSettings {
     /// Relative error of one step along a sliding arc, a piece of a load path on which slip directions turn.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1)))]
     step_error: f64,
-    /// Largest number of steps along sliding arcs within a leg.
+    /// Largest number of integration steps within a leg of a load path, on sliding arcs (pieces on which slip directions turn). Also the largest
+    /// number of jumps from static to kinetic friction within a leg.
     most_steps: usize,
     /// The largest load factor up to which `hold` searches for the loss of equilibrium.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]

@@ -236,7 +236,7 @@ impl Setup<3> {
         self.space.axes()
     }
 
-    /// The same format of numbers, for vectors of three components; in the plane the third component is not written.
+    /// The format `words` of numbers, adapted to this setup, whose vectors have three components. In the plane the third component is not written.
     pub fn words(&self, words: Words) -> Words {
         words.in_space(self.space)
     }

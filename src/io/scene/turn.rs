@@ -84,7 +84,7 @@ impl<const C: usize> WrittenTurn<C> {
         Ok(turn)
     }
 
-    /// Whether the turn is given without a load, so that the scene's gravity turns.
+    /// Whether the turn is given without a load; the scene's gravity then turns.
     fn turns_nothing(&self) -> bool {
         let wrenches = [&self.beside, &self.constant, &self.cosine, &self.sine];
         self.at.is_none() && wrenches.iter().all(|given| given.is_none())

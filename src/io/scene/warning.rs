@@ -43,7 +43,7 @@ pub enum Warning {
         /// The normal force without load, N.
         force: f64,
     },
-    /// Several contacts have the same name, so that answers are ambiguous.
+    /// Several contacts have the same name, which makes answers ambiguous.
     SameName {
         /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
@@ -89,7 +89,7 @@ pub enum Warning {
         what: String,
         /// The implausible length, m.
         length: f64,
-        /// The distance between contacts, m, if the length is too large in comparison with it.
+        /// The distance between contacts, m, if the length is too large in comparison with this distance.
         #[serde(skip_serializing_if = "Option::is_none")]
         beside: Option<f64>,
     },
@@ -104,7 +104,7 @@ pub enum Warning {
         /// The stiffness, N/m, or the force, N, of the first of these contacts.
         value: f64,
     },
-    /// All normals point the same way, so that contacts cannot press with their given forces.
+    /// All normals point the same way, which means that contacts cannot press with their given forces.
     SameSide {
         /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
@@ -151,7 +151,7 @@ pub enum Warning {
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
-        /// Whether the normals are opposite, so that the object has no thickness there.
+        /// Whether the normals are opposite, which means that the object has no thickness at the contacts.
         opposite: bool,
     },
     /// A normal points out of the object's outline.

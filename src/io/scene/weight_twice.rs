@@ -8,7 +8,8 @@ use crate::grasp::inside;
 use crate::words::printable;
 
 impl Setup<3> {
-    /// Refuses the questions of a scene that count a weight twice. They are checked in `text`, since a mass has become a force in the setup.
+    /// Refuses the questions of a scene that count a weight twice. The questions are checked in `text`, because in the setup a mass has already
+    /// become a force.
     pub(super) fn refuse_in_scene(&self, text: &[u8]) -> Result<(), Fault> {
         if self.own_mass().is_none() {
             return Ok(());

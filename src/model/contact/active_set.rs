@@ -1,7 +1,7 @@
 //! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. An event is a load at which some
 //! contact changes its state. The active set determines the law for the rates of force and stretch beyond the event.
 //!
-//! A contact with its force inside the cone keeps sticking in the next step. With its force on facets of the cone it sticks, or slides along the
+//! A contact with its force inside the cone keeps sticking just beyond the event. With its force on facets of the cone it sticks, or slides along the
 //! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
 //! The search for the onset of sliding and the load path use the same laws of the rates.
 
@@ -40,7 +40,7 @@ impl ActiveSet {
         self.apex = false;
     }
 
-    /// Whether a force is zero up to rounding, so that the contact is at the apex of its cone.
+    /// Whether a force is zero up to rounding, which means that the contact is at the apex of its cone. `force_size` scales the rounding error.
     pub(crate) fn is_weightless(force: &SVector<f64, 3>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size
     }
@@ -114,8 +114,8 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes from the active set the facets whose margin grows at these rates, and the apex if the normal force or the gap grows. Facets on which
-    /// the contact slides stay in the set. If the force leaves the apex, the facets along which it then moves stay, too.
+    /// Removes from the active set the facets whose margin grows at the rates of `line`, and the apex if the normal force or the gap grows. Facets on
+    /// which the contact slides stay in the set. If the force leaves the apex, the facets along which it then moves stay, too.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -220,7 +220,8 @@ impl LocalLaw<'_> {
             // On the round cone an edge has only one facet, with the direction of the slide as its normal.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // A state that slides has the bonded law for its rates only if the contact has just stopped sliding.
+            // With the bonded law for the rates the contact does not slide. A sliding `state` is possible only if the contact has just stopped
+            // sliding, so it sticks now.
             (Law::Bonded, _) => return Some(Mode::Sticking),
             // At the apex of a round cone the law for rates does not determine a slip direction.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,

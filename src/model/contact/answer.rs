@@ -71,8 +71,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. The friction has the direction of the trial
-    /// traction after the slip per force λ has softened the springs.
+    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. The friction has the direction of `S v_t`, the
+    /// traction in springs that the slip per force λ has softened.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
@@ -177,8 +177,8 @@ impl LocalLaw<'_> {
 /// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
 /// left of the root. From there the steps increase towards the root and never pass it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // Least ratio of the radius r to the traction; a smaller r is replaced. At this ratio S is already negligible compared with K, and r = 0 would
-    // have no finite λ.
+    // 1e-200 is the least ratio of the radius r to the traction; a smaller r is raised to this ratio. At this ratio S is already negligible compared
+    // with K, and r = 0 would have no finite λ.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);
@@ -187,10 +187,11 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // Largest starting λ, as a multiple of the compliance of the stiffest spring. For larger λ squares underflow, and Newton's steps could not
     // return.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
-    // A negative λ means slip against the friction force. Its lower bound follows from the softer spring. It must also stay above -1/k of the stiffer
-    // spring, where 1 + λk vanishes.
+    // A negative λ, for a traction shorter than r, means slip against the friction force. The lower bound of λ is the λ at which the softer spring
+    // alone would have the force r. The lower bound must also exceed -1/k of the stiffer spring, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // Stopping tolerance: relative change of λ. The lower bound of λ keeps the same relative distance from the pole at -1/k of the stiffer spring.
+    // Stopping tolerance: relative change of λ. The same number is the relative distance that the lower bound of λ keeps from the pole at -1/k of the
+    // stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
     // Upper bound of the number of Newton steps for λ.

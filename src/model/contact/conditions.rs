@@ -30,9 +30,9 @@ pub(crate) struct SpringState<'s> {
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the lesser of two upper bounds. For stiff
-    /// contacts, whose stretches are differences of large displacements, the lesser bound is the largest force of the grasp. For soft contacts it is
-    /// the stiffness times the size of the displacements.
+    /// Size that scales the rounding error of the contact's force, N. It is the size of the force plus the smaller of two estimates: the largest
+    /// force of the grasp, and the stiffness times the size of the displacements. The former is smaller for stiff contacts, whose stretches are
+    /// differences of large displacements. The latter is smaller for soft contacts.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)

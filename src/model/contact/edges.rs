@@ -32,7 +32,7 @@ pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
     Harmonic { constant: unit(0) * limit, cosine: -unit(1), sine: -unit(2) }
 }
 
-/// Whether a condition with the coefficients `row` is violated by more than rounding. `size` is the magnitude of its terms.
+/// Whether a condition `value >= 0` with the coefficients `row` is violated by more than rounding. `size` scales the rounding error of the force.
 pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
@@ -116,7 +116,7 @@ impl Edges {
 
 /// The angles of all local minima of a periodic function of an angle.
 fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
-    // Number of samples around the circle; with fewer, a narrow minimum could be missed.
+    // Number of samples around the circle, one every 10 degrees. A local minimum that is narrower than this spacing could be missed.
     let count = 36;
     let step = TAU / count as f64;
     let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));

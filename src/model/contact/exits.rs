@@ -79,8 +79,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. The second step is infinite without a second
-    /// exit; `None` if the force never leaves the cone.
+    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. The second step is infinite if no second exit
+    /// exists. `None` if the force never leaves the cone.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
@@ -112,7 +112,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Visits every facet of the polygon that the line reaches. Without facets it visits the point at which the normal force vanishes.
+    /// Visits the exit at every facet of the polygon that the line reaches. If the contact has no facets but may open, the exit is the zero of the
+    /// normal force.
     fn for_each_polygon_exit(&self, line: &Line, mut visit: impl FnMut(Exit)) {
         let (cone, facets) = (self.cone(), self.facets());
         if facets.is_empty() && self.may_open() {

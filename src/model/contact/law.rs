@@ -40,7 +40,8 @@ pub(crate) struct LocalLaw<'c> {
     pub(super) friction: Coulomb,
     /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient.
+    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient. They are needed in a
+    /// complementarity problem, where only facets remove the tangential force of an open contact.
     pub(super) infinite_friction_has_edges: bool,
 }
 
@@ -55,8 +56,8 @@ impl<'c> LocalLaw<'c> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The friction cone whose facets are the facets of the contact. If a contact with infinite friction has facets, the coefficient of this cone is
-    /// very large but finite.
+    /// The friction cone of the contact. If a contact with infinite friction has facets (`infinite_friction_has_edges`), the coefficient of this cone
+    /// is very large but finite.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
@@ -173,8 +174,8 @@ impl<'c> LocalLaw<'c> {
         states
     }
 
-    /// The state in which the contact slips on all given facets at once; their numbers are in ascending order. Facets without a common corner can
-    /// only slip together at the apex, where F = 0.
+    /// The state in which the contact slips on all facets in `facets` at once; their numbers must be in ascending order. On facets without a common
+    /// corner the contact can only slip at the apex, where F = 0; the state is then open.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {

@@ -22,7 +22,7 @@
 //! | `edges` | the conditions on the force of a sticking contact, and the least of them over a set of forces |
 //! | `exits` | the distance along a straight line of forces at which a contact leaves its state |
 //! | `turning_exits` | the angle of a turning load at which a contact leaves its state |
-//! | `active_set` | the edges reached at an event, and the law of the rates beyond it |
+//! | `active_set` | the edges reached at an event, and the law of the rates just after the event |
 //! | `tolerances` | limits below which a quantity counts as zero |
 
 mod active_set;

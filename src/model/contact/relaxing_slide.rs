@@ -10,8 +10,8 @@
 //! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
 //! ```
 //!
-//! where v_t' has the angle θ. With only one of the two terms, the equation for φ has a closed solution. The first solution also gives
-//! `∫ p·K p ds = ∫ dτ/r`, which determines s:
+//! where v_t' has the angle θ. With only one of the two terms, the equation for φ has a closed solution: `under_stretch` with the term in A,
+//! `squeezed` with the term in B. The solution `under_stretch` also gives `∫ p·K p ds = ∫ dτ/r`, which determines s:
 //!
 //! ```text
 //! under_stretch    tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
@@ -19,8 +19,8 @@
 //! ```
 //!
 //! Half a step `under_stretch`, a whole step `squeezed` and half a step `under_stretch` (Strang splitting) are correct to second order. They are
-//! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r', and where γ vanishes, the
-//! right-hand side increases at the rate `(p⊥·K v_t')²/r`.
+//! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r'. Whenever γ vanishes, the
+//! right-hand side has the derivative `(p⊥·K v_t')²/r` with respect to τ, which is not negative.
 
 use crate::numerics::Each;
 #[cfg(not(feature = "std"))]

@@ -28,7 +28,8 @@ pub(crate) struct Slide {
 pub(crate) struct Edge {
     /// P, the friction force for μ F_n = 1 if the spring across the slip is not stretched.
     pub(crate) pull: SVector<f64, 3>,
-    /// d, the tangent at right angles to the slip direction, with the length of the vector that gives this direction.
+    /// d, the tangent at right angles to the slip direction. It is as long as the vector from which it was turned: 1 for a unit slip direction, |h|
+    /// for a facet normal h.
     pub(crate) across: SVector<f64, 3>,
     /// κ, the stiffness across the slip, N/m; zero in the plane, at a corner of a polygon and without tangential springs.
     pub(crate) stiffness: f64,

@@ -28,7 +28,7 @@ use crate::prelude::*;
 impl LocalLaw<'_> {
     /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip must be subtracted
     /// from `before`; [`Compliance::slip`](super::Compliance::slip) returns it. In the plane, or without sliding, the result equals [`Self::answer`].
-    /// The exception is a contact that closes on the way: its friction starts when it closes.
+    /// The exception is a contact that closes between `before` and `stretch`: its friction starts when it closes.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -43,7 +43,7 @@ impl LocalLaw<'_> {
         }
         let rate = to - from;
         if from[0] < 0.0 && self.may_open() {
-            // The contact closes on the way: only the tangential stretch after closing causes friction.
+            // The contact closes between `before` and `stretch`: only the tangential stretch after closing causes friction.
             let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
             since[0] = stretch[0];
             return self.answer(&since, 0.0);

@@ -20,7 +20,7 @@ pub(crate) const WEIGHTLESS: f64 = 1e-12;
 pub(crate) const SMALLEST: f64 = 1e-250;
 
 /// Least width of a sector of friction directions that is still divided, rad. Fingers whose normals deviate from symmetry by 1e-8 may wedge the
-/// object, so that slip directions matter down to this angle. In narrower sectors the contact law is violated only by rounding.
+/// object; slip directions therefore matter down to this angle. In narrower sectors the contact law is violated only by rounding.
 ///
 /// With a smaller width, the search also divides sectors in which the law is violated only by rounding. With a larger width, grasps that wedge the
 /// object remain undecided.

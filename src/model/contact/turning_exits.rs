@@ -75,7 +75,7 @@ impl LocalLaw<'_> {
     }
 
     /// The angles at which a sliding contact stops sliding, at most one for each facet on which it slides. At such an angle the rate of the slip
-    /// component along the facet becomes negative. Until then the contact stays on its facets.
+    /// component along the facet's normal becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -144,7 +144,7 @@ impl LocalLaw<'_> {
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // Near the apex the angle at which the normal force vanishes is used instead.
+            // Near the apex the caller uses the angle at which the normal force vanishes instead.
             Start::Falls | Start::Stays => None,
         }
     }
@@ -180,7 +180,7 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
 enum Start {
     /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
     Above { roots: usize },
-    /// The margin is zero at φ = 0 and negative beyond.
+    /// The margin is zero at φ = 0 and negative just after it.
     Falls,
     /// The margin is zero at every angle.
     Stays,

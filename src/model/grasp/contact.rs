@@ -128,7 +128,8 @@ impl<const C: usize> Contact<C> {
     }
 
     /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
-    /// stiffness of the contact is then that of the body named by [`on`](Self::on), the finger stiffness that of the body named here.
+    /// stiffness of the contact is then the stiffness of the body named by [`on`](Self::on), and the finger stiffness is the stiffness of the body
+    /// named here.
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self

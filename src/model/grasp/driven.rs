@@ -206,7 +206,7 @@ impl Engine {
         changes
     }
 
-    /// [`Self::offset_changes`], written into existing memory; contacts without a command change have a change of zero.
+    /// [`Self::offset_changes`], written into existing memory; contacts after the end of `commands` have a change of zero.
     pub(crate) fn changed_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

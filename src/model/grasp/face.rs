@@ -340,8 +340,8 @@ face_of_struct! {
     }
 }
 
-/// The plane has no second tangent. The engine's stiffness along it is a copy of the first tangential stiffness, so that it is in range; no spring
-/// uses it.
+/// The plane has no second tangent. The engine's stiffness along it is a copy of the first tangential stiffness, since a stiffness must be in range;
+/// no spring uses it.
 impl<const C: usize> Face for Stiffness<C> {
     type Inside = Stiffness<3>;
     const SAME: bool = C == 3;

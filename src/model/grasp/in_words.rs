@@ -24,7 +24,8 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // Largest `|f·m|/(|f||m|)` at which the load counts as a single force: m is then normal to f, and vanishes about a point of its line.
+        // A load is a single force along some line if its moment m is normal to its force f. This limit is the largest `|f·m|/(|f||m|)` that counts
+        // as normal.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
@@ -81,8 +82,8 @@ impl Words {
     fn motion_text(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));
-        // The object turns if rotation moves its points by more than the fraction NEGLIGIBLE of their mean displacement, and by more than this
-        // displacement, m, which is smaller than an atomic nucleus.
+        // The object turns if rotation moves its points by more than the fraction NEGLIGIBLE of their mean displacement, and by more than the length
+        // `nowhere`, m, which is smaller than an atomic nucleus.
         let nowhere: f64 = 1e-15;
         let turns =
             omega.size() > 0.0 && (points.is_none() || spread > nowhere.max(NEGLIGIBLE * mean.norm()));

@@ -1,8 +1,9 @@
 //! Points of action of a load. Equilibrium depends on the line of a force alone. Its stability depends on the point, too: a weight that stands above
 //! its support turns over, and one that hangs below it does not.
 //!
-//! For forces F at points r the sum `V = Σ F rᵀ` is enough. Its antisymmetric part is the moment. As a body turns by the small vector θ, with the
-//! forces fixed in space, their potential grows by `½ θ·Mθ` with `M = (tr V) 1 - ½ (V + Vᵀ)`, beside the work of the moment.
+//! For forces F at points r the sum `V = Σ F rᵀ` determines both the moment m and this stability. The antisymmetric part of V is the moment. If the
+//! body turns by the small rotation vector θ while the forces keep their directions, their potential changes by `-m·θ + ½ θ·Mθ` with `M = (tr V) 1 -
+//! ½ (V + Vᵀ)`.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -11,7 +12,7 @@ use nalgebra::{SMatrix, SVector};
 pub(crate) struct PointsOfAction(Option<SMatrix<f64, 3, 3>>);
 
 impl PointsOfAction {
-    /// The sum of no force at all, or of a pure moment.
+    /// The sum without forces. A pure moment has no point of action and adds nothing to V.
     pub(crate) const NO_FORCE: Self =
         Self(Some(SMatrix::from_array_storage(nalgebra::ArrayStorage([[0.0; 3]; 3]))));
     /// The points of a force of which only the line is known.
@@ -22,7 +23,7 @@ impl PointsOfAction {
         Self::NO_FORCE.moved(force, point)
     }
 
-    /// The sum with points that are moved by `shift`, where the forces have the resultant `force`.
+    /// The sum after all points have moved by `shift`; `force` is the resultant of the forces.
     pub(crate) fn moved<const C: usize>(self, force: &SVector<f64, C>, shift: &SVector<f64, C>) -> Self {
         self.map(|mut sum| {
             for (i, j) in (0..C).flat_map(|i| (0..C).map(move |j| (i, j))) {
@@ -44,7 +45,7 @@ impl PointsOfAction {
         self.map(|sum| sum * factor)
     }
 
-    /// The sum for the forces of both loads; unknown if either is.
+    /// The sum for the forces of both loads; unknown if either sum is unknown.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self(self.0.zip(other.0).map(|(a, b)| a + b))
     }

@@ -54,7 +54,7 @@ impl Engine {
         self.vacuum.as_deref()
     }
 
-    /// The suction cups whose lips are open at all points, so that their vacuum is lost.
+    /// The suction cups whose lips are open at all points, which means that their vacuum is lost.
     pub(crate) fn cups_open(&self, is_open: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         if self.vacuum().is_none() {
             return Vec::new();

@@ -31,8 +31,8 @@ use crate::numerics::Space;
 /// assert_eq!(weight.transformed(&pose), Wrench::force_at([0.0, -2.0], [13.0, 1.0]));
 /// ```
 ///
-/// A load made by [`force_at`](Self::force_at), and sums and multiples of such loads, remember their points of action. They decide whether the load
-/// turns the object over where nothing resists that; two wrenches are equal if their components are.
+/// A load made by [`force_at`](Self::force_at), and sums and multiples of such loads, remember their points of action. Where nothing resists a
+/// rotation, these points decide whether the load turns the object over. Two wrenches are equal if their components are equal.
 #[derive(Clone, Copy)]
 pub struct Wrench<const C: usize>(SVector<f64, 6>, PointsOfAction);
 

@@ -20,7 +20,7 @@ pub(super) struct Hit {
     pub(super) depth: f64,
     /// Unit normal of the triangle, into the part.
     pub(super) normal: Vector3<f64>,
-    /// Whether the ray leaves the part at this triangle, so that it started inside.
+    /// Whether the ray leaves the part at this triangle, which means that the ray started inside the part.
     pub(super) leaves: bool,
 }
 
@@ -28,7 +28,7 @@ pub(super) struct Hit {
 pub(super) struct Met {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<Hit>>,
-    /// Least travel of the pad until one of its points, its centre, or a vertex of the mesh is touched, m.
+    /// Least travel, m, at which a point of the pad or its centre meets the part, or the pad meets a vertex of the mesh.
     pub(super) foremost: f64,
 }
 

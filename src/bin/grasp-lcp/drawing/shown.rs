@@ -174,8 +174,8 @@ fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Res
     Ok(vec![Shown { grasp: Some(other), ..after }, before])
 }
 
-/// The equilibrium under the load. If there is none, the load is put on from rest: the equilibrium under the whole load, or at the loss of the
-/// object.
+/// The equilibrium under the load. If no such equilibrium was found, the states that the load reaches as it grows from rest: the equilibrium under
+/// the whole load, or at the loss of the object.
 fn solved(
     grasp: &Grasp<3>,
     load: &Wrench<3>,

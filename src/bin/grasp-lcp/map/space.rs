@@ -185,7 +185,8 @@ impl Drawing<'_> {
     }
 }
 
-/// Largest number of contact points whose names are drawn. Names of more points would cover the map, and their load paths would take minutes.
+/// Largest number of contact points whose names are drawn. Names of more points would cover the map, and the load paths of a grasp with more points
+/// would take minutes.
 const MOST_NAMED_POINTS: usize = 8;
 
 fn print_table(

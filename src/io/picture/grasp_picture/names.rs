@@ -15,7 +15,8 @@ use crate::picture::words::short;
 use crate::words::printable;
 
 impl Picture<'_> {
-    /// Writes all names, also of the load and of the motion of loss. Names without room are counted, and the number is written below the picture.
+    /// Writes all names, including the names of the load and of the motion by which the object is lost. Names without room are counted, and their
+    /// number is written below the picture.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,

@@ -23,7 +23,7 @@ use crate::picture::actuators::Actuators;
 ///   the force is drawn in the middle of the grasp, with the moment about this point;
 /// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
 /// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
-/// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints that yield at their limit.
+/// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints whose torque is at its limit.
 ///
 /// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip it has sums, and the points on request. On narrow
 /// screens picture, legend and table are below each other.
@@ -86,9 +86,9 @@ impl Page {
         }
     }
 
-    /// Adds a closed line on the object, corner by corner, m (two corners give the line between them; z is zero in the plane). Several calls add several lines. They affect
-    /// nothing but the drawing, which shows their original and moved places. The object is shaded between two consecutive lines of eight corners or
-    /// more.
+    /// Adds a closed line on the object, corner by corner, m. Two corners give the line between them; in the plane z is zero. Several calls add
+    /// several lines. Lines affect nothing but the drawing, which shows their original and moved places. The object is shaded between two consecutive
+    /// lines of eight corners or more.
     pub fn outline(self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.body_outline(0, corners)
     }
@@ -137,8 +137,8 @@ impl Page {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
-    /// Draws a motion of the object in the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction of the
-    /// motion matters.
+    /// Draws a motion of the object in the last answer, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). Only the
+    /// direction of the motion matters.
     pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }

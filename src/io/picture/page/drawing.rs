@@ -199,7 +199,8 @@ impl<'p> Drawing<'p> {
         }
         let along = force / size;
         let away = along.cross(&(about_centre / size));
-        // A line of action that is farther away would make the grasp a dot in the picture.
+        // A line of action farther away than 1.5 times the span would make the grasp a dot in the picture; the force is then drawn in the middle of
+        // the grasp.
         if away.norm() > 1.5 * self.span {
             return in_the_middle(true);
         }

@@ -79,8 +79,9 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. Let f, N, be the first force component of a
-    /// question's load. Each body then carries f times the sum of its constant load and its share of `base`. `None` for a single object.
+    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. The load of a question then serves only as a
+    /// factor: the number f of newtons in its first force component. Each body carries f times the sum of its constant load and its share of `base`.
+    /// `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);

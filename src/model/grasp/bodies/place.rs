@@ -176,7 +176,7 @@ impl PlacedBodies {
             }
             Sharing::ByParts(list) => list,
         };
-        // Each body gets its fraction of the force, at its centre of mass, and its fraction of the moment that remains.
+        // Each body gets its fraction of the force, at its centre of mass, and its fraction of the moment that these forces leave unbalanced.
         let force = load.force_part();
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
@@ -217,7 +217,8 @@ impl PlacedBodies {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead each body carries its entry of `loads` times the first force component of the question's load, N.
+    /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor: the number of newtons in the first force
+    /// component of the question's load.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };

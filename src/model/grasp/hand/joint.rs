@@ -33,7 +33,7 @@ pub enum JointKind {
     Given,
 }
 
-/// Largest torque (N m) or force (N) of a joint's motor or clutch, and what happens beyond it.
+/// Largest torque (N m) or force (N) of a joint's motor or clutch, and the behaviour at this limit: slip, or a constant torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
