@@ -40,7 +40,7 @@ impl Engine {
         // In the plane the only angle is the last one, about the axis out of the plane.
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
         let left_out =
-            rotation.dot(&(self.stiffness_of_arms(0, &self.origin(), rest, &Wrench::ZERO) * rotation));
+            rotation.dot(&(self.stiffness_of_arms(0, self.origin(), rest, &Wrench::ZERO) * rotation));
         // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
         // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)

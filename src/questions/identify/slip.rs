@@ -70,32 +70,32 @@ pub struct Slip<const C: usize> {
 }
 
 impl<const C: usize> Slip<C> {
-    fn of(kind: SlipKind, load: Option<Wrench<C>>, turn: Option<Turn<C>>) -> Self {
-        Self { kind, load, turn, base: None, squeeze: None, layout: None, scatter: None, group: None }
+    fn of(kind: SlipKind, load: Option<Wrench<C>>) -> Self {
+        Self { kind, load, turn: None, base: None, squeeze: None, layout: None, scatter: None, group: None }
     }
 
     /// First slip under this load, which had grown from zero.
     #[must_use]
     pub fn first(load: Wrench<C>) -> Self {
-        Self::of(SlipKind::First, Some(load), None)
+        Self::of(SlipKind::First, Some(load))
     }
 
     /// Gross slip under this load, which had grown from zero.
     #[must_use]
     pub fn gross(load: Wrench<C>) -> Self {
-        Self::of(SlipKind::Gross, Some(load), None)
+        Self::of(SlipKind::Gross, Some(load))
     }
 
     /// First slip at the [end](Turn::up_to) of this turn.
     #[must_use]
     pub fn first_on_turn(turn: Turn<C>) -> Self {
-        Self::of(SlipKind::First, None, Some(turn))
+        Self { turn: Some(turn), ..Self::of(SlipKind::First, None) }
     }
 
     /// Gross slip at the end of this turn.
     #[must_use]
     pub fn gross_on_turn(turn: Turn<C>) -> Self {
-        Self::of(SlipKind::Gross, None, Some(turn))
+        Self { turn: Some(turn), ..Self::of(SlipKind::Gross, None) }
     }
 
     /// This slip under a load that grew in addition to a base load, such as a weight, which acted before and stayed constant.

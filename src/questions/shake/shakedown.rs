@@ -106,7 +106,7 @@ impl Engine {
                 let mut offsets = none.clone();
                 offsets[i][axis] = -1.0;
                 let Ok(answer) = sticking.forces(&offsets, &nothing) else { return Ok(None) };
-                let forces = without_rounding(answer);
+                let forces = without_rounding(&answer);
                 normal = normal.max(largest(&forces, &|force| force[0].abs()));
                 all = all.max(largest(&forces, &SVector::norm));
                 slips.push(((i, axis), forces));
@@ -145,7 +145,7 @@ impl Engine {
 
 /// Forces of which those within rounding are zero. Where slips leave no residual forces, as in a pinch, the program would scale rounding up to forces
 /// that balance loads.
-fn without_rounding(forces: ContactForces) -> Vec<SVector<f64, 3>> {
+fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
     let size = forces.sizes.iter().copied().fold(0.0, f64::max);
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
 }
