@@ -13,12 +13,12 @@ use crate::numerics::{
 use crate::object::uses_band;
 use crate::prelude::*;
 
-/// An order of the coordinates in which coordinates coupled by a contact are near each other.
+/// An order of the coordinates that makes the band of the tangent stiffness narrow: coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
     /// The position of each coordinate in this order.
     numbers: Vec<usize>,
-    /// The half width of the band.
+    /// The half width of the band: the largest distance, in this order, of two coupled coordinates.
     reach: usize,
 }
 
@@ -35,7 +35,7 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness at a point of a path: a full matrix, or a band matrix in the narrow order of the coordinates.
+/// The tangent stiffness at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order that makes the band narrow.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),

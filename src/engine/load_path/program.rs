@@ -68,7 +68,7 @@ impl Program {
             leg.check(grasp)?;
             leg.of_points(grasp)?;
         }
-        // Complete legs are removed, so that endless programs need no more memory.
+        // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
         for leg in legs {

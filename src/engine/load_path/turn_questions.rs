@@ -14,7 +14,7 @@ use crate::grasp::Engine;
 use crate::prelude::*;
 use crate::search::{Settings, settle_at_rest};
 
-/// The onset of a turn: the angle at which the first contact stops sticking, and contacts that come to the edge of their cones before.
+/// The onset of a turn: the angle at which the first contact stops sticking, and contacts whose forces touch the edge of their cones before that.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
