@@ -25,7 +25,7 @@ pub(super) const LEAST_FORCE: f64 = 1e-3;
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
 /// Upper limit of the number of steps in which an object snaps over to another equilibrium; as a rule some dozens are made. With fewer, an object
-/// that moves slowly away from the end of its path counts as lost: an object that turns about a stop takes two hundred.
+/// that moves slowly away from the end of its path is taken as lost: an object that turns about a stop takes two hundred steps.
 pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
 /// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium is taken as lost.

@@ -21,7 +21,7 @@ pub struct TurnOnset<const C: usize> {
     /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that everything sticks up to the last angle of the turn.
     pub onset: Onset<C>,
     /// Contacts and drives that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, a change of
-    /// the last digits of the data may make one of them the onset.
+    /// the last digits of the data may turn such a touch into the onset.
     pub touches: Vec<EdgeTouch>,
 }
 
