@@ -21,8 +21,8 @@ pub enum LeastSqueeze<const C: usize> {
         /// because no squeeze is needed then.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. With this factor, and with any larger factor, the contact does not stick under this load. With a smaller factor the
-    /// sticking condition of another contact or load fails.
+    /// No factor makes all contacts stick. With the factor `factor` below, and with any larger one, the contact does not stick under this load. With
+    /// a smaller factor the sticking condition of another contact or load fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact that does not stick, counted from 0.
