@@ -5,10 +5,10 @@ use nalgebra::SVector;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Contact;
 
-/// Bounds of the normal forces, and thus of the friction forces, of some contact forces.
+/// Upper limits of the normal forces that contacts may exert, and thus of their friction forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
-    /// Each contact may press with this force, N, independently of the others. The possible wrenches are sums of the contacts' wrenches (L∞).
+    /// Each contact may press with this force, N, independently of the other contacts. The possible wrenches are sums of the contacts' wrenches (L∞).
     Each(f64),
     /// The normal forces of all contacts may add up to this force, N. The possible wrenches are the convex hull of the contacts' wrenches (L1).
     Total(f64),
@@ -25,8 +25,8 @@ impl Budget {
     }
 }
 
-/// The scale in which the size of a wrench is measured: moments about a point, divided by a length, count as forces. The size depends on the point
-/// and the length.
+/// The scale in which the size of a wrench is measured: moments about a point, divided by a length, are treated as forces. The size depends on the
+/// point and the length.
 ///
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
