@@ -110,7 +110,7 @@ impl<'g> Shaking<'g, '_> {
                     return self.answer(repeats, (change, 0.0), Some(&cycle.to));
                 };
                 // Forces repeat, but an open gap shrinks in every cycle. Until the gap closes, all cycles (or groups of `many` cycles) have the same
-                // events and forces, so these cycles are skipped.
+                // events and forces. These cycles are skipped.
                 let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
