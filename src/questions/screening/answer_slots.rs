@@ -35,7 +35,7 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         if self.these.as_ref()[scene] { self.answers.get_mut(first..first + self.each) } else { None }
     }
 
-    /// Stores the answer of each lane in the first entry for its grasp; lanes without a grasp of this method are passed over.
+    /// Stores the answer of each lane in the first entry for its grasp. Lanes without a grasp of this method are skipped.
     #[inline(always)]
     pub(super) fn each(&mut self, answers: X::Each<T>) {
         for (scene, &answer) in answers.as_ref().iter().enumerate() {

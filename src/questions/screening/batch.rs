@@ -76,7 +76,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     /// The load factor at first slip of every grasp under each of the growing loads, on one thread;
     /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores. The earlier content of `answers` is replaced: the answer of grasp g
     /// to pull p is at `g * pulls.len() + p`. Work that does not depend on the load is done once per grasp. Nothing is allocated if `answers` has the
-    /// capacity.
+    /// capacity for all answers.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -86,8 +86,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     ///     let jaw = |side: f64| {
     ///         Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([squeeze, 0.0])
     ///     };
-    ///     batch.push(&Fingers::new(&[jaw(-1.0), jaw(1.0)])?);
-    /// }
+    /// Numbers of several grasps are stored side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A
+    /// grasp gets the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
     /// // Jaws that press with 10 N or 20 N hold as much; a load of 4 N leaves the rest of it, an upward pull 4 N more.
     /// let weight = Wrench::force([0.0, -4.0]);
     /// let pulls = [
