@@ -18,8 +18,8 @@ pub(super) struct Tries<'t> {
     pub(super) whole: TrialOf<'t>,
     /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
     pub(super) short: TrialOf<'t>,
-    /// Quick trials leave out the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide,
-    /// the trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
+    /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
+    /// trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states at rest differ between two amounts with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,

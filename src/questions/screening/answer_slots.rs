@@ -7,7 +7,7 @@ use super::lanes::Packed;
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// All answers of the block to all questions, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, whether the forces of the grasp in it are found by the present [`Method`](super::method::Method).
+    /// For each lane, whether the present [`Method`](super::method::Method) finds the forces of the grasp in this lane.
     these: X::Each<bool>,
     question: usize,
     questions: usize,

@@ -152,8 +152,8 @@ fn move_object<const C: usize, X: Packed>(
 }
 
 /// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of its
-/// spring if stretched by the command and the whole motion of the object. The second term is limited by the sum of all forces and of the second
-/// largest such spring force. Errors of displacements cause forces that balance each other, so at least two contacts carry them.
+/// spring if it is stretched by the command and the whole motion of the object. The second term is limited by the sum of all forces and of the second
+/// largest such spring force. The reason is that errors of displacements cause forces that balance each other, which takes at least two contacts.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
