@@ -4,6 +4,7 @@
 //! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one for
 //! each coordinate of the twist. Here `a` is a finger's offset (command minus clearance), `u_c` the displacement of the body at the contact, and `g`
 //! the gap. `k_n`, `k_t` and K are the stiffnesses of the contact, n and t its normal and tangent, and G_i its grasp map:
+//!
 //! | state | force | must hold |
 //! |---|---|---|
 //! | separated | `F = 0` | `g = n·u_c - a_n >= 0` |

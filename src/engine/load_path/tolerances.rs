@@ -78,8 +78,8 @@ pub(super) const STANDS_STILL: f64 = 1e-10;
 
 /// A normal force at most this fraction of the size of its terms, and decreasing, no longer determines the direction of friction of its contact. That
 /// direction has the error of the steps divided by this fraction.
+///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
-/// vanishing.
 /// vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 

@@ -3,6 +3,7 @@
 //! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
 //! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, which
 //! is the force of the contact in the last round of the method:
+//!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
 //! ```

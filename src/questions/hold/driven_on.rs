@@ -15,9 +15,9 @@ use crate::prelude::*;
 impl Engine {
     /// The motion that nothing resists and along which the forces of the equilibrium `there` and its `load` drive the bodies on: the potential of the
     /// forces falls as the bodies turn. It is a combination of the free motions of `there`.
+    ///
     /// `None` if there is no such motion, if the point of action of a load is not known, or if a free motion moves a joint or shears a closed
     /// contact. In the last case the potential of the joint or contact would have to be included.
-    /// point of action of a load is not known.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
         let free = &there.free_motions;
         if free.is_empty()

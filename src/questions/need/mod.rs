@@ -6,9 +6,9 @@
 //!
 //! | sought | bound | unit of [`Amount`] |
 //! |---|---|---|
-//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the squeeze given; the sentence has N at each contact, of suction cups kPa |
+//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the given squeeze; the sentence has N at each contact, of suction cups kPa |
+//! | [`Need::friction`] | least, of all contacts or of some | coefficient |
 //! | [`Need::load`] | greatest | multiple of the given loads |
-//! | [`Need::load`] | greatest | multiple of the loads given |
 //! | [`Need::arm`] | greatest displacement of a force | m |
 //! | [`Need::angle`] | greatest angle of a load that turns | rad; the sentence has degrees |
 //! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the given one; in the sentence N or N m |

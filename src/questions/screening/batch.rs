@@ -16,8 +16,8 @@ use crate::prelude::*;
 
 /// Many grasps of `N` contacts each, N from two to five, to be screened under common loads. `C` is 2 in the plane and 3 in space.
 ///
-/// Numbers of several grasps lie side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A grasp gets
-/// the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
+/// Numbers of several grasps are stored side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A
+/// grasp gets the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
 ///
 /// ```
 /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -86,8 +86,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     ///     let jaw = |side: f64| {
     ///         Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([squeeze, 0.0])
     ///     };
-    /// Numbers of several grasps are stored side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A
-    /// grasp gets the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
+    ///     batch.push(&Fingers::new(&[jaw(-1.0), jaw(1.0)])?);
+    /// }
     /// // Jaws that press with 10 N or 20 N hold as much; a load of 4 N leaves the rest of it, an upward pull 4 N more.
     /// let weight = Wrench::force([0.0, -4.0]);
     /// let pulls = [
