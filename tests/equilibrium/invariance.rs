@@ -35,8 +35,8 @@ fn picture<const C: usize>(e: &Equilibrium<C>) -> Picture<C> {
     e.contacts.iter().map(|c| (c.force_world, c.body_core)).collect()
 }
 
-/// Largest difference of forces and displacements, relative to the largest force and displacement of `e`. Displacements count only if there is no
-/// free motion.
+/// Largest difference of forces and displacements, relative to the largest force and displacement of `e`. Displacements are compared only if no free
+/// motion exists.
 fn distance<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     e: &Equilibrium<C>,

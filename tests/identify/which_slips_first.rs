@@ -30,7 +30,7 @@ fn one_of_two_jaws_whichever_the_start() -> Tested {
             let said = found.to_string();
             assert!(said.starts_with("one of"), "{start:?}: {said}");
             assert_eq!(found.slips, 6);
-            // No jaw has a value that may belong to the other.
+            // No jaw is given a value, which might be that of the other jaw.
             assert!(
                 found.estimates.iter().all(|each| !each.is_fixed && each.standard_error.is_none()),
                 "{found:?}"

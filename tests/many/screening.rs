@@ -241,7 +241,7 @@ fn a_pinch_in_space_gives_way() {
         fingers.onset(&spatial::Pull::new(&spatial::Wrench::ZERO, &direction).unwrap())
     };
     assert_eq!(onset([0.0; 3], [1.0, 0.0, 0.0]).verdict(), ScreeningVerdict::GivesWay);
-    // A force through the line is held; the same force through the origin turns the object.
+    // A force through the line of the pinch is held. The same force through the origin turns the object.
     let held = onset([0.0, 0.0, -1.0], [-0.3, 0.0, 0.0]);
     assert!((held.factor().unwrap() - 6.0).abs() < 1e-13, "{held:?}");
     assert_eq!(onset([0.0, 0.0, -1.0], [0.0; 3]).verdict(), ScreeningVerdict::GivesWay);

@@ -107,7 +107,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
             .any(|c| matches!(c.state, ContactState::Sliding { .. } | ContactState::Separated)),
         Outcome::NoEquilibrium(_) => true,
         // A nearly singular state cannot be decided so close to the edge.
-        // On the round cone there is no proof if the nearest equilibrium is only a millionth away.
+        // On the round cone no equilibrium can be excluded by a proof if the nearest one is only a millionth away.
         _ => friction == Friction::Round || beyond > -3e-10,
     };
     prop_assert!(leaves, "{event:?} {above:?}");

@@ -1,7 +1,7 @@
 //! A jump of slip ends in an equilibrium that enumeration of all contact states in exact rational arithmetic also finds.
 //!
 //! No other equilibrium has fewer sliding contacts. Jumps during which a contact opens are only counted, because the motion is then not straight. If
-//! a jump has no end, no combination is an equilibrium, unless the library reports that one exists elsewhere.
+//! a jump has no end, no combination of contact states is an equilibrium, unless the library reports that an equilibrium exists elsewhere.
 
 use grasp_lcp::planar::{Beyond, Change, ContactState, Grasp, Jump, Leg, PathEnd};
 use num_traits::ToPrimitive;

@@ -161,7 +161,7 @@ pub fn at_rest<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// The load at rest; half of the load the other way where there is none.
+/// The load at rest of the scene. If the scene has none, half of its load in the opposite direction.
 fn rest<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
     if scene.base == Wrench::ZERO { scene.load * -0.5 } else { scene.base }
 }
@@ -193,7 +193,7 @@ pub fn force<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// One answer beside brute force.
+/// One answer compared with brute force.
 pub struct Checked {
     /// A sentence for each claim of the answer that an amount refutes.
     pub wrong: Vec<String>,

@@ -141,7 +141,7 @@ pub fn ramps<const D: usize, const C: usize>(
         |(mut scene, load, commands, driven)| {
             // All contacts touch at the base.
             scene.contacts.iter_mut().for_each(|datum| datum.clearance = 0.0);
-            // The change of load is as large as the base load, so that neither is negligible beside the other.
+            // The change of load is as large as the base load, so that neither is negligible compared with the other.
             let size = scene.load.norm();
             let (load_part, command_part) = match driven {
                 Driven::Load => (size, 0.0),
