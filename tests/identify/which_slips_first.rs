@@ -18,7 +18,7 @@ fn from(start: [f64; 2], slip: fn(Wrench) -> Slip<2>) -> Result<Identified, gras
     jaws(start)?.identify(&Identify::new(each(), slips).with_outliers_beyond(f64::INFINITY))
 }
 
-/// The jaw with less friction slides. One of the two has the mean of the slips, and no start determines which one.
+/// The jaw with less friction slides. One of the two jaws has the coefficient that the mean of the slips gives. No start determines which jaw.
 #[test]
 fn one_of_two_jaws_whichever_the_start() -> Tested {
     let logs = LOADS.map(|newtons| (newtons / 20.0).ln());

@@ -17,8 +17,8 @@ const N: f64 = K * A;
 /// Stiffness of the elastic base about the axis.
 const BASE: f64 = 6.0;
 
-/// n fingers on the unit circle about z, first tangents along z and second tangents along the circle, with these frictions; an elastic base about
-/// the axis, and guides that prevent all other motions.
+/// Fingers on the unit circle about z, one for each entry of `frictions`, with first tangents along z and second tangents along the circle. An
+/// elastic base resists rotation about z, and guides prevent all other motions.
 fn grip(frictions: &[f64]) -> Grasp {
     let n = frictions.len();
     let finger = |i: usize| {
@@ -62,7 +62,7 @@ fn torsion_follows_masing() {
         expected.push((leg, back(weak), pair(1, "slides")));
         expected.push((leg, back(strong), pair(0, "slides")));
     }
-    // Only the weak pair slides in the small loop; further loading would slide both again.
+    // Only the weak pair slides in the small loop. Loading beyond the loop would slide both pairs again.
     expected.extend([(3, 0.0, all("sticks")), (3, part(weak), pair(1, "slides"))]);
     expected.extend([(4, 0.0, pair(1, "sticks")), (4, part(weak), pair(1, "slides"))]);
     assert_story(&events, &expected);

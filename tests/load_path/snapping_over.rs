@@ -54,7 +54,7 @@ impl Finger {
         self.normal * self.normal.transpose() * along + self.tangent() * self.tangent().transpose() * across
     }
 
-    /// The force on the object, whose contact point has moved by `moved`; `slip` is what the finger has slipped along its tangent.
+    /// The force on the object, whose contact point has moved by `moved`. `slip`, the accumulated slip of the finger along its tangent, is updated.
     fn force(&self, moved: Vector2<f64>, slip: &mut f64) -> Vector2<f64> {
         let [along, across] = self.stiffness;
         let press = (along * (self.command - self.normal.dot(&moved))).max(0.0);

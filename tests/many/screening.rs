@@ -67,7 +67,7 @@ fn check<const C: usize, const N: usize>(
     Ok(())
 }
 
-/// A finger that touches without force has no margin. It is clear nevertheless that another finger slides.
+/// A finger that touches without force has no margin. Nevertheless screening finds that another finger slides.
 #[test]
 fn a_finger_without_force_does_not_hide_one_that_slides() {
     let finger = |point: [f64; 3], normal: [f64; 3], command: [f64; 3]| {
@@ -196,8 +196,8 @@ fn a_pair_with_a_slippery_jaw_opposite() {
     }
 }
 
-/// In space the exit from the cone is computed from squares of forces times rates. If they underflow in some units, screening gives no factor; in all
-/// other units the factor is the same.
+/// In space the factor at which a force leaves its cone is computed from squares of forces times rates. If they underflow in some units, screening
+/// gives no factor. In all other units the factor is the same.
 #[test]
 fn units_in_space() {
     let onset = |exponent: i32| {

@@ -118,7 +118,7 @@ fn the_number_to_enter() -> Tested {
     Ok(())
 }
 
-/// A finger of one joint that a tendon closes against a stop without friction: only the tension that balances the other tendon holds.
+/// A tendon closes a finger of one joint against a stop without friction. Only the tension that balances the other tendon holds.
 #[test]
 fn only_the_balanced_tension() -> Tested {
     let text = r#"{ "format": "grasp-lcp/1", "planar": {

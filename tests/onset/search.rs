@@ -1,8 +1,8 @@
 //! The onset of sliding agrees with a bisection that does not use the library's method.
 //!
 //! While everything sticks, the forces solve a linear least-squares problem (`support::sticking`). Bisection finds the largest load factor with all
-//! of them inside their cones; it must be the onset. This is checked in the plane and in space, on the round cone and on the polygon, for loads and
-//! for finger commands. Just below the onset the solver must find that everything sticks, and just above it must not.
+//! forces inside their cones. This factor must be the onset. Scenes in the plane and in space, on the round cone and on the polygon, are checked
+//! under loads and finger commands. Just below the onset the solver must find that everything sticks, and just above the onset it must not.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, FoundBy, Outcome};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 use support::ramps::{Change, Friction, Tally, close, for_both, slack};
 use support::scene::Scene;
 
-/// The factor at which sticking ends, by doubling and bisection; infinite if it does not end before 2^40.
+/// The factor at which sticking ends, by doubling and bisection. It is infinite if sticking does not end before 2^40.
 fn bisected<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,

@@ -82,8 +82,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
-    /// As [`Self::follow`], but starts from `rest`, if `rest` is not `None`. `rest` is the equilibrium under the load `start` that the computation of an
-    /// onset with the same settings has found.
+    /// As [`Self::follow`], but starts from `rest`, if `rest` is not `None`. `rest` is the equilibrium under the load `start` that the computation of
+    /// an onset with the same settings has found.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<Rest>),

@@ -69,8 +69,8 @@ impl Segment<'_> {
         Ok(point)
     }
 
-    /// Forces, spring stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load. The
-    /// offsets of the springs are in the solution for the constant term. `angle` is the angle per unit of the load factor, rad.
+    /// Forces, spring stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load.
+    /// The offsets of the springs are in the solution for the constant term. `angle` is the angle per unit of the load factor, rad.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,

@@ -86,7 +86,7 @@ fn jumps_end_where_rationals_say() {
                     tally.lost += 1;
                     assert!(catches.is_empty(), "{looked}: {catches:?}");
                 }
-                // One combination is an equilibrium, but no quasi-static motion leads to it; the library leaves this open.
+                // Another equilibrium exists, but small quasi-static motions do not lead to it.
                 Some(Beyond::Snap) => tally.elsewhere += 1,
                 other => panic!("{looked}: {other:?}"),
             }

@@ -34,7 +34,7 @@ fn of_two_feet_one_catches_what_the_other_loses() {
         assert!((carried(&event.state, i) - before).abs() < 1e-13);
         assert!((carried(&jump.state, i) - after).abs() < 1e-13);
     }
-    // From 5 to 7 mm at 7.5 N; the stiff foot has slipped all but the 4 mm that its spring keeps.
+    // The object jumps from 5 to 7 mm at 7.5 N. Then the stiff foot has slipped 3 mm, because its spring is still deformed by 4 mm.
     let [slip] = &jump.slips[..] else { panic!("{:?}", jump.slips) };
     assert_eq!(slip.contact.index, 0);
     assert!((slip.slip.norm() - 3e-3).abs() < 1e-15);

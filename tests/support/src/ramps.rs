@@ -32,7 +32,7 @@ impl<const D: usize, const C: usize> Change<D, C> {
             .with_commands(self.commands.clone())
     }
 
-    /// Whether the change of load works on a motion that no contact resists. Then no equilibrium exists beyond factor 0.
+    /// Whether the change of load does work along a motion that no contact resists. If so, no equilibrium exists beyond factor 0.
     pub fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
         sticking::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
     }
@@ -51,7 +51,7 @@ impl<const D: usize, const C: usize> Change<D, C> {
 /// The friction cone of an oracle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Friction {
-    /// The round cone; in the plane the cone itself.
+    /// The round cone. In the plane this is Coulomb's cone of two edges.
     Round,
     /// The polygon with [`FACETS`] corners on the circle.
     Polygon,
