@@ -64,8 +64,8 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
             return None;
         }
     }
-    // A contact without force may equally be reported as open or sliding, and a sticking contact on the edge of its cone as sliding. With such a contact
-    // the displacements are not unique.
+    // A contact without force may equally be reported as open or sliding, and a sticking contact on the edge of its cone as sliding. With such a
+    // contact the displacements are not unique.
     let least = 1e-9 * scene.sizes(e).force;
     let tied = |c: &ContactAnswer<C>| match c.state {
         ContactState::Separated => false,

@@ -1,4 +1,4 @@
-//! Forces, ranges and loads that an answer names in full: newtons of a held contact, both ends of a safe range, the load that decides.
+//! An answer names in full the newtons of a held contact, both ends of a safe range, and the load that determines the amount.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::hand::{Finger, Hand};

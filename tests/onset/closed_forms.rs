@@ -39,7 +39,7 @@ fn never_and_opening() {
     assert!(matches!(onset(&on_two_feet, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
 }
 
-/// If all forces start from zero, the rates decide, |F_t'| <= μ F_n' or not, for every size of the load.
+/// If all forces start from zero, a contact sticks under every size of the load if the rates of its forces satisfy |F_t'| <= μ F_n'.
 #[test]
 fn at_once_from_rest() {
     let on_two_feet = Grasp::new(

@@ -42,7 +42,7 @@ fn check_image<const D: usize, const C: usize>(
     transform: &Transform<C>,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    // Only scenes in which rounding does not decide the onset.
+    // Only scenes in which the onset does not depend on rounding.
     if slack(scene, Friction::Polygon).is_none_or(|slack| slack < 1e-3) {
         return Ok(());
     }

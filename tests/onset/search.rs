@@ -18,7 +18,7 @@ fn bisected<const D: usize, const C: usize>(
     friction: Friction,
 ) -> Option<f64> {
     let sticks = |factor: f64| slack(&change.at(scene, factor), friction).is_some_and(|slack| slack >= 0.0);
-    // The base is clearly inside the cones, so that rounding does not decide.
+    // The forces at the base are clearly inside the cones, so that the outcome does not depend on rounding.
     if !slack(scene, friction).is_some_and(|slack| slack > 1e-3) {
         return None;
     }

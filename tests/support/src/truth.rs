@@ -32,7 +32,7 @@ const STEPS: usize = 12;
 const ZERO: f64 = 1e-60;
 /// Scale of forces where no contact carries one, relative to the force of the softest spring under the largest displacement.
 const NO_FORCE: f64 = 1e-20;
-/// Components below this part of the largest force have no relative error of their own.
+/// For components below this fraction of the largest force no relative error is computed.
 const SMALL: f64 = 1e-14;
 
 /// Exact forces and displacements of the contacts in these states.
