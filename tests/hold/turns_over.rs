@@ -1,5 +1,5 @@
-//! If no contact resists a rotation, the point of action of the load decides about stability. A part that is pinched above its centre of mass hangs. A
-//! part that is pinched below it turns over.
+//! If no contact resists a rotation, the point of action of the load decides about stability. A part that is pinched above its centre of mass hangs.
+//! A part that is pinched below it turns over.
 
 use grasp_lcp::hold::{Holding, Verdict};
 use grasp_lcp::nalgebra::{Isometry3, Vector3};

@@ -125,7 +125,7 @@ impl<'g> Pieces<'g> {
     /// states has no solution.
     fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        // Forces are solved for anew in the new states. Contacts that have opened then have exactly zero force, not even a rounding error of one.
+        // Forces are solved for anew in the new states. Then the force of contacts that have opened is exactly zero, without a rounding error.
         let forces = mapped(&point.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
         self.node.move_to_end(&mut self.segment, &point, self.factor, &PieceState { forces, twist });

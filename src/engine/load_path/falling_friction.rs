@@ -12,9 +12,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
-    /// From here on stores the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start
-    /// get kinetic friction. This may cause a jump, which the path then reports as its first event. Changes nothing if the cones are stored already.
-    /// The error is the end of the path in that jump.
+    /// Begins to store the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
+    /// kinetic friction. This may cause a jump, which the path then reports as its first event. Changes nothing if the cones are stored already. The
+    /// error is the end of the path in that jump.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {

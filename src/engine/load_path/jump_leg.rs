@@ -251,8 +251,8 @@ impl<'g> Pieces<'g> {
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump under the load `load` that began with these contact forces and this twist and ended in the present state. All work of the
-    /// load that springs do not take up is dissipated.
+    /// Energies of a jump under the constant load `load`. The jump began with the contact forces `forces` and the twist `twist`, and ended in the
+    /// present state. All work of the load that springs do not take up is dissipated.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =

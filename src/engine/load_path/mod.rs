@@ -16,7 +16,7 @@
 //! ```
 //!
 //! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones. A gap grows
-//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone counts as
+//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone is treated as
 //! bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]);
 //! without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if no
 //! other equilibrium exists, the end is a limit load, else a snap. At a snap a load path lets the object move as with viscous contacts, and continues
@@ -37,7 +37,7 @@
 //! | segment | the loads and commands along one leg (or ramp, or turn) in the engine's coordinates, with the slips so far |
 //! | piece | a part of a leg on which all contacts keep their states; its stored form is called a stretch |
 //! | arc | a piece on which contacts slide on the round cone, so that directions of sliding turn |
-//! | step | a part of an arc that is integrated at once, and stored as a piece of its own |
+//! | step | a numerical step: on a [`LoadPath`] a part of an arc, stored as a piece of its own; on a [`SteppedPath`] a part of a leg |
 //! | node | the place between two pieces: an [`Event`], or the start of a leg |
 //! | follower | the part of a path that advances; it stores its place on the present leg, while a journey stores the whole program |
 //!

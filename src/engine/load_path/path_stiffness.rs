@@ -23,7 +23,7 @@ pub(super) struct NarrowOrder {
 }
 
 impl NarrowOrder {
-    /// The narrow order for these contacts and drives; `None` with few coordinates, for which a full matrix is used.
+    /// The order of the coordinates that makes the band of the stiffness matrix narrow. `None` for few coordinates, for which a full matrix is used.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !uses_band(size) {
             return None;

@@ -48,7 +48,7 @@ impl<'g> Pieces<'g> {
         // makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // The path alternates between continuations, so that rounding determines how it goes on.
+            // The path alternates between continuations, and only rounding would determine which one it finally takes.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);

@@ -226,8 +226,8 @@ impl<'g> Pieces<'g> {
         way
     }
 
-    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach there are added to their active sets.
-    /// Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
+    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to their active
+    /// sets. Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
     fn finish_step(
         &mut self,
         journey: &Journey<'g>,

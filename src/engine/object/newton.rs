@@ -121,8 +121,8 @@ pub(crate) fn newton(
     None
 }
 
-/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load, with `beside` added to its
-/// `size`.
+/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its `size`, the sum of the
+/// magnitudes of the terms, is increased by `beside`.
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

@@ -24,7 +24,7 @@ pub struct ShortVerdict {
     /// Largest load factor that is reached with the load held and motions small; see [`Verdict::held_to`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Load factor from which on every contact slides: gross slip. `None` as in [`Verdict::everything_slides`].
+    /// Load factor from which on every contact slides: gross slip. [`Verdict::everything_slides`] says when it is `None`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub everything_slides: Option<f64>,
     /// The verb for the loss, also for a loss beyond the whole load; `None` if the load is held as far as it was followed.

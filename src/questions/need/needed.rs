@@ -161,8 +161,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             None => found.any(&plan, to),
         },
         Searched::Nothing(mut vain) => {
-            // With `Look::Towards` an amount that holds the object is known already. If the verdict on sticking is decided for some amounts, amounts
-            // with an undecided verdict are dropped.
+            // `vain` are the amounts tried, none of which is sufficient. With `Look::Towards` an amount that holds the object is known already. If
+            // the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }

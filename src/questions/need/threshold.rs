@@ -331,7 +331,8 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
     Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
-/// A measure at both ends of the bracket, the sufficient end first; `None` unless its signs at the two ends differ by more than rounding.
+/// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless its signs at the two ends differ by more
+/// than rounding.
 fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);

@@ -58,7 +58,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     scene.measure(&sizes);
 }
 
-/// Sums of absolute values of terms, to which the rounding of contact forces is proportional, for a pair whose springs are compliances.
+/// Sums of absolute values of terms, to which the rounding of contact forces is proportional, for a pair whose springs are stored as compliances.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let pair = Pair::new(scene);
     let [x, y] = [0, 1].each(|axis| scene.points()[axis][1] - scene.points()[axis][0]);

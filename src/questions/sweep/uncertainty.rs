@@ -50,7 +50,7 @@ pub struct Uncertainty {
     pub stiffness: f64,
     /// σ of the logarithm of the normal command, of a force that holds a contact, and of suction.
     pub squeeze: f64,
-    /// σ of the contact points along each coordinate axis, m. Not for hands if other than zero.
+    /// σ of the contact points along each coordinate axis, m. It must be zero for hands.
     pub position: f64,
     /// σ of the angles by which a normal tilts, rad: one in the plane, two in space.
     pub normal: f64,
