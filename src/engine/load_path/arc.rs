@@ -270,7 +270,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(PieceState, f64)> {
-        // An imbalance of forces counts as rounding below this fraction of the sum of all terms; rounding grows with the root of their number.
+        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {

@@ -14,8 +14,8 @@ use crate::prelude::*;
 
 impl Pieces<'_> {
     /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, which gives twist and load factor
-    /// equal weight in the arclength there. While the load turns, the present rate may be small. The norm of the rate a quarter revolution later is
-    /// then added in quadrature. If the result is zero, one is returned.
+    /// equal weight in the arclength at this beginning. While the load turns, the present rate may be small. The norm of the rate a quarter
+    /// revolution later is then added in quadrature. If the result is zero, one is returned.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {

@@ -262,8 +262,9 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition that is positive at the end also counts as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of `way`.
-            // `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this accuracy.
+            // A condition that is positive at the end is also taken as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of
+            // `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this
+            // accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

@@ -40,7 +40,7 @@ struct FreeWay {
 }
 
 /// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. Then no spring is
-/// stretched, and friction is at its limit against the slip. Velocities up to `none` count as zero.
+/// stretched, and friction is at its limit against the slip. Velocities up to `none` are treated as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -50,9 +50,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. The force counts as this resistance if
-            // the directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only rounding may reduce the
-            // resistance.
+            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. The force is taken to reach this
+            // resistance if the directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only rounding may
+            // reduce the resistance.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -142,8 +142,8 @@ impl<'g> Pieces<'g> {
         Some(())
     }
 
-    /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues from there.
-    /// `None` if no gap closes, after a failed jump, or if no integration steps are left.
+    /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues with this gap
+    /// closed. `None` if no gap closes, after a failed jump, or if no integration steps are left.
     pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;

@@ -63,7 +63,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// Forces of all contacts and drives at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The forces at the present place, with the rate problem there, in which contacts on the edge of their cones may slide or open.
+    /// The forces and the rate problem at the present place. In the rate problem, contacts on the edge of their cones may slide or open.
     fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond the end of the path, if it ended in a jump to kinetic friction that found no equilibrium. Otherwise `None`, as always

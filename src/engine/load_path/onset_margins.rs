@@ -60,7 +60,7 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes there, and the load factor has no such derivative.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes, and the load factor has no such derivative.
         let opens = |site: &usize| found.states[*site].is_open();
         if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;

@@ -54,7 +54,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) pace: Pace,
     /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc of this leg, NaN before that, and the contacts whose slips ended there.
+    /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended at this factor.
     pub(super) stopped: (f64, Vec<usize>),
     /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which it last came to rest.
     pub(super) snapped: Snapped,

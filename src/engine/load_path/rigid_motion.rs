@@ -75,7 +75,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // Friction within this fraction of its limit counts as exhausted.
+        // Friction within this fraction of its limit is taken as exhausted.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;

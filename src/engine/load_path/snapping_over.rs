@@ -1,8 +1,8 @@
 //! Snapping over: the equilibrium ends at a fold, a corner or an asymptote. The object moves on under nearly the same load until it rests again.
 //!
-//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that
-//! of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp maps, and R
-//! is the imbalance:
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is taken to
+//! be that of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp
+//! maps, and R is the imbalance:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W

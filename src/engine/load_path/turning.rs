@@ -116,7 +116,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether some contact whose slip has ended at the present place can neither stick nor slide from there.
+    /// Whether some contact whose slip has ended at the present place can neither stick nor slide on.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
         // Places closer to each other than this fraction of the leg are taken as one place.

@@ -200,7 +200,7 @@ impl PadAtEvent {
     }
 }
 
-/// The state of one point of a fingertip; a frictionless point that touches counts as sticking.
+/// The state of one point of a fingertip. A frictionless point that touches is treated as sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PointState {
     Open,

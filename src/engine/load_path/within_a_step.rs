@@ -75,7 +75,7 @@ impl Bounded {
         (size, step_error): (f64, f64),
     ) -> Self {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin counts as violated if it is negative by more than this fraction of the allowed error of a step.
+        // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
         // The rounding of margins, relative to the size of their terms: a smaller violation is ignored.
         let rounded = 2e-13;

@@ -1,6 +1,6 @@
 //! Relaxation of a stuck grasp: contacts beyond their friction cones slip, and the object moves as it would with viscous contacts.
 //!
-//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies beside the fingers. Steps of the twist q with the
+//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies next to the fingers. Steps of the twist q with the
 //! stiffness T of the stuck grasp,
 //!
 //! ```text

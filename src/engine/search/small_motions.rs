@@ -1,4 +1,4 @@
-//! Limits up to which rotations and slips count as small.
+//! Limits up to which rotations and slips are taken as small.
 
 use crate::error::{Error, is_moderate};
 

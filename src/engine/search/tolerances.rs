@@ -26,6 +26,6 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 /// The stuck grasp relaxes towards an equilibrium (`ViscousRelaxation`), and Newton's method continues from the end of the relaxation. If Newton's
 /// method ends within this fraction of the distance relaxed, it has found that equilibrium.
 ///
-/// If smaller, equilibria are refused if relaxation is slow and the rest of the way is longer than its steps suggest. If larger, equilibria elsewhere
-/// are taken for that equilibrium, although only a jump of Newton's method leads to them.
+/// If smaller, equilibria are refused if relaxation is slow and the remaining distance is longer than its steps suggest. If larger, other equilibria,
+/// to which only a jump of Newton's method leads, are taken for that equilibrium.
 pub(super) const BESIDE_THE_WAY: f64 = 0.3;

@@ -103,7 +103,7 @@ pub(super) fn search_tree(
         // Newton's method starts from every fourth case only, since it costs as much as a few cases.
         let every = 4;
         // If forces miss the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding, and Newton's
-        // method starts there, too.
+        // method starts from this case, too.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);

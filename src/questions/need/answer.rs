@@ -184,7 +184,7 @@ pub enum Amount {
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
     },
-    /// No amount suffices: a proof excludes all amounts between `from` and `to`, or all that were tried are insufficient.
+    /// No amount is sufficient: a proof excludes all amounts between `from` and `to`, or all amounts that were tried are insufficient.
     #[non_exhaustive]
     None {
         /// The least amount that was tried, or that the proof covers.

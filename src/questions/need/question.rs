@@ -83,7 +83,7 @@ pub struct Need<const C: usize> {
     /// not given, the load at rest, `base`, is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) of: Option<String>,
-    /// Loads of further bodies, by name, which grow together with `load`; `base` must not be given then.
+    /// Loads of further bodies, by name, which grow together with `load`. If they are given, `base` must not be given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
     pub(crate) together_with: BTreeMap<String, Wrench<C>>,
     /// For the safe amount: factor by which the loads are multiplied; 1 if not given.
