@@ -179,7 +179,7 @@ fn spatial_pinch_turns_freely_about_its_line() {
     let spatial::Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
     let spatial::Proof::FreeMotion { motion, work } = none.proof else { panic!("{:?}", none.proof) };
     assert!(work > 0.0 && motion.object.rotation()[0] > 0.5);
-    // A force beside the line is not carried either.
+    // A force that misses the line is not carried either.
     let beside = spatial::Wrench::force_at([0.0, 0.0, -1.0], [0.0, 1e-3, 0.0]);
     assert!(matches!(grasp.solve(beside).unwrap(), spatial::Outcome::NoEquilibrium(_)));
 }

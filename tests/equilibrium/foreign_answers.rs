@@ -1,4 +1,4 @@
-//! An equilibrium or onset of another grasp, with more or fewer contacts, causes no panic. Contacts that only one of the grasps has count as zero.
+//! An equilibrium or onset of another grasp, with more or fewer contacts, causes no panic. Contacts that only one of the grasps has contribute zero.
 
 use std::error::Error;
 

@@ -35,8 +35,8 @@ fn picture<const C: usize>(e: &Equilibrium<C>) -> Picture<C> {
     e.contacts.iter().map(|c| (c.force_world, c.body_core)).collect()
 }
 
-/// Largest difference of forces and displacements, relative to the largest force and displacement of `e`. Displacements count only if there is no
-/// free motion.
+/// Largest difference of forces and displacements, relative to the largest force and displacement of `e`. Displacements are compared only if no free
+/// motion exists.
 fn distance<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     e: &Equilibrium<C>,
@@ -64,8 +64,8 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
             return None;
         }
     }
-    // A contact without force may also count as open or sliding, and a sticking contact on the edge of its cone as sliding.
-    // Then the displacements are not unique.
+    // A contact without force may equally be reported as open or sliding, and a sticking contact on the edge of its cone as sliding. With such a
+    // contact the displacements are not unique.
     let least = 1e-9 * scene.sizes(e).force;
     let tied = |c: &ContactAnswer<C>| match c.state {
         ContactState::Separated => false,

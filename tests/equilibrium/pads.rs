@@ -8,7 +8,7 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// The vector with three components; the third is zero in the plane.
+/// The vector extended to three components. In the plane the third component is zero.
 fn wide<const C: usize>(v: &SVector<f64, C>) -> Vector3<f64> {
     Vector3::from_fn(|a, _| v.get(a).copied().unwrap_or(0.0))
 }

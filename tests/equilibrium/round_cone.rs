@@ -217,8 +217,8 @@ fn a_contact_may_be_split() {
     );
 }
 
-/// A body of 12 N on three feet of 4 N, pulled by 4.8 N towards the middle of a facet. The round cones carry 2 + 2 + 1 N and hold it
-/// with the weakest foot sliding; the octagons inside carry 5 cos(π/8) = 4.62 N and do not.
+/// A body of 12 N on three feet of 4 N, pulled by 4.8 N towards the middle of a facet. The round cones carry 2 + 2 + 1 N and hold the body
+/// with the weakest foot sliding. The inscribed octagons carry 5 cos(π/8) = 4.62 N and do not hold it.
 #[test]
 fn the_list_of_equilibria_has_what_only_the_round_cone_holds() -> Result<(), grasp_lcp::Error> {
     let foot = |x: f64, mu: f64| {

@@ -95,7 +95,8 @@ fn a_tip_tilts_until_it_opens() {
 }
 
 /// In the plane, a pad of width w = 2b: ⟨x²⟩ = b² for two points, else `∫ ρ² p / ∫ p` = 1/3, (2/15)/(2/3) and (π/16)/(π/4) of b². It turns by M/(k_n
-/// ⟨x²⟩) and opens at N ⟨x²⟩/b: for uniform pressure at N w/6, the middle-third rule. One of two points opens when the other carries the whole force.
+/// ⟨x²⟩) and opens at N ⟨x²⟩/b. For uniform pressure this is N w/6, the middle-third rule. A pad of two points opens when one point carries all
+/// the force.
 #[test]
 fn planar_pads() {
     use planar::{Departure, Grasp, SoftFingertip, Wrench};

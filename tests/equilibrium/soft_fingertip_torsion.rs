@@ -14,8 +14,8 @@ use support::{assert_relatively_close, relatively_close};
 const PROFILES: [(Pressure, f64); 3] =
     [(Pressure::Uniform, 2.0 / 3.0), (Pressure::Parabolic, 8.0 / 15.0), (Pressure::Hertz, 3.0 * PI / 16.0)];
 
-/// A pinch by two points turns freely; by two tips it turns by M/2k_θ. Under forces through its line it is as stiff as one by
-/// points. The first points slide at the closed form: all points of a ring, or the rim of a disc.
+/// A pinch by two points turns freely. A pinch by two soft tips turns by M/2k_θ. Under forces through its line it is as stiff as a pinch by
+/// points. The first points of a tip slide at the moment of a closed form: all points of a ring, or the rim of a disc.
 #[test]
 fn a_pinch_no_longer_turns_freely() {
     let points = Grasp::new([finger(-1.0), finger(1.0)]).unwrap();

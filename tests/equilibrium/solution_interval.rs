@@ -59,7 +59,7 @@ fn wedged(random: &mut Random) -> Wedged {
     let point: [f64; 3] = std::array::from_fn(|k| (deep[0] * a[k] + deep[1] * b[k]) / square);
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
     for i in 0..2 {
-        // way (beside - t·(point + z line)) >= 0.
+        // The slip points along friction: way (beside - t·(point + z line)) >= 0.
         let (c, g) = (ways[i] * (beside[i] - dot(rows[i][1], point)), -ways[i] * dot(rows[i][1], line));
         if g > 0.0 {
             from = from.max(-c / g);

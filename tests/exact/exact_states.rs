@@ -12,7 +12,7 @@ use support::samples::assert_met;
 use support::scene::Scene;
 use support::truth::{Errors, Truth};
 
-/// Errors below this fraction of the largest force or displacement count as zero.
+/// Errors below this fraction of the largest force or displacement are treated as zero.
 const NONE: f64 = 1e-18;
 
 /// Counts of outcomes, and the largest errors.

@@ -276,7 +276,7 @@ fn a_tendon_over_two_fingers() -> Tested {
     Ok(())
 }
 
-/// A finger with a constant force keeps this force under any load along it, and the other side carries the whole load.
+/// A finger with a constant force keeps this force under any load along the force, and the opposite finger carries the whole load.
 #[test]
 fn a_force_that_is_held_stays() -> Tested {
     let grasp: Grasp = Grasp::new([pad(-1.0, 0.0).force(8.0), pad(1.0, 0.0)])?;

@@ -40,7 +40,7 @@ fn derivatives_are_those_of_small_changes() {
         let base = grasp(&DATA, limit);
         let outcome = base.solve(load).expect("a load");
         let held = outcome.equilibrium().expect("holds");
-        // The first joint yields, the second and the tendon hold.
+        // The drive of the first joint yields. The second joint and the tendon hold.
         let states: Vec<_> = held.joints.iter().map(|j| j.state).collect();
         assert_eq!(states, [DriveState::Yields, DriveState::Holds]);
         assert_eq!(held.tendons[0].state, DriveState::Holds);

@@ -32,7 +32,7 @@ fn pads() -> [Contact; 2] {
     })
 }
 
-/// The grasp with a suction cup; the grasp with a ring in its place; and the vacuum as a load for the latter.
+/// The grasp with a suction cup, the grasp with a ring of contacts in place of the cup, and the vacuum of the cup as a load on the second grasp.
 fn both() -> Result<(Grasp, Grasp, Wrench), Error> {
     let cup = SuctionCup::of_force(RADIUS, 12, VACUUM)?;
     let grasp = Grasp::new([cup.contacts(&lip())?, pads().to_vec()].concat())?;

@@ -1,4 +1,5 @@
-//! What nothing resists decides by the point of action of the load: a part that is pinched above its centre of mass hangs, below it turns over.
+//! If no contact resists a rotation, the point of action of the load decides about stability. A part that is pinched above its centre of mass hangs.
+//! A part that is pinched below it turns over.
 
 use grasp_lcp::hold::{Holding, Verdict};
 use grasp_lcp::nalgebra::{Isometry3, Vector3};
@@ -58,7 +59,7 @@ fn a_pencil_on_its_tip() -> Tested {
     Ok(())
 }
 
-/// A lamp on a hinge below the ceiling: its own weight decides, with a second body on top of the first one.
+/// A lamp on a hinge below the ceiling. The weights of the lamp and of a second body on top of it decide whether it turns over.
 #[test]
 fn bodies_on_a_hinge() -> Tested {
     for (low, high, over) in [(-0.3, 0.1, false), (-0.1, 0.3, true)] {

@@ -11,7 +11,7 @@ use support::splitmix::Random;
 /// The limit of small motions in the default settings.
 const SMALL: f64 = 0.1;
 
-/// Three or four fingers around an object, or feet; soft or stiff, slightly or strongly overloaded.
+/// Three or four contacts: fingers around an object, or feet under it. They are soft or stiff, and slightly or strongly overloaded.
 struct Drawn<const C: usize> {
     points: Vec<[f64; C]>,
     normals: Vec<[f64; C]>,

@@ -13,7 +13,7 @@ const STEP: f64 = 1e-3;
 const SCATTER: f64 = 1e-6;
 /// At a kink the one-sided derivatives differ by more than this, relative to the derivative.
 const EDGE: f64 = 0.02;
-/// Smaller derivatives count as zero.
+/// Smaller derivatives are treated as zero.
 const FLAT: f64 = 1e-4;
 
 #[derive(Debug, Default)]

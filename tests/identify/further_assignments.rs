@@ -92,8 +92,8 @@ fn each_kind_of_slip_has_its_own_foot() -> Tested {
 /// The moment that turns two feet, whose coefficients have the sum 0.5, about the third, N m.
 const TWIST: f64 = 10.0 * RADIUS * 0.5 / 1.732_050_807_568_877_2;
 
-/// Slips under a vertical moment. The feet turn about the foot with most friction, at W R (μ_1 + μ_2) / √3 with the coefficients of the other two
-/// feet.
+/// Slips under a vertical moment. The feet turn about the foot with the largest coefficient of friction. The moment is W R (μ_1 + μ_2) / √3, with the
+/// coefficients of the other two feet.
 fn twisted() -> [Slip<3>; 3] {
     about(TWIST).map(|newton_metres| {
         Slip::gross(Wrench::new([0.0; 3], [0.0, 0.0, newton_metres])).on_top_of(weight_over([0.0; 2]))
@@ -118,7 +118,8 @@ fn a_twist_depends_on_two_of_three_or_on_all() -> Tested {
     Ok(())
 }
 
-/// First slips with the weight near foot 0 at 1 N mean that one of 4 μ_0, μ_1 and μ_2 is 0.2. Its coefficient and one of the others have the sum 0.5.
+/// With the weight near foot 0, first slips at 1 N mean that one of 4 μ_0, μ_1 and μ_2 is 0.2. The coefficient of this foot and one of the other two
+/// coefficients have the sum 0.5.
 #[test]
 fn a_twist_and_a_pull_leave_six_pairs() -> Tested {
     let mut slips: Vec<_> = twisted().into();

@@ -137,7 +137,8 @@ fn what_scatters_too_much() -> Tested {
     Ok(())
 }
 
-/// Pulls to one side slide the first jaw, pulls to the other side the second. Each friction depends on one group alone, which cannot show a common error.
+/// Pulls to one side slide the first jaw, and pulls to the other side slide the second jaw. Each coefficient of friction depends on the slips of one
+/// group alone. One group cannot show an error that all its slips have in common.
 #[test]
 fn what_one_group_tells_alone() -> Result<(), support::Failure> {
     let known = support::identified::first_slips()?;

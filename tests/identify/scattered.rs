@@ -93,7 +93,7 @@ fn groups_of_one_slip() -> Tested {
     Ok(())
 }
 
-/// One of ten loads is ten times too large. It changes friction by less than the standard error; least squares would change it by a quarter.
+/// One of ten loads is ten times too large. This load changes friction by less than the standard error. Least squares would change it by a quarter.
 #[test]
 fn a_slip_far_off_counts_less() -> Tested {
     let loads = [5.9, 6.1, 6.0, 6.2, 5.8, 6.1, 5.9, 6.05, 5.95, 60.0].map(slip);

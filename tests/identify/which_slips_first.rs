@@ -18,7 +18,7 @@ fn from(start: [f64; 2], slip: fn(Wrench) -> Slip<2>) -> Result<Identified, gras
     jaws(start)?.identify(&Identify::new(each(), slips).with_outliers_beyond(f64::INFINITY))
 }
 
-/// The jaw with less friction slides. One of the two has the mean of the slips, and no start determines which one.
+/// The jaw with less friction slides. One of the two jaws has the coefficient that the mean of the slips gives. No start determines which jaw.
 #[test]
 fn one_of_two_jaws_whichever_the_start() -> Tested {
     let logs = LOADS.map(|newtons| (newtons / 20.0).ln());
@@ -30,7 +30,7 @@ fn one_of_two_jaws_whichever_the_start() -> Tested {
             let said = found.to_string();
             assert!(said.starts_with("one of"), "{start:?}: {said}");
             assert_eq!(found.slips, 6);
-            // No jaw has a value that may belong to the other.
+            // No jaw is given a value, which might be that of the other jaw.
             assert!(
                 found.estimates.iter().all(|each| !each.is_fixed && each.standard_error.is_none()),
                 "{found:?}"

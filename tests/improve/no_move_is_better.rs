@@ -13,7 +13,7 @@ use grasp_lcp::squeeze::{Loads, WeakestDirection};
 use grasp_lcp::{planar, spatial};
 use support::samples::{assert_met, samples, seeded};
 
-/// Size of moves, relative to the size of the object; for squeezes relative to their largest value.
+/// Size of moves of contacts, relative to the size of the object. Changes of squeezes have this size relative to the largest squeeze.
 const STEP: f64 = 4e-4;
 const SIZE: f64 = 0.05;
 const MOST: f64 = 12.0;

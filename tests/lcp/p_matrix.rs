@@ -19,7 +19,8 @@ fn textbook_matrices() {
     assert_eq!(is_p(3, &[1., 0., 0., 2., 1., 0., 2., 2., 1.]), Some(true));
     assert_eq!(is_p(3, &[1., 0., 0., 3., 1., 0., 3., 3., 1.]), Some(true));
     assert_eq!(is_p(2, &[1., 3., 2., 1.]), Some(false));
-    // Without positive entries off the diagonal, elimination decides: the determinant of the first is 1, of the second -1.
+    // Without positive entries off the diagonal, elimination decides whether a matrix is a P-matrix. The determinant of the first matrix is 1, of the
+    // second -1.
     assert_eq!(is_p(2, &[1., -4., 0., 1.]), Some(true));
     assert_eq!(is_p(2, &[1., -2., -1., 1.]), Some(false));
 }

@@ -122,7 +122,7 @@ fn nothing_presses() -> Tested {
     Ok(())
 }
 
-/// Contacts that slide at the start may continue to slide, or one may stick. Both continuations exist, and the path reports the other continuation.
+/// Contacts that slide at the start may continue to slide, or one may stick. The path follows one continuation and reports that another exists.
 #[test]
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
@@ -132,7 +132,7 @@ fn the_other_way_to_begin_is_told() -> Tested {
     assert_eq!(first.other_continuations, Some(1));
     let events = path.run();
     assert!(events.iter().any(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps)));
-    // The path slides on to a fold and snaps over there. The path in steps finds the sticking continuation, which has no fold.
+    // The path slides on to a fold and snaps over at this fold. The path in steps finds the sticking continuation, which has no fold.
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     let mut steps = grasp.follow_in_steps(start, &legs, 1e-6)?;
     steps.by_ref().for_each(drop);

@@ -10,7 +10,7 @@ use support::jaws::jaw;
 use support::programs::numbers;
 
 /// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright:
-/// without them it could also turn under the same forces, with one flank sliding and the other not.
+/// without the guides it could also turn under the same forces, with one flank sliding and the other not.
 fn wedge(mu: f64) -> planar::Grasp {
     let (k, kt) = (100.0, 200.0);
     let flank = |side: f64| {
@@ -118,9 +118,9 @@ fn a_wedge_at_its_locking_angle() {
 /// the body. Unloaded: u = (-1/2, 1), N = 11, T = 7. Pulled by (-τ, 0) and stuck: (S + K)u = (-τ, 24), so
 /// N = 11 - 13τ/48, T = 7 + 35τ/48, and T = 3/2 N at τ* = 912/109, N* = 952/109.
 ///
-/// Sliding there, S u' = N'(3/2, 1) + (-1, 0) with N' = -13u_y' has the determinant 10·30 - 12·31.5 = -78 < 0 and gives
-/// u' = (30, -12)/78, N' = 2, T' = 3: slip s' = -T'/14 - u_x' = -3/14 - 5/13 < 0 against the friction. So this equilibrium ends.
-/// Open, u = τ(-17, 12)/26 clears the foot when u_y > 24/13, τ > 4: the body snaps off (sliding the other way needs τ < 4).
+/// Sliding at τ*, S u' = N'(3/2, 1) + (-1, 0) with N' = -13u_y' has the determinant 10·30 - 12·31.5 = -78 < 0 and gives
+/// u' = (30, -12)/78, N' = 2, T' = 3. The slip rate s' = -T'/14 - u_x' = -3/14 - 5/13 < 0 is against the friction. So this equilibrium ends.
+/// With the foot open, u = τ(-17, 12)/26 clears the foot if u_y > 24/13, τ > 4: the body snaps off (sliding the other way needs τ < 4).
 #[test]
 fn a_continuation_lost_by_snapping() {
     let spring = |x: f64| planar::Contact::new([x, 0.0], [3.0, 4.0]).series_stiffness(13.0, 0.5).bonded();
@@ -164,10 +164,10 @@ fn a_continuation_lost_by_snapping() {
     assert_story(&events, &[(0, slides / 40.0, vec![(0, "slides")]), (0, opens / 40.0, vec![(0, "opens")])]);
 }
 
-/// Two fingers squeeze (N = k a) and one frictionless guide of stiffness kg carries along with them. Stuck, a weight w sinks the
-/// object by y = w/(2kt + kg), T = kt y. First squeeze a₁, then load: T = kt w/(2kt + kg). First load at a₀: it slides
-/// at kt y = μka₀ and T stays there, y = (w - 2μka₀)/kg; squeezing then adds nothing to T. Squeezed, loaded
-/// and let go to a₀: it slides from N = T/μ on and ends like the second, which squeezing again does not undo.
+/// Two fingers squeeze (N = k a), and one frictionless guide of stiffness kg also carries load. If both fingers stick, a weight w lowers the
+/// object by y = w/(2kt + kg), T = kt y. First squeeze a₁, then load: T = kt w/(2kt + kg). First load at the squeeze a₀: the object slides
+/// at kt y = μka₀, and T keeps this value, y = (w - 2μka₀)/kg. Squeezing afterwards adds nothing to T. Squeezed to a₁, loaded
+/// and released to a₀: the object slides from N = T/μ on and ends in the second state. Squeezing again does not undo this.
 #[test]
 fn the_order_of_loading_matters() {
     let (k, kt, kg, mu, w) = (40.0, 6.0, 8.0, 0.5, 1.2);
@@ -204,9 +204,9 @@ fn the_order_of_loading_matters() {
     }
 }
 
-/// Without friction there is nothing to remember: a plank on n supports of stiffness k, loaded off centre. With the supports
-/// i >= m closed (m gone), Σ F = w and Σ F x = w e give F_m = 0 at e = mean + variance/(mean - x_m) of those left, as
-/// F_i = w/n' (1 + (x_i - mean)(e - mean)/variance). Each opens there on the way out and closes there on the way back.
+/// Without friction the state depends on the load alone: a plank on n supports of stiffness k, loaded off centre. With the supports
+/// i >= m closed, Σ F = w and Σ F x = w e give F_i = w/n' (1 + (x_i - mean)(e - mean)/variance), with mean and variance over the n' closed supports.
+/// Thus F_m = 0 at e = mean + variance/(mean - x_m). Support m opens at this e when e grows, and closes at it when e decreases.
 #[test]
 fn frictionless_supports_open_one_by_one_and_close_again() {
     let (n, w, k) = (6_u32, 3.0, 50.0);
@@ -242,9 +242,9 @@ fn frictionless_supports_open_one_by_one_and_close_again() {
     }
 }
 
-/// Infinite friction: a foot (k, kt, pressed by a) beside bonded springs, together kb both ways. Sheared it never slides. Lifted it
-/// opens at y = a, λ = kb a; sheared by P while it is open it moves to x = P/kb; lowered it closes at y = a again, where it
-/// sticks with F_t = 0; and when the shear is gone it pulls back: x = P/kb · kt/(kt + kb), F_t = kb x.
+/// Infinite friction: a foot (k, kt, pressed by a) next to bonded springs, of total stiffness kb in both directions. Sheared, the foot never slides.
+/// Lifted, it opens at y = a, under the load kb a. Sheared by P while the foot is open, the object moves to x = P/kb. Lowered, the foot closes at
+/// y = a again, where it sticks with F_t = 0. After the shear is removed, the foot pulls back: x = P/kb · kt/(kt + kb), F_t = kb x.
 #[test]
 fn infinite_friction_never_slides() {
     let (k, kt, kb, a, p) = (30.0, 20.0, 10.0, 0.1, 2.0);
@@ -275,10 +275,10 @@ fn infinite_friction_never_slides() {
     assert_close!(path.state().unwrap().contacts[0].force_world[0], kb * x);
 }
 
-/// It would open with a tangential force in hand: on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by (40, 0) and
-/// lifted by (0, 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24), u_y = a at f = 131/260, and F_t = -14u_x = -406/39 there.
-/// Without a normal force this tangential force would vanish at once: then S u = (40, 80f) has u_y = (800f - 480)/26 < a, inside the finger.
-/// No continuous motion exists from there, so the path ends with a snap.
+/// The foot would open while it carries a tangential force. It is on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by
+/// (40, 0) and lifted by (0, 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24). At f = 131/260, u_y = a and F_t = -14u_x = -406/39.
+/// Without a normal force this tangential force would vanish at once. Then S u = (40, 80f) has u_y = (800f - 480)/26 < a, inside the foot.
+/// No continuous motion exists from this state, so the path ends with a snap.
 #[test]
 fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let a = 24.0 / 13.0;

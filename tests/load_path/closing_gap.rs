@@ -1,5 +1,5 @@
-//! If the object starts to slide without resistance, it moves until a gap closes, and the path continues from there. Closed forms and the balance of
-//! work confirm this.
+//! If the object starts to slide without resistance, it moves until a gap closes, and the path continues with this gap closed. Closed forms and the
+//! balance of work confirm this.
 //!
 //! A block of weight W slides on feet (total tangential stiffness K, friction μ) towards a stop at the distance g. P is the pull:
 //!
@@ -123,7 +123,7 @@ fn a_stop_takes_what_friction_loses() {
     near(jump.moved[0].twist.components()[0], GAP - MU * W / K + (MU * W - 0.3 * W) / K);
 }
 
-/// Free motions that end at a ceiling, at two walls in turn, and at a stop for a body under another body.
+/// Free motions that end at a ceiling, at one wall and then at another, and at a stop for a body under another body.
 #[test]
 fn other_free_motions_end_at_a_gap_too() {
     let feet_of_two = || feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter();
@@ -148,7 +148,7 @@ fn other_free_motions_end_at_a_gap_too() {
     near(path.forces()[2][0], (45.0 * 0.4 - W * 0.1) / 0.5);
 }
 
-/// Stops that do not end the motion: one behind the block, one too far away for small motions, and one beside the path.
+/// Stops that do not end the motion: one behind the block, one too far away for small motions, and one that the motion does not approach.
 #[test]
 fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     for (normal, gap) in [([1.0, 0.0], GAP), ([-1.0, 0.0], 0.03), ([0.0, -1.0], GAP)] {
@@ -196,7 +196,7 @@ fn nothing_but_friction_works_on_the_way() {
         let events = told(1.0, 1.0);
         let others = [told(-1.0, 1.0), told(1.0, 0.5)];
         for (k, event) in events.iter().enumerate() {
-            // Where the object snaps over, dampers work beside friction.
+            // If the object snaps over, dampers take up work in addition to friction.
             let Some(jump) = event.jump.as_ref().filter(|jump| !jump.snaps) else { continue };
             ways += 1;
             let heat: f64 = jump

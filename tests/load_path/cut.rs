@@ -1,5 +1,5 @@
-//! A load program with its legs cut in pieces gives the same events at the same loads, the same states and the same end. The pieces may be followed
-//! in one go or one after the other, and cuts may lie on events. Random paths in the plane and in space confirm this.
+//! A load program whose legs are cut into shorter legs gives the same events at the same loads, the same states and the same end. The shorter legs
+//! may be given all at once or one after the other, and cuts may lie on events. Random paths in the plane and in space confirm this.
 
 use grasp_lcp::load_path::{Event, LoadPath, PathEnd};
 use proptest::prelude::*;

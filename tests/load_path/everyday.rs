@@ -1,5 +1,5 @@
 //! Few everyday load paths in space end undecided. Three to six fingers hold an object in a ring, on two faces or over a ball. A weight, a push or a
-//! torque grows. What the other paths report about rest is checked against equilibria just beyond their end.
+//! torque grows. If a path is lost, what it reports about equilibria beyond this end is checked against equilibria under slightly larger loads.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -123,8 +123,8 @@ fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]
 }
 
-/// Checks a path that ends at its start. At a limit load no equilibrium exists just beyond. At a snap one exists there, but it does not return to the
-/// start when the load does.
+/// Checks a path that ends at its start. At a limit load no equilibrium exists just beyond. At a snap an equilibrium exists just beyond, but does not
+/// return to the start when the load does.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
     let start = grasp.solve(Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();

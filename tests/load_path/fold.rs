@@ -1,5 +1,5 @@
 //! A path can end at a fold. While the force of a sliding contact decreases, its friction turns faster and faster, until the load cannot grow any
-//! more. It snaps over to another equilibrium there, with nearly the same forces.
+//! more. At this fold the object snaps over to another equilibrium with nearly the same forces.
 
 use std::error::Error;
 

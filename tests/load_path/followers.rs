@@ -26,7 +26,7 @@ fn pulled(shear: f64, tilt: f64) -> Wrench {
     Wrench::new([shear, -10.0], tilt)
 }
 
-/// The pad is dragged and tilted in turn and released, then dragged beyond the limit of friction.
+/// The pad is dragged and tilted three times and released, then dragged beyond the limit of friction.
 fn program(numbers: &mut Random) -> Vec<Leg> {
     let mut legs: Vec<_> =
         (0..3).map(|_| Leg::load_to(pulled(3.0 * numbers.signed(), numbers.signed()))).collect();
@@ -96,7 +96,7 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
         assert!(matches!(beyond[0], Some(Beyond::LimitLoad | Beyond::Ends { .. })), "{beyond:?}");
         limits += usize::from(matches!(beyond[0], Some(Beyond::LimitLoad)));
 
-        // All legs followed at once end there too.
+        // All legs followed in one call end at the same state.
         let mut at_once = pad.follow_in_steps(start, &legs, ERROR)?;
         at_once.by_ref().for_each(drop);
         assert_eq!(at_once.forces(), steps.forces());

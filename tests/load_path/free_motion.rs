@@ -88,10 +88,10 @@ fn a_foot_that_parts_leaves_the_height_free() {
     assert_close!(end.twist.translation()[1], a - w / k);
 }
 
-/// Two pairs of fingers on the same two spots, pressed with N = k a each; one pair is dragged up, the other down, by b each: at
-/// kt b = μN all four slide at once. Nothing then resists going up and down nor turning, yet all forces are known, ±μN, and the body stays.
-/// A load -w lets the lower pair stick again while the upper pair slips on: y = -w/(2 kt), until the lower pair has gone
-/// from -μN to μN each, w = 4μN, the limit load.
+/// Two pairs of fingers on the same two points are pressed with N = k a each. One pair is dragged up, the other down, by b each: at
+/// kt b = μN all four slide at once. Then nothing resists a vertical motion or a rotation. Yet all forces are known, ±μN, and the body stays.
+/// Under a load -w the pair that was dragged down sticks again while the other pair slips on: y = -w/(2 kt). At w = 4μN, the limit load, the
+/// friction of each finger of the first pair has changed from -μN to μN.
 #[test]
 fn fingers_dragged_both_ways_hold_all_the_same() {
     let (k, kt, mu, a) = (50.0, 20.0, 0.35, 0.1);
@@ -154,8 +154,8 @@ fn third(a: f64) -> spatial::Leg {
     spatial::Leg::commands_to(vec![[A, 0.0, 0.0], [A, 0.0, 0.0], [a, 0.0, 0.0]])
 }
 
-/// The third finger is withdrawn and separates at a = 0, after which the body can turn about the line of the other two. Forces through this line and
-/// perpendicular moments are held, with f/2 and ∓M/2 each. A moment about the line, or a force beside it, turns the body.
+/// The third finger is withdrawn and separates at a = 0. Then the body can turn about the line through the other two fingers. A force f through this
+/// line and a moment M perpendicular to it are held, with f/2 and ∓M/2 each. A moment about the line, or a force that misses it, turns the body.
 #[test]
 fn a_pinch_may_turn_about_its_line() {
     let grasp = three_fingers(0.8);

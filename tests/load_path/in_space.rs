@@ -17,8 +17,8 @@ const N: f64 = K * A;
 /// Stiffness of the elastic base about the axis.
 const BASE: f64 = 6.0;
 
-/// n fingers on the unit circle about z, first tangents along z and second tangents along the circle, with these frictions; an elastic base about
-/// the axis, and guides that prevent all other motions.
+/// Fingers on the unit circle about z, one for each entry of `frictions`, with first tangents along z and second tangents along the circle. An
+/// elastic base resists rotation about z, and guides prevent all other motions.
 fn grip(frictions: &[f64]) -> Grasp {
     let n = frictions.len();
     let finger = |i: usize| {
@@ -36,8 +36,8 @@ fn turn(moment: f64) -> Leg {
 }
 
 /// Two pairs of opposite fingers of strengths f = μN, 1/2 and 1/4 of their normal force. First loading: M = V(θ) = 2 min(kt θ, f₁) + 2 min(kt θ, f₂) + B θ.
-/// From a turning point (θ₁, M₁) on the way back is the same curve twice as large, M = M₁ - 2 V((θ₁ - θ)/2): the weaker pair slides back
-/// at θ₁ - 2 f₂/kt, the stronger at θ₁ - 2 f₁/kt. A full cycle costs Σ 4 f (θ₁ - f/kt); a smaller loop inside closes where it began.
+/// From a turning point (θ₁, M₁) on, unloading follows the same curve twice as large, M = M₁ - 2 V((θ₁ - θ)/2). The weaker pair slides back
+/// at θ₁ - 2 f₂/kt, the stronger at θ₁ - 2 f₁/kt. A full cycle dissipates Σ 4 f (θ₁ - f/kt). A smaller loop inside closes where it began.
 #[test]
 fn torsion_follows_masing() {
     let strengths = [0.5 * N, 0.25 * N];
@@ -62,7 +62,7 @@ fn torsion_follows_masing() {
         expected.push((leg, back(weak), pair(1, "slides")));
         expected.push((leg, back(strong), pair(0, "slides")));
     }
-    // Only the weak pair slides in the small loop; further loading would slide both again.
+    // Only the weak pair slides in the small loop. Loading beyond the loop would slide both pairs again.
     expected.extend([(3, 0.0, all("sticks")), (3, part(weak), pair(1, "slides"))]);
     expected.extend([(4, 0.0, pair(1, "sticks")), (4, part(weak), pair(1, "slides"))]);
     assert_story(&events, &expected);
@@ -118,9 +118,9 @@ fn fingers_drag_the_body_to_and_fro() {
     assert!(path.energies().iter().all(|e| e.load_work == 0.0 && e.residual().abs() < 1e-13));
 }
 
-/// A table on four frictionless feet at (±1, ±1), with a weight w at (e, e). F = w/4 (1 + e (x + y)): the far foot lifts at e = 1/2. Then three carry it,
-/// w e near the weight and w (1 - e)/2 each beside: those two lift together at e = 1, and beyond, the near foot alone
-/// does not hold it. Back from before that it comes down on its far foot where it left it.
+/// A table on four frictionless feet at (±1, ±1), with a weight w at (e, e). F = w/4 (1 + e (x + y)): the far foot lifts at e = 1/2. Then three feet
+/// carry it: w e at the foot nearest to the weight, and w (1 - e)/2 at each of its two neighbours. The neighbours lift together at e = 1. Beyond, the
+/// nearest foot alone does not hold the table. If the weight returns before e = 1, the far foot comes down where it lifted, at e = 1/2.
 #[test]
 fn a_table_lifts_its_feet_and_tips() {
     let (k, w) = (70.0, 5.0);

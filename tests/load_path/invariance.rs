@@ -85,7 +85,7 @@ fn tells_the_same<const D: usize, const C: usize>(
     }
     let ends = [path.end(), path_there.end()];
     prop_assert!(ends[0].map(discriminant) == ends[1].map(discriminant), "{both}");
-    // With too many contacts there is no search beyond a loss.
+    // With too many contacts no equilibrium is sought beyond a loss.
     let beyond = [path.beyond(), path_there.beyond()];
     let unsearched = beyond.iter().any(|beyond| matches!(beyond, Some(Beyond::Ends { .. })));
     let alike = beyond[0].as_ref().map(discriminant) == beyond[1].as_ref().map(discriminant);

@@ -9,8 +9,8 @@ use support::programs::draw::{over, planar_scenes};
 use support::programs::same_state;
 use support::samples::assert_met;
 
-/// If nothing snaps over and no contact sticks again, closes or reverses, all slips point along the friction at the end. So the end is an equilibrium of the one-shot
-/// law. If this has only one equilibrium, by enumeration, it is the end.
+/// If nothing snaps over and no contact sticks again, closes or reverses, all slips point along the friction at the end. So the end is an equilibrium
+/// of the one-shot law. If by enumeration this law has only one equilibrium, the path ends at this equilibrium.
 #[test]
 fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(600, &planar_scenes(), |scene, tally| {
@@ -40,8 +40,7 @@ fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     assert_met(&[(t.checked, 40)]);
 }
 
-/// A program there and back without events on the first leg has no events on the way back, and ends at the start, up to
-/// rounding.
+/// If a program without events is reversed leg by leg, the reversed legs have no events either, and end at the start up to rounding.
 #[test]
 fn a_path_without_events_can_be_reversed() {
     let t = over(400, &planar_scenes(), |mut scene, tally| {

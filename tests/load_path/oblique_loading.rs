@@ -1,8 +1,8 @@
 //! A rough ball on independent springs is pressed and sheared at once, then sheared further and back. The tractions agree with the solutions of Jäger
 //! and of Ciavarella.
 //!
-//! Spring i closes when the ball has come down by `h_i = r_i²/2R`; then it presses with `n_i = k (δ - h_i)`. All friction acts in the plane of the
-//! spring ends, and the springs lie symmetrically, so that the ball does not tilt. From a pressed ball on
+//! Spring i closes when the ball has come down by `h_i = r_i²/2R`. When the ball has come down by δ, the spring presses with `n_i = k (δ - h_i)`. All
+//! friction acts in the plane of the spring ends, and the springs lie symmetrically, so that the ball does not tilt. Starting from a pressed ball,
 //!
 //! ```text
 //! P and Q grow, dQ = ρ dP, ρ < μ:     all springs stick,      t_i = ρ (n_i - n_i⁰)

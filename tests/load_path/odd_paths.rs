@@ -1,5 +1,6 @@
-//! Irregular programs end with a stated cause, and every fraction on the way has a state. They have fingers at unequal heights, uneven stiffness and
-//! friction, a weight from the start, forces with moments, and fingers that are released and pressed again.
+//! Irregular programs end with a stated cause, and a state is found at every fraction of every leg before the end. The grasps have fingers at unequal
+//! heights and uneven stiffness and friction. The programs have a weight from the start, forces with moments, and fingers that are released and
+//! pressed again.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::load_path::PathEnd;

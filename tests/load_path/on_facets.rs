@@ -22,8 +22,8 @@ fn at(angle: f64) -> Vector2<f64> {
     Vector2::new(angle.cos(), angle.sin())
 }
 
-/// Four feet at z = 0 under a block, each pressed with N, and four bonded springs of together KB in every direction beside
-/// them. Loads in z = 0 neither tilt nor lift it: F_i = -KT(u + s), Σ F_i - KB u + Q = 0.
+/// Four feet at z = 0 under a block, each pressed with N, and next to them four bonded springs with the total stiffness KB in every direction. Loads
+/// in z = 0 neither tilt nor lift the block: F_i = -KT(u + s), Σ F_i - KB u + Q = 0.
 fn block() -> Grasp {
     let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
     let foot = |[x, y]: [f64; 2]| {
@@ -94,10 +94,10 @@ fn foot(state: &grasp_lcp::spatial::Equilibrium) -> (Vector2<f64>, Vector2<f64>)
 }
 
 /// Pulled at the angle π/8 + δ, 0 < δ < π/8. Stuck, u = -Q/(4KT + KB), F = KT Q/(4KT + KB), until the part of F across the facet
-/// at π/8 is r: Q₁ = r (4KT + KB)/(KT cos δ). There all feet slide across that facet; along it the springs hold on, so F
-/// creeps along it until it comes to the corner, r tan π/8 beside: Q₂ = r tan(π/8)(4KT + KB)/(KT sin δ). Then it stays there, F = μN at(π/4),
-/// and the block slips the way it is pulled. Let go, F follows -ΔQ KT/(4KT + KB) from the corner and first meets
-/// the facet opposite, where its part across is -r: ΔQ = 2r(4KT + KB)/(KT cos δ).
+/// at π/8 is r: Q₁ = r (4KT + KB)/(KT cos δ). From Q₁ on all feet slide across that facet. Along the facet the springs still stick, so F
+/// moves along it to the corner, at the distance r tan π/8: Q₂ = r tan(π/8)(4KT + KB)/(KT sin δ). Then F stays at the corner, F = μN at(π/4),
+/// and the block slips in the direction of the pull. During unloading F follows -ΔQ KT/(4KT + KB) from the corner and first meets
+/// the opposite facet, where its part across is -r: ΔQ = 2r(4KT + KB)/(KT cos δ).
 #[test]
 fn a_pad_slides_along_a_facet_to_its_corner() {
     let grasp = block();

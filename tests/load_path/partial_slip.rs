@@ -4,8 +4,8 @@
 //! rule for unloading). The continuum law is an integral by hand, with a proven bound on the difference of N springs from it.
 //!
 //! The pad: N contacts at one height y = 0 under a rigid block, ξ_i = (2i + 1 - N)/N, commanded to press with N_i = k a_i = (2/N) p₀ (1 - ξ_i²), a
-//! parabola of half width 1. All friction acts along y = 0, so a shear load Q there neither tilts nor lifts the block. The pressures stay, and F_i =
-//! -kt x until kt x = μ N_i. With c = 2/N kt' per contact
+//! parabola of half width 1. All friction acts along y = 0, so a shear load Q along y = 0 neither tilts nor lifts the block. The pressures stay, and
+//! F_i = -kt x until kt x = μ N_i. With c = 2/N kt' per contact
 //!
 //! ```text
 //! Q_N(x) = Σ_i min(c x, μ N_i)                                         exact for the pad
@@ -151,9 +151,9 @@ fn the_pad_slips_from_the_rim_inwards() {
     }
 }
 
-/// Mindlin and Deresiewicz: to Q₁, back to -Q₁, and again. Everything sticks at a turning point; from there each spring has
-/// twice its strength (Masing), so on the way back Q = Q₁ - 2 Q_N((x₁ - x)/2), the pairs that had slid let go at
-/// x₁ - 2 μN_i/c, and the loop closes exactly. Friction takes Σ 4 μN_i (x₁ - μN_i/c) a cycle.
+/// Mindlin and Deresiewicz: to Q₁, back to -Q₁, and again. Everything sticks at a turning point. From the turning point on, each spring has
+/// twice its strength (Masing). During unloading Q = Q₁ - 2 Q_N((x₁ - x)/2), and the pairs that had slid slide back from x₁ - 2 μN_i/c on. The loop
+/// closes exactly. Friction dissipates Σ 4 μN_i (x₁ - μN_i/c) per cycle.
 #[test]
 fn reversed_loading_follows_masing_and_the_loop_closes() {
     let n = 40;
@@ -200,9 +200,9 @@ fn reversed_loading_follows_masing_and_the_loop_closes() {
     assert!(within < 0.2 * area);
 }
 
-/// A smaller loop inside: to Q₁, back to Q₂ > -Q₁, and on to Q₃ > Q₁. Back: only the outer pairs, μN_i < c (x₁ - x₂)/2, slide. Forth again: the same
-/// pairs slide at x₂ + 2 μN_i/c. When x₁ is reached, every pair that slid on the way to x₁ and not since is on its edge again and slides, all in one
-/// event. From there on the first loading continues as without the loop, whose memory is erased.
+/// A smaller loop inside: to Q₁, back to Q₂ > -Q₁, and on to Q₃ > Q₁. During unloading only the outer pairs, μN_i < c (x₁ - x₂)/2, slide. During
+/// reloading the same pairs slide at x₂ + 2 μN_i/c. At x₁, every other pair that slid before x₁ was first reached is on its edge again. All these
+/// pairs slide in one event. Beyond x₁ the first loading continues as without the loop, whose memory is erased.
 #[test]
 fn a_loop_inside_is_forgotten_where_it_was_left() {
     let n = 40;

@@ -38,7 +38,7 @@ fn follow<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<grasp_lcp::p
 }
 
 /// Pressed and dragged from zero force (e b > μ c a), the foot slides from the start. Released while it is dragged on, it slides until
-/// N = 0 at the end of the leg. Pressed and dragged back from there, it slides in the other direction at once. It can reverse only
+/// N = 0 at the end of the leg. Pressed and dragged back from this end, it slides in the other direction at once. It can reverse only
 /// where all its forces vanish. Friction dissipates ∫ μN |ds|, with
 /// s = b - μN/e: on a leg with N from 0 to N₁ (or back) and b over L it is μN₁ L/2 ∓ (μN₁)²/(2e).
 #[test]
@@ -110,7 +110,7 @@ fn it_closes_without_tangential_force() {
     }
 }
 
-/// With a clearance the finger closes at a = clearance, and N = c (a - clearance) from there.
+/// With a clearance the finger closes when its command a equals the clearance. From then on N = c (a - clearance).
 #[test]
 fn a_clearance_is_travelled_first() {
     let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, KT).friction(MU).clearance(0.3);

@@ -1,6 +1,6 @@
 //! On rings of 2 to 64 identical contacts, in the plane and in space, symmetric changes at one load are one event with all contacts concerned, and no
-//! path cycles. If all contacts behave alike, events are computed by hand. If a side load makes groups slide one after the other, paths are compared
-//! with their mirror images.
+//! path cycles. If all contacts behave alike, events are computed by hand. If a side load makes groups of contacts slide one group after another,
+//! paths are compared with their mirror images.
 
 use std::f64::consts::{FRAC_PI_8, TAU};
 
@@ -126,7 +126,7 @@ fn first_to_let_go(n: usize) -> (f64, Vec<usize>) {
     (first, (0..n).filter(|&i| each[i] < first * (1.0 + 1e-9)).collect())
 }
 
-/// Under a side load that goes there, back and there again, against an elastic base, contacts slide, open and close in pairs.
+/// Under a side load that is applied, reversed and applied again, against an elastic base, contacts slide, open and close in pairs.
 #[test]
 fn a_side_load_goes_through_mirror_images() {
     for n in 2..=64 {

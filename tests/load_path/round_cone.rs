@@ -106,7 +106,7 @@ fn word(change: &Change<3>) -> &'static str {
     }
 }
 
-/// The events without directions. The last event before a loss counts as part of the loss.
+/// The events without their directions. Events within [`APART`] before a loss are left out, because they are part of the loss.
 fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec<(usize, f64, Vec<String>)> {
     let what = |event: &Event<3>| {
         let mut list: Vec<_> =
@@ -120,7 +120,7 @@ fn story(events: &[Event<3>], path: &LoadPath<'_, 3>, contacts: &[usize]) -> Vec
     events.iter().filter(before).map(|e| (e.leg, e.fraction, what(e))).collect()
 }
 
-/// Near vanishing force a contact may stick and slide in quick succession. Events closer than this count as one.
+/// Near vanishing force a contact may stick and slide in quick succession. Events closer than this fraction of a leg are treated as one.
 const APART: f64 = 1e-6;
 
 /// Whether no two events are so close that rounding may change their order.
@@ -341,7 +341,7 @@ fn small_steps_lead_to_the_same_end() {
     assert_met(&[(t.checked, 0)]);
 }
 
-/// With a larger allowed error there are fewer steps, and the end has about this error.
+/// With a larger error tolerance the path takes fewer steps, and its end has about this error.
 #[test]
 fn coarse_steps_end_nearby() {
     let t = over(20, &spatial_scenes(), |scene, tally| {

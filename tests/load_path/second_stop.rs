@@ -1,4 +1,4 @@
-//! A body that slides to a stop turns on about it until a second stop, which has more play, carries as well.
+//! A body that slides to a stop then turns about this stop, until a second stop, which has more play, carries a part of the load.
 
 use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::load_path::Ramp;

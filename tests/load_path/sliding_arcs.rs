@@ -176,8 +176,8 @@ fn the_error_of_the_steps_is_what_was_asked_for() {
     }
 }
 
-/// With two different springs the leash is an ellipse. The finger moves along one of the axes, off the other. The reference is a closest-point return
-/// with much finer steps, extrapolated, written out here.
+/// With two different tangential stiffnesses the leash is an ellipse. The finger moves parallel to one axis of the ellipse, at a distance from it.
+/// The reference is a closest-point return with much finer steps and extrapolation, computed in this test.
 #[test]
 fn springs_that_differ_along_the_tangents() {
     let (k1, k2) = (70.0, 20.0);

@@ -29,7 +29,7 @@ fn follow(grasp: &Grasp, load: Wrench) -> LoadPath<'_> {
 fn a_plate_without_weight_holds_all_or_nothing() {
     for count in 3..=6 {
         let plate = around(count, true);
-        // Down; down and sideways within friction; down off the middle.
+        // Forces: down, down and sideways within friction, and down off the middle.
         for load in [
             Wrench::force([0.0, 0.0, -1.0]),
             Wrench::force([0.8 * MU, 0.0, -1.0]),
@@ -39,7 +39,7 @@ fn a_plate_without_weight_holds_all_or_nothing() {
             let end = path.end().unwrap();
             assert!(matches!(end, PathEnd::Completed), "{count} {load:?}: {end:?}");
         }
-        // Up; sideways; down and sideways beyond friction; down outside the plate; a torque.
+        // Forces up, sideways, down and sideways beyond friction, and down outside the plate. Then a torque.
         for load in [
             Wrench::force([0.0, 0.0, 1.0]),
             Wrench::force([1.0, 0.0, 0.0]),
@@ -78,7 +78,7 @@ fn what_grows_from_nothing_is_not_lost() {
 }
 
 /// A cylinder of weight w and radius r rolls freely on a floor and just touches a rough wall. A couple that rolls it into the wall is held up to
-/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide; a couple that rolls it away from the wall is held by nothing. At the start the cylinder is at
+/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide. Nothing holds a couple that rolls it away from the wall. At the start the cylinder is at
 /// its given position along the floor.
 #[test]
 fn a_cylinder_that_touches_a_wall_is_held_by_it() {

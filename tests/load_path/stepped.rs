@@ -31,7 +31,7 @@ fn pulled([x, y]: [f64; 2], moment: f64) -> Wrench {
     Wrench::new([x, y, -10.0], [0.0, 0.0, moment])
 }
 
-/// Legs with shear and torsion in turn, a turning shear, and unloading.
+/// Legs with shear and torsion together, a shear that turns, and unloading.
 fn program(numbers: &mut Random) -> Vec<Leg> {
     let mut pull = |size: f64| {
         let shear = [0, 1].map(|_| size * numbers.signed());
@@ -161,7 +161,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
 
 #[test]
 fn torsion_slides_ring_by_ring() -> Result<(), Error> {
-    // M(θ) = Σ r min(k r θ, μ F_n), and on the way back Masing's rule.
+    // M(θ) = Σ r min(k r θ, μ F_n) during loading, and Masing's rule during unloading.
     let (grasp, rings) = disc(400)?;
     let moment =
         |turn: f64| -> f64 { rings.iter().map(|[r, press]| r * (2.0 * r * turn).min(0.5 * press)).sum() };

@@ -1,6 +1,6 @@
 //! At the end of every step the contact law holds. Random grasps and programs have commands, clearances, openings and closings; [`support::programs`]
-//! writes the law out from points, normals and springs. If the path from event to event reports its continuation as unique, both end at the same
-//! forces and motions within the error, or are lost at the same load.
+//! writes the law out from points, normals and springs. If the path from event to event reports its continuation as unique, this path and the path in
+//! steps end at the same forces and motions within the error, or are lost at the same load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::PathEnd;

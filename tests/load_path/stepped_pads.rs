@@ -1,12 +1,12 @@
 //! Pads of many springs followed in steps agree with closed forms. A pad under parabolic pressure is dragged to and fro (Masing's rule), and dragged
-//! until it is lost. Other pads touch one pair of springs after the other.
+//! until it is lost. In other pads one pair of springs after another touches.
 //!
-//! All friction acts along y = 0 through the middle of the pad, so a shear load Q there neither tilts nor lifts the block. With c the tangential
-//! stiffness of each spring and f_i = μ N_i,
+//! All friction acts along y = 0 through the middle of the pad, so a shear load Q along y = 0 neither tilts nor lifts the block. With c the
+//! tangential stiffness of each spring and f_i = μ N_i,
 //!
 //! ```text
 //! Q(x) = Σ_i min(c x, f_i)             first loading, spring i slides from x = f_i / c on
-//! Q = Q_0 - 2 Q((x_0 - x)/2)           on the way back from (x_0, Q_0), spring i slides back from x = x_0 - 2 f_i / c on
+//! Q = Q_0 - 2 Q((x_0 - x)/2)           unloading from (x_0, Q_0), spring i slides back from x = x_0 - 2 f_i / c on
 //! ```
 
 use grasp_lcp::load_path::{Beyond, Step};
@@ -60,7 +60,7 @@ fn every_spring_is_where_masings_rule_puts_it() {
         let x0 = 0.6 * MU / C;
         let [most, least] = [pad.virgin(x0), pad.virgin(x0) - 2.0 * pad.virgin(0.9 * x0)];
         let mut path = pad.grasp.follow_in_steps(pad.load(0.0), &[], ERROR).unwrap();
-        // Each spring carries at most its limit on the way there, and at most the opposite limit on the way back.
+        // Each spring carries at most its limit of friction f_i during loading, and at least -f_i during unloading.
         let there = |limit: f64| (C * x0).min(limit);
         let back = |limit: f64| (there(limit) - C * 1.8 * x0).max(-limit);
         let frictions: [&dyn Fn(f64) -> f64; 2] = [&there, &back];
@@ -98,8 +98,8 @@ fn a_pad_gives_way_when_every_spring_slides() {
     }
 }
 
-/// Pairs of springs at ±x with clearances that grow from the middle outwards: pair j touches when the block has moved by its clearance,
-/// at the load that the inner pairs carry there. On unloading they separate at the same loads.
+/// Pairs of springs at ±x with clearances that grow from the middle outwards. Pair j touches when the block has moved by the clearance of this pair.
+/// The load is then the force that the inner pairs carry at this displacement. On unloading the pairs separate at the same loads.
 #[test]
 fn pairs_touch_and_part_at_known_loads() {
     let (n, deepest) = (100, 0.5);

@@ -29,7 +29,7 @@ const ALL: [(Quantity, Demand); 4] = [
     (Quantity::Load, Demand::Sticks),
 ];
 
-/// Jaws hold 2 μ N for every tangential direction of the load. This gives the needed load and the needed squeeze.
+/// Jaws hold 2 μ N for every tangential direction of the load. From this force follow the needed load and the needed squeeze.
 #[test]
 fn jaws_need_what_the_closed_form_says() {
     let rows: Vec<Row> = (1..30)

@@ -168,8 +168,8 @@ fn everything() -> Uncertainty {
 }
 
 proptest! {
-    // The grasps are always the same. Some have a reserve of zero, because contacts that almost slide at rest count as sliding.
-    // This is safe; the report `reserve` prints how conservative reserves are.
+    // The grasps are always the same. Some have a reserve of zero, because contacts that almost slide at rest are treated as sliding.
+    // This errs on the safe side. The report `reserve` prints how conservative reserves are.
     #![proptest_config(config(6))]
 
     #[test]
@@ -251,8 +251,8 @@ fn stiffness_and_command_are_off_together() {
 /// probability `exp(-r²/2σ²)`.
 #[test]
 fn any_way_around_a_round_cone() {
-    // A load of random size along both tangents is what tilting normals of four stiff supports about a pressed pad gives; here the direct case:
-    // two posts hold the object, one finger rests on it, and the squeeze of two more drags it along either tangent.
+    // If the normals of four stiff supports about a pressed pad tilt, they load the pad by random forces along both tangents. Here these forces
+    // are given directly: two posts hold the object, one finger rests on it, and the squeeze of two more fingers drags it along either tangent.
     let post =
         |x: f64| spatial::Contact::new([x, 0.0, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e-3, 1e-3).bonded();
     let pad = spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);

@@ -60,8 +60,8 @@ pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<
     data
 }
 
-/// Whether an answer agrees with a reference: to a relative tolerance, or as well as answers to questions with changed twelfth digits. A search may end
-/// slightly too low, because it ends when the missing part may be rounding.
+/// Whether an answer agrees with a reference. It must agree to a relative tolerance, or as closely as answers to questions whose twelfth digits are
+/// changed. A search may end slightly too low, because it ends when the missing part may be rounding.
 pub(crate) fn agrees(
     [found, exact]: [f64; 2],
     close: f64,

@@ -67,7 +67,7 @@ fn check<const C: usize, const N: usize>(
     Ok(())
 }
 
-/// A finger that touches without force has no margin. It is clear nevertheless that another finger slides.
+/// A finger that touches without force has no margin. Nevertheless screening finds that another finger slides.
 #[test]
 fn a_finger_without_force_does_not_hide_one_that_slides() {
     let finger = |point: [f64; 3], normal: [f64; 3], command: [f64; 3]| {
@@ -196,8 +196,8 @@ fn a_pair_with_a_slippery_jaw_opposite() {
     }
 }
 
-/// In space the exit from the cone is computed from squares of forces times rates. If they underflow in some units, screening gives no factor; in all
-/// other units the factor is the same.
+/// In space the factor at which a force leaves its cone is computed from squares of forces times rates. If they underflow in some units, screening
+/// gives no factor. In all other units the factor is the same.
 #[test]
 fn units_in_space() {
     let onset = |exponent: i32| {
@@ -241,7 +241,7 @@ fn a_pinch_in_space_gives_way() {
         fingers.onset(&spatial::Pull::new(&spatial::Wrench::ZERO, &direction).unwrap())
     };
     assert_eq!(onset([0.0; 3], [1.0, 0.0, 0.0]).verdict(), ScreeningVerdict::GivesWay);
-    // A force through the line is held; the same force through the origin turns the object.
+    // A force through the line of the pinch is held. The same force through the origin turns the object.
     let held = onset([0.0, 0.0, -1.0], [-0.3, 0.0, 0.0]);
     assert!((held.factor().unwrap() - 6.0).abs() < 1e-13, "{held:?}");
     assert_eq!(onset([0.0, 0.0, -1.0], [0.0; 3]).verdict(), ScreeningVerdict::GivesWay);

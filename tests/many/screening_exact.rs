@@ -176,8 +176,8 @@ fn exact_of(factor: Option<f64>) -> Rational {
 const STRAIGHT: [[i32; 3]; 4] = [[0, 1, 1], [1, 0, 1], [0, -1, 1], [-1, 0, 1]];
 const SLANTED: [[i32; 3]; 5] = [[3, 4, 5], [-5, 12, 13], [8, -15, 17], [0, 1, 1], [-4, -3, 5]];
 
-/// Two contacts, by a closed form without cancellation, with stiffnesses over twelve decades. Rounding of a normal matters if one axis is much
-/// stiffer than the other.
+/// Two contacts with stiffnesses over twelve decades, compared with a closed form without cancellation. Rounding of a normal matters if one axis of a
+/// contact is much stiffer than the other.
 #[test]
 fn pairs() {
     let (worst_straight, count) = worst::<2>(12.0, 160, &STRAIGHT, true);

@@ -18,7 +18,8 @@ use support::samples::assert_met;
 type Rational = BigRational;
 type Vector = [Rational; 3];
 
-/// Offset of the contact from the place opposite to its normal; normal with its length, stiffness, friction, command.
+/// For each contact: offset of its point from the point opposite to its normal; normal, followed by the length of the normal; both stiffnesses;
+/// friction; command.
 type Datum = ([f64; 3], [i32; 4], [f64; 2], f64, [f64; 2]);
 
 fn exact(x: f64) -> Rational {

@@ -136,7 +136,8 @@ fn what_cannot_be_meant_is_refused() {
     }
 }
 
-/// A steady pull of 1.5 N beside 8 N that tilt by θ: a jaw presses with 10 − 4 sin θ and carries half of 8 cos θ + 1.5, so that `8 cos θ + 4 sin θ = 8.5` where it slides.
+/// A steady pull of 1.5 N is added to 8 N that tilt by θ. A jaw presses with 10 − 4 sin θ and carries half of 8 cos θ + 1.5. It slides where
+/// `8 cos θ + 4 sin θ = 8.5`.
 #[test]
 fn an_angle_on_top_of_a_steady_pull() -> Tested {
     let tilted = Need::angle(Turn::tilting([0.0, -8.0], [0.0, 0.0])).on_top_of(Wrench::force([0.0, -1.5]));
@@ -171,7 +172,8 @@ fn a_cam_climbs() -> Tested {
     Ok(())
 }
 
-/// If the given squeeze does not hold the weight, the weight is applied from zero at every amount: `2 μ s 10 N` must carry it together with the other force.
+/// If the given squeeze does not hold the weight, the weight is applied from zero for every multiple s of the squeeze. Then `2 μ s 10 N` must carry
+/// the weight together with the other force.
 #[test]
 fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
     let pinch = jaws([0.5; 2])?;

@@ -55,7 +55,8 @@ fn a_strap_beside_a_weight() -> Tested {
     Ok(())
 }
 
-/// An oblique strap pulls a box along a wall unless μ is at least the tangent of its angle, 0.041 / 0.25. That decides, and so it does with 10 % less friction.
+/// An oblique strap pulls a box along a wall unless μ is at least the tangent of its angle, 0.041 / 0.25. This condition determines the need, also
+/// with 10 % less friction.
 #[test]
 fn friction_with_which_a_strap_does_not_pull_the_part_off() -> Tested {
     let strapped = grasp(

@@ -106,7 +106,7 @@ fn the_number_to_enter() -> Tested {
     };
     let weight = planar::Wrench::force([0.0, -4.0]);
     let needed = grasp(40.0)?.need(&Need::squeeze(weight).if_lower_by(0.0, 0.0))?;
-    // In series with the other spring a quarter is left of the force: 4 N at each contact for 16 N.
+    // The springs of both jaws are in series, which leaves a quarter of the left jaw's force: 4 N at each contact for 16 N.
     let words = needed.to_string();
     assert!(
         words.starts_with("NEEDS 4 N at left (`pressed_with` 16 N, 0.4 times the squeeze given) so that"),
@@ -118,7 +118,7 @@ fn the_number_to_enter() -> Tested {
     Ok(())
 }
 
-/// A finger of one joint that a tendon closes against a stop without friction: only the tension that balances the other tendon holds.
+/// A tendon closes a finger of one joint against a stop without friction. Only the tension that balances the other tendon holds.
 #[test]
 fn only_the_balanced_tension() -> Tested {
     let text = r#"{ "format": "grasp-lcp/1", "planar": {

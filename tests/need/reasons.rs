@@ -35,7 +35,8 @@ fn a_drawer_jams_from_an_arm_on() -> Tested {
     Ok(())
 }
 
-/// A box on a slope of 30° with friction 0.3 slides under its weight alone, and 50 N hold it. Neither multiple of one holds beside the other at rest.
+/// A box on a slope of 30° with friction 0.3 slides under its weight alone, and 50 N hold it. With the weight as the load at rest, no multiple of a
+/// push is the answer, because the load at rest is not held.
 #[test]
 fn a_load_at_rest_that_is_not_held() -> Tested {
     let (sin, cos) = (30.0_f64.to_radians()).sin_cos();

@@ -35,7 +35,7 @@ fn bound(grasp: &Grasp, need: &Need<2>) -> Result<f64, TestCaseError> {
 
 proptest! {
     #![proptest_config(config(6))]
-    /// The block comes to rest up to a pull of q = μ (p - 2 m). Slips below a billionth of the spring deflections count as zero.
+    /// The block comes to rest up to a pull of q = μ (p - 2 m). Slips below a billionth of the spring deflections are treated as zero.
     #[test]
     fn rests_up_to_what_one_foot_leaves_to_the_other(
         p in 1.0..100.0, part in 0.05..0.9, mu in 0.2..1.0, k_t in 1e2..1e5,
@@ -98,8 +98,8 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
     Ok(())
 }
 
-/// A moment of 1.6 N m times the sine of an angle goes there and back. One foot carries 0.8 N less at a quarter turn, the other s · 0.8 N less at the sine
-/// -s. A pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) rests up to s = 1/2.
+/// A moment of 1.6 N m times the sine of an angle is applied and taken back. One foot carries 0.8 N less at a quarter turn. The other foot carries
+/// s · 0.8 N less at the sine -s. Under a pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) the block comes to rest up to s = 1/2.
 #[test]
 fn a_load_that_turns_goes_there_and_back() -> Result<(), Error> {
     let grasp = block(2.0, 0.5, 100.0)?;

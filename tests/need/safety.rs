@@ -1,4 +1,4 @@
-//! What the safety asked for changes is said beside every kind of answer.
+//! Every kind of answer also says what the safety factor that was asked for changes.
 
 use grasp_lcp::Error;
 use grasp_lcp::need::{Amount, Need};

@@ -1,4 +1,4 @@
-//! Forces, ranges and loads that an answer names in full: newtons of a held contact, both ends of a safe range, the load that decides.
+//! An answer names in full the newtons of a held contact, both ends of a safe range, and the load that determines the amount.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::hand::{Finger, Hand};
@@ -15,7 +15,7 @@ fn strapped() -> Grasp {
     Hand::new([floor(-0.5), floor(0.5), strap].map(Finger::fixed)).grasp().expect("well posed")
 }
 
-/// The pull F is balanced by μ (W + T s) + T s with s = sin 45°; at rest the strap may pull with T s = μ (W + T s) at most.
+/// The pull F is balanced by μ (W + T s) + T s with the tension T of the strap and s = sin 45°. Without the pull T s may be at most μ (W + T s).
 #[test]
 fn newtons_of_a_strap_that_only_the_weight_holds() {
     let s = 0.5_f64.sqrt();

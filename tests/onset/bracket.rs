@@ -136,7 +136,7 @@ fn the_spread_of_a_sliding_foot() {
     }
 }
 
-/// The planar cone is a polygon, so there is no bracket.
+/// The planar cone is itself a polygon. Thus the equilibria on both polygons of the bracket are the same, and their spread is 0.
 #[test]
 fn in_the_plane_there_is_nothing_to_bracket() {
     let finger = |side: f64| jaw::<2>(side, [100.0, 80.0], 0.5).command([0.1, 0.02 * side]);

@@ -39,7 +39,7 @@ fn never_and_opening() {
     assert!(matches!(onset(&on_two_feet, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
 }
 
-/// If all forces start from zero, the rates decide, |F_t'| <= μ F_n' or not, for every size of the load.
+/// If all forces start from zero, a contact sticks under every size of the load if the rates of its forces satisfy |F_t'| <= μ F_n'.
 #[test]
 fn at_once_from_rest() {
     let on_two_feet = Grasp::new(
@@ -98,7 +98,7 @@ fn a_contact_closes_on_the_way_without_tangential_force() {
     // base w₀ = 4 k c presses the middle with δ₀ = 2kc/3. One-shot from rest it carries no tangential force.
     let base = Wrench::force([0.0, -4.0 * k * c]);
     let Onset::At(event) = onset(&grasp, base, Wrench::force([1.0, 0.0])) else { panic!("finite") };
-    // T_i = τ/3 each; the moment of the horizontal load at height 0 is zero, so N_middle stays 2kc/3 and goes first.
+    // Each T_i = τ/3. The horizontal load at height 0 has no moment, so N_middle stays 2kc/3, and the middle foot slides first.
     let exact = 3.0 * mu * 2.0 * k * c / 3.0;
     assert!((event.factor - exact).abs() < 1e-14 * exact, "{} {exact}", event.factor);
     assert_eq!(event.leaving.iter().map(|l| l.contact.index).collect::<Vec<_>>(), [2]);

@@ -27,7 +27,7 @@ fn onset(grasp: &Grasp, angle: f64) -> Result<f64, Failure> {
     Ok(grasp.onset(pull(angle))?.factor().ok_or("sticks without load")?)
 }
 
-/// Half planes (c, g): nothing slides or opens while c + g·W >= 0. They follow from the equilibria under three small loads.
+/// Half planes (c, g): nothing slides or opens while c + g·W >= 0 for all of them. They follow from the equilibria under three small loads.
 fn half_planes(grasp: &Grasp) -> Result<Vec<(f64, [f64; 2])>, Failure> {
     let slacks = |load: [f64; 2]| -> Result<Vec<f64>, Failure> {
         let outcome = grasp.solve(Wrench::force(load))?;

@@ -13,7 +13,7 @@ use support::random::{Spread, for_all};
 use support::scene::Scene;
 use support::transform::Transform;
 
-/// Checks that the same contacts stop sticking. One that does so in only one of the scenes must be on the edge of its cone in the other.
+/// Checks that the same contacts stop sticking. A contact that stops sticking in one scene only must be on the edge of its cone in the other scene.
 fn same_leave<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     image: &Scene<D, C>,
@@ -42,7 +42,7 @@ fn check_image<const D: usize, const C: usize>(
     transform: &Transform<C>,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    // Only scenes in which rounding does not decide the onset.
+    // Only scenes in which the onset does not depend on rounding.
     if slack(scene, Friction::Polygon).is_none_or(|slack| slack < 1e-3) {
         return Ok(());
     }

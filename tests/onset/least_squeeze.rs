@@ -153,7 +153,8 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
         pinch.weakest_direction(spatial::Wrench::ZERO, [0.0, 0.1, 0.0])?,
         WeakestDirection::GivesWay { .. }
     ));
-    // For forces through the line, all perpendicular directions have μ F_n at each finger; oblique directions are weaker, as in the plane.
+    // Forces through the line of the fingers and perpendicular to it are limited by μ F_n at each finger. Oblique forces have a lower limit, as in
+    // the plane.
     let WeakestDirection::Force { size, .. } = pinch.weakest_direction(spatial::Wrench::ZERO, [0.0; 3])?
     else {
         panic!("slides")

@@ -1,8 +1,8 @@
 //! The onset of sliding agrees with a bisection that does not use the library's method.
 //!
 //! While everything sticks, the forces solve a linear least-squares problem (`support::sticking`). Bisection finds the largest load factor with all
-//! of them inside their cones; it must be the onset. This is checked in the plane and in space, on the round cone and on the polygon, for loads and
-//! for finger commands. Just below the onset the solver must find that everything sticks, and just above it must not.
+//! forces inside their cones. This factor must be the onset. Scenes in the plane and in space, on the round cone and on the polygon, are checked
+//! under loads and finger commands. Just below the onset the solver must find that everything sticks, and just above the onset it must not.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, FoundBy, Outcome};
@@ -11,14 +11,14 @@ use proptest::prelude::*;
 use support::ramps::{Change, Friction, Tally, close, for_both, slack};
 use support::scene::Scene;
 
-/// The factor at which sticking ends, by doubling and bisection; infinite if it does not end before 2^40.
+/// The factor at which sticking ends, by doubling and bisection. It is infinite if sticking does not end before 2^40.
 fn bisected<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,
     friction: Friction,
 ) -> Option<f64> {
     let sticks = |factor: f64| slack(&change.at(scene, factor), friction).is_some_and(|slack| slack >= 0.0);
-    // The base is clearly inside the cones, so that rounding does not decide.
+    // The forces at the base are clearly inside the cones, so that the outcome does not depend on rounding.
     if !slack(scene, friction).is_some_and(|slack| slack > 1e-3) {
         return None;
     }
@@ -107,7 +107,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
             .any(|c| matches!(c.state, ContactState::Sliding { .. } | ContactState::Separated)),
         Outcome::NoEquilibrium(_) => true,
         // A nearly singular state cannot be decided so close to the edge.
-        // On the round cone there is no proof if the nearest equilibrium is only a millionth away.
+        // On the round cone no equilibrium can be excluded by a proof if the nearest one is only a millionth away.
         _ => friction == Friction::Round || beyond > -3e-10,
     };
     prop_assert!(leaves, "{event:?} {above:?}");

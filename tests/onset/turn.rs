@@ -140,9 +140,9 @@ fn the_state_at_the_onset_and_what_comes_beyond() {
     let state = grasp.state_at_onset(event).expect("its own");
     assert!((state.contacts[0].friction_used() - 0.5).abs() < 1e-15 && state.residuals.worst() < 1e-15);
     assert!((event.load.resultant()[1] - 12.0 * event.factor.sin()).abs() < 1e-14);
-    // By moments about the middle both palms carry the same, so if one slides the other slides too.
+    // By the balance of moments about the middle, both palms carry the same force. If one palm slides, the other slides too.
     assert!(matches!(grasp.beyond(event), Some(planar::Beyond::LimitLoad)));
-    // A path along a short chord that starts just before also ends there.
+    // A path along a short chord of the turn, which starts just before the onset, also ends at the onset.
     let near = |angle: f64| turn.load_at(event.factor + angle);
     let mut path = grasp.follow(near(-1e-4), &[planar::Leg::load_to(near(1e-4))]).unwrap();
     path.run();

@@ -175,7 +175,7 @@ fn a_support_lets_go_and_takes_hold_again() {
 fn regrasping_starts_without_tangential_force() {
     let (k, kt, mu) = (10.0, 6.0, 0.5);
     let side = |x: f64| jaw::<2>(x, [k, kt], mu).command([0.1, 0.0]);
-    // Two pairs of fingers at the same places: one pair holds while the other regrasps.
+    // Two pairs of fingers touch at the same points. One pair holds the object while the other pair regrasps.
     let grasp = Grasp::new([side(-1.0), side(1.0), side(-1.0), side(1.0)]).unwrap();
     let w = 0.4;
     let (hold, away) = ([0.1, 0.0], [-0.1, 0.0]);

@@ -207,7 +207,7 @@ fn thousands_of_equal_slips() {
     assert!(told.starts_with("friction 0.5125 ± ") && told.contains("from 3000 slips"), "{told}");
 }
 
-/// Two jaws of 144 points each, whose second question takes long: the first answer stands there before, and what is waited for is told.
+/// Two jaws of 144 points each. The second question takes long. Before its answer, the first answer and a note on the running question are printed.
 #[test]
 fn each_answer_is_printed_when_it_is_ready() {
     let jaw = |side: f64| {

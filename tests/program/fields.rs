@@ -136,7 +136,7 @@ fn the_page_of_fields_is_that_of_the_schema() {
     assert_eq!(answers[0]["hold"]["holding"], "sticks");
     let squeeze = answers[1]["need"]["amount"]["bound"]["does"].as_f64().expect("a bound");
     assert!((squeeze - 9.81 / 8.0).abs() < 1e-9, "{squeeze}");
-    // Each section stands there once.
+    // The file has each section once.
     let heads: Vec<_> = kept.lines().filter(|line| line.starts_with("## ")).collect();
     assert_eq!(heads.iter().collect::<BTreeSet<_>>().len(), heads.len(), "{heads:?}");
     let help = text(&run(&["help", "scene"]).stdout);

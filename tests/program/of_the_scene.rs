@@ -17,7 +17,7 @@ fn pinch(questions: &str) -> String {
     )
 }
 
-/// The answer, and what is said beside it.
+/// The answer (standard output), and warnings (standard error).
 fn told(questions: &str, arguments: &[&str]) -> (String, String) {
     let output = run_on(pinch(questions).as_bytes(), arguments);
     (text(&output.stdout), text(&output.stderr))
@@ -45,7 +45,7 @@ fn loads_of_other_questions_are_taken() {
     assert!(answer.starts_with("NEEDS 6 N at ") && warned.contains("question 1 "), "{answer} {warned}");
     let (answer, _) = told(HOLD, &["need", "-", "squeeze"]);
     assert!(answer.starts_with("NEEDS 6 N at "), "{answer}");
-    // The larger one of two loads decides, beside 2 N at rest.
+    // Of two loads the larger load determines the answer. A load of 2 N at rest is added to each.
     let both = format!("{HOLD}, {}", HOLD.replace("-4", "-7"));
     let (answer, warned) = told(&both, &["need", "-", "squeeze"]);
     assert!(answer.starts_with("NEEDS 9 N at ") && warned.contains("one at a time"), "{answer} {warned}");

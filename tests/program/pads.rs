@@ -85,7 +85,7 @@ fn json_has_points_and_pads() {
     assert!((moment + 0.025).abs() < 1e-15, "{moment}");
 }
 
-/// For 20 N on two pads that hold 15 N the search does not decide, but the path and a proof do.
+/// For 20 N on two pads that hold 15 N the search for an equilibrium ends undecided. The load path and a proof show that the load is not held.
 #[test]
 fn an_undecided_search_says_what_is_known() {
     for (scene, held) in

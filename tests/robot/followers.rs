@@ -95,8 +95,8 @@ fn jaws() -> Robot {
     Robot::from_urdf(&text).expect("a robot")
 }
 
-/// Coupled jaws do not yield to a pull along their motion: carriage K and both pads k are in series, `1/K + 1/2k`. Independent jaws would
-/// yield by their own springs as well.
+/// A pull along the motion of coupled jaws does not open or close them. The carriage (stiffness K) and both pads (k each) are in series,
+/// `1/K + 1/2k`. Independent jaws would also give way by the springs of their drives.
 #[test]
 fn jaws_that_close_together_hold_their_middle() {
     let (carriage, pad) = (2e3, 5e3);

@@ -40,7 +40,7 @@ fn cuboid(half: [f64; 3]) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     (corners, sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect())
 }
 
-/// A folder with grippers of each kind, and a mesh in a package beside it.
+/// A folder with grippers of each kind, and next to the folder a package with a mesh.
 fn folder() -> &'static Path {
     static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("shapes");

@@ -30,8 +30,8 @@ fn followed<const C: usize>(answers: &[Answer<C>]) -> Result<PathAnswer<C>, Box<
     Ok(path.clone())
 }
 
-/// Each spring has the same share s of normal force and stiffness, and slides from `r θ = μP/k` on:
-/// `M(θ) = Σ s r min(k r θ, μP)`, and on the way back Masing's rule.
+/// Each spring has the same share s of the normal force and of the stiffness, and slides from `r θ = μP/k` on. The moment is
+/// `M(θ) = Σ s r min(k r θ, μP)`, and follows Masing's rule when it is reversed.
 #[test]
 fn a_twisted_fingertip_slides_ring_by_ring() -> Tested {
     let soft = json!({ "disc": { "radius": 0.006, "annuli": 10, "points": 6, "pressure": "hertz" } });

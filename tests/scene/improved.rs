@@ -4,7 +4,7 @@ use grasp_lcp::scene::{Answer, Answers, Scene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// The answer for two jaws on a box; only the left jaw may move. `hold` is a field of both, `beside` are further fields of the question.
+/// The answer for two jaws on a box. Only the left jaw may move. `hold` is a field of both jaws. `beside` are further fields of the question.
 fn answered(hold: &str, beside: &str) -> Result<Answers, Box<dyn std::error::Error>> {
     let scene: Scene = serde_json::from_str(&format!(
         r#"{{

@@ -53,7 +53,7 @@ fn six_unless_said() {
     assert!(matches!(&list[..], [Answer::Hold(held)] if held.says.contains(" 7.1 N of 9 N")));
 }
 
-/// Soft jaws of 25 N and μ = 0.3 hold 15 N by statics; whether a wedged equilibrium holds 20 N elsewhere is not decided.
+/// Soft jaws of 25 N and μ = 0.3 hold 15 N by statics. Whether a wedged equilibrium at another position holds 20 N is not decided.
 #[test]
 fn undecided_comes_with_what_happens_from_rest() {
     let jaw = |x: f64| -> Fingertip<2> {

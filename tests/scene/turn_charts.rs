@@ -10,7 +10,7 @@ fn palm(name: &str, x: f64) -> Contact {
     palm.friction(0.5).pressed_with(10.0)
 }
 
-/// Angles in degrees, and friction used there.
+/// Angles in degrees, each with the friction used at this angle.
 pub(crate) type Curve = Vec<(f64, f64)>;
 
 /// The points of each series of a chart.

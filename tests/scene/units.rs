@@ -265,6 +265,6 @@ fn a_far_load_without_an_arm_is_named() {
     assert!(what.starts_with("a load") && (length - 25.0).abs() < 1e-12, "{told}");
     assert!(beside.is_some_and(|apart| (apart - 0.04).abs() < 1e-12), "{told}");
     assert_eq!(warning(&text.replace("-25", "-0.025")), None);
-    // A long arm has its own warning, so this one is absent.
+    // A long lever arm of the load has its own warning. Thus this warning about a far load is not given.
     assert_eq!(warning(&text.replace("[0, -25]", "[25, 0]")), None);
 }

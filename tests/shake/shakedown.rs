@@ -10,7 +10,7 @@ use support::quadratic_program::QuadraticProgram;
 use support::samples::{assert_met, samples, seeded};
 use support::shaken::in_the_plane;
 
-/// Whether the grasp comes to rest under the loads, multiplied by `times`, in turn.
+/// Whether the grasp comes to rest if each of the loads, multiplied by `times`, is applied and removed in turn.
 fn rests(grasp: &Grasp, base: &Wrench, loads: &[Wrench], times: f64) -> Result<Option<bool>, Error> {
     let legs: Vec<_> = loads.iter().flat_map(|load| Leg::there_and_back(*load * times)).collect();
     Ok(grasp.shake(base, &legs)?.rests())

@@ -3,8 +3,8 @@
 //! The foot (10 N, spring of 1000 N/m) and a bonded spring of 1000 N/m carry a load that varies from 0 to 24 N and back. In every later cycle
 //!
 //! ```text
-//! μ = 0.5          foot −5 → 5 N while the load goes to 20 N, then 4 mm of slip; as much on the way back
-//! 0.5, then 0.4    foot −4 → 5 N up to 18 N, where it jumps by 2 mm to 4 N, then 6 mm of slip; as much on the way back
+//! μ = 0.5          foot −5 → 5 N while the load goes to 20 N, then 4 mm of slip; as much slip during unloading
+//! 0.5, then 0.4    foot −4 → 5 N up to 18 N, where it jumps by 2 mm to 4 N, then 6 mm of slip; as much slip during unloading
 //! ```
 //!
 //! The heat equals the work of the load: with x from 5 mm to 19 mm, and from 4 mm to 20 mm.
@@ -51,7 +51,7 @@ fn jumps_count_in_every_cycle() {
     near(heat, (up - back) * 1e-3);
 }
 
-/// Two feet share a pull. The stiff one jumps once, and the other holds: after this nothing slides.
+/// Two feet share a pull. The stiff foot jumps once, and the other foot holds. After this jump nothing slides.
 #[test]
 fn what_is_caught_comes_to_rest() {
     let foot = |x: f64, k: f64| {

@@ -1,9 +1,9 @@
 //! If slip changes the normal forces of two contacts, the initial slips decide the long-term behaviour between two limits of the load.
 //!
 //! In the plane of both slips, each contact has two lines, one for either direction of sliding, at the worst load of a cycle. Inside all four lines
-//! nothing slides. As loads grow, the region loses a side. From there on some initial slips lead to slip for ever, although the region exists. After
-//! the region has vanished all of them do (Ahn, Bertocchi and Barber, Shakedown of coupled two-dimensional discrete frictional systems, J. Mech.
-//! Phys. Solids 56, 2008). Lines and limits are computed here from points, springs and commands alone.
+//! nothing slides. As loads grow, the region loses a side. From this load on some initial slips lead to slip for ever, although the region exists.
+//! After the region has vanished all initial slips do (Ahn, Bertocchi and Barber, Shakedown of coupled two-dimensional discrete frictional systems,
+//! J. Mech. Phys. Solids 56, 2008). Lines and limits are computed here from points, springs and commands alone.
 
 use grasp_lcp::Error;
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};

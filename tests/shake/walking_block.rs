@@ -1,7 +1,7 @@
-//! A block on two feet is rocked from one to the other under a pull Q. It walks by 2 (Q - μ (P - 2 m)) / k_t in every cycle, or rests.
+//! A block on two feet is rocked from one foot to the other under a pull Q. It walks by 2 (Q - μ (P - 2 m)) / k_t in every cycle, or comes to rest.
 //!
 //! The feet carry the normal forces P/2 ± m in turn. While a foot carries P/2 - m, the other foot takes over the friction that the first foot cannot
-//! hold, and slides in its turn when the block is rocked back. In each half cycle both feet together carry at most μ (P/2 - m) plus their residual
+//! hold. The other foot slides when the block is rocked back. In each half cycle both feet together carry at most μ (P/2 - m) plus their residual
 //! force.
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};

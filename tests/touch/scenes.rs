@@ -66,7 +66,7 @@ fn a_scene_is_written_as_it_was_read() {
     assert_eq!(read(&written).expect("a scene"), given);
 }
 
-/// The leg of the bracket ends at 40 mm, so a pad there is partly beyond it.
+/// The leg of the bracket ends at 40 mm. A pad at 40 mm is partly beyond this end.
 #[test]
 fn a_pad_that_misses_in_part_is_named() {
     let scene = read(&scene_at(0.04)).expect("a scene").with_files_from(folder()).expect("its part");

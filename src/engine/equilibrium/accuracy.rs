@@ -29,7 +29,7 @@ pub struct Accuracy {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
     /// Estimated error of the displacements of the body at the contacts, m: the largest error of all contacts. Errors along motions that nothing
-    /// resists do not count.
+    /// resists are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Condition number of the contact forces: a relative error ε of all data causes errors of about `condition · ε` in the forces, relative to the
@@ -59,7 +59,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The error of a displacement is at least half a unit of rounding of the terms of which it is the sum.
+            // The error of a displacement is at least half a unit of rounding of the terms whose sum it is.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -70,7 +70,7 @@ impl Engine {
             }
             size(&forces)
         };
-        // All data are varied with three patterns of signs.
+        // All data are varied together, three times, each time with another pattern of signs.
         let most = (0..3).map(varied).fold(0.0, f64::max);
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,

@@ -60,10 +60,10 @@ pub struct Equilibrium<const C: usize> {
     /// The load that the contact forces balance; its moment is about the origin.
     pub load: Wrench<C>,
     /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, the
-    /// twist has the least norm that gaps and slips allow. On a load path it is the twist nearest to the last place of the object. The norm refers to
-    /// the motion of the centroid of the contact points. A rotation counts in radians times the root mean square distance of the points from the
-    /// centroid. The displacement of a joint counts times its reference length. This is a power of two near the largest motion of a contact per unit
-    /// of the joint.
+    /// twist has the least norm that gaps and slips allow. On a load path it is the twist nearest to the last place of the object. The square of the
+    /// norm is a sum. It contains the displacement of the centroid of the contact points, and the rotation (rad) times the root mean square distance
+    /// of the points from the centroid. It also contains the displacement of each joint times its reference length: a power of two near the largest
+    /// motion of a contact per unit of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -106,8 +106,8 @@ pub struct Equilibrium<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state, m and rad. Any multiple of them, of either sign, may be added to the twist, and the
-    /// forces do not depend on it. Their norm, defined as for `twist`, is one: the displacement of a joint, too, counts times its reference length.
-    /// Empty if every motion is resisted.
+    /// forces do not depend on it. Their norm is one, defined as for `twist`: the displacement of a joint, too, is multiplied by its reference
+    /// length. Empty if every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is a point of a whole line of equilibria.
@@ -138,8 +138,8 @@ impl<const C: usize> Equilibrium<C> {
         self.too_far.is_some()
     }
 
-    /// The largest of the contact forces and the force of the load, N: the scale to which a printed force is compared, to see whether it is
-    /// noticeable or negligible.
+    /// The largest of the contact forces and the force of the load, N. A printed force is compared with it to see whether the force is noticeable or
+    /// negligible.
     #[must_use]
     pub fn largest_force(&self) -> f64 {
         let load = self.load.components().iter().take(C).fold(0.0, |norm: f64, x| norm.hypot(*x));

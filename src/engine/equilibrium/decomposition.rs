@@ -11,7 +11,7 @@ use crate::numerics::{IntoList, Map, paired};
 use crate::object::least_forces;
 use crate::prelude::*;
 
-/// The contact forces of an equilibrium in two parts that add up to them. Each part has one force for each contact, along the coordinate axes, N.
+/// The contact forces of an equilibrium as the sum of two parts. Each part has one force for each contact, along the coordinate axes, N.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Decomposition<const C: usize> {
@@ -29,7 +29,7 @@ impl Engine {
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).list();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
-        // Only the components of the load on the object count, not those on joints.
+        // Only the components of the load on the object are balanced here, not those on joints.
         let load = self.space().object_alone(&load);
         let on_object = |site: &Site| {
             let mut map = Map::zeros(site.map.size());

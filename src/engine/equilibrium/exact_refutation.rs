@@ -3,7 +3,7 @@
 //! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the work of the virtual
 //! forces along the offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex
 //! cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a generator is divided by
-//! the square root of its energy. The result must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which
+//! the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which
 //! every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
@@ -52,7 +52,7 @@ impl Exact {
     }
 
     /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull. `label` restricts the states of the contact in the
-    /// present case. The contact must be able to open and must have finite friction.
+    /// present case. The contact must have finite friction and must be able to open.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -203,7 +203,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // The grasp holds a quarter of the load, so the same steps cannot be a proof for that load.
+        // The grasp holds a quarter of the load, so the same steps cannot be a proof for a quarter of the load.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

@@ -26,7 +26,7 @@ pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
 }
 
 /// The change of the grasp map of a contact per radian by which its frame turns. For axis 0, in space only, the frame turns about its normal from t₁
-/// to t₂; otherwise the normal tilts towards the tangent with this axis. `None` for an axis that does not exist.
+/// to t₂. For axis 1, and in space 2, the normal tilts towards the tangent with this number. `None` for an axis that does not exist.
 pub(super) fn map_by_normal(site: &Site, axis: usize) -> Option<Map> {
     let (from, to) = match axis {
         0 if site.space == Space::Spatial => (1, 2),

@@ -38,8 +38,8 @@ pub struct JointAnswer {
     /// Margin of the drive's torque or force to its greatest allowed value, N m or N: this value minus |drive|; infinite if there is no such value.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which the joint's own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m. Here θ is the command, φ the joint's
-    /// displacement and k the stiffness. Zero while the drive holds, apart from earlier slip of a clutch.
+    /// Displacement by which the joint's own drive has given way in addition to its spring, `θ - φ - drive/k`, rad or m. Here θ is the command, φ the
+    /// joint's displacement and k the stiffness. Zero while the drive holds, apart from earlier slip of a clutch.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -61,8 +61,8 @@ pub struct TendonAnswer {
     /// Margin of the tension to the greatest tension of the drive, N; infinite if the tension is not limited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Displacement by which the tendon's drive has yielded beyond its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r are the
-    /// moment arms, φ the joint displacements, T is the tension and k the stiffness.
+    /// Displacement by which the tendon's drive has given way in addition to its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r
+    /// are the moment arms, φ the joint displacements, T is the tension and k the stiffness.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -75,7 +75,7 @@ pub struct TendonAnswer {
 pub enum DriveState {
     /// The drive holds like a spring.
     Holds,
-    /// The drive yields: its torque or force has reached its greatest allowed value.
+    /// The drive yields: it gives way at a constant torque or force, which has reached its greatest allowed value.
     Yields,
     /// A tendon without tension, which follows the joints.
     Slack,

@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// The influence matrix of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at a given point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// Sum over the three unit forces of the size of the terms of the contact force, N. It scales the rounding of `of`.
+    /// Sum over the three unit forces of the size of the terms that add up to the contact force, N. The rounding error of `of` is proportional to it.
     pub(crate) size: f64,
 }
 

@@ -2,8 +2,8 @@
 //!
 //! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts, and
 //! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one for
-//! each coordinate of the twist. Here `a` is a finger's offset, `u_c` the displacement of the body at the contact, and `g` the gap. `k_n`, `k_t` and
-//! K are the stiffnesses of the contact, n and t its normal and tangent, and G_i its grasp map:
+//! each coordinate of the twist. Here `a` is a finger's offset (command minus clearance), `u_c` the displacement of the body at the contact, and `g`
+//! the gap. `k_n`, `k_t` and K are the stiffnesses of the contact, n and t its normal and tangent, and G_i its grasp map:
 //!
 //! | state | force | must hold |
 //! |---|---|---|
@@ -19,8 +19,8 @@
 //! recomputed from the data of grasp and load before the answer is called an [`Equilibrium`].
 //!
 //! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
-//! resists, or a motion that separates the load from all admissible contact forces. In other proofs all states were tried, or all cases contradicted
-//! ([`Refutation`]).
+//! resists, or a motion that separates the load from all admissible contact forces. Other proofs tried all contact states, or contradicted all cases
+//! of contact states ([`Refutation`]).
 
 mod accuracy;
 mod answer;

@@ -51,8 +51,9 @@ pub enum Proof<const C: usize> {
         combinations: usize,
     },
     /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a
-    /// linear combination of the conditions contradicts the contact laws, even when these are relaxed to convex sets. Beyond the first slip or the
-    /// end of a load path a single case may suffice, in the plane too: once all contacts on the edge of their cones slide, nothing resists a motion.
+    /// linear combination of the conditions contradicts the contact laws, even when these laws are relaxed to convex sets. Beyond the first slip or
+    /// the end of a load path a single case may be enough, in the plane too: once all contacts on the edge of their cones slide, nothing resists a
+    /// motion.
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,

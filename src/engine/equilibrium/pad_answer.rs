@@ -34,9 +34,9 @@ pub struct PadAnswer<const C: usize> {
     /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. In space the moment
     /// is along the axes of the contact frame, the torsion first; in the plane it is positive from x to y.
     pub wrench: Wrench<C>,
-    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. The same normal forces carry an
-    /// additional force of this size in any direction along the surface, if each point takes as much of it as its own margin. Zero if the pad slides
-    /// everywhere or is open; infinite if friction is unlimited.
+    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. At the same normal forces the pad
+    /// can carry an additional force of this size in any direction along the surface, if each point takes a part equal to its own margin. Zero if the
+    /// pad slides everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
 }

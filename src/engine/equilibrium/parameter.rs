@@ -171,8 +171,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // Forces count as rounding below this fraction of the force that the same displacement of the contact alone would cause in its stiffest
-            // spring.
+            // Forces are taken as rounding below this fraction of the force that the same displacement of the contact alone would cause in its
+            // stiffest spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })
@@ -180,8 +180,8 @@ impl StickingResponse<'_> {
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// The derivative of a contact's force with respect to its coefficient of friction at constant spring stretches v: (∂K/∂μ) v, with the tangent
-    /// stiffness K.
+    /// The derivative of a contact's force with respect to its coefficient of friction μ at constant spring stretches v: (∂K/∂μ) v, with the tangent
+    /// stiffness K of the contact.
     fn by_friction(&self, contact: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {
@@ -191,7 +191,7 @@ impl StickingResponse<'_> {
     }
 
     /// The derivative of a contact's force with respect to its stiffness k along one axis, at constant spring stretches v. It is (∂K/∂k) v, with the
-    /// tangent stiffness K.
+    /// tangent stiffness K of the contact.
     fn by_stiffness(&self, contact: usize, axis: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let local = self.problem.local(contact);
         let state = &self.states[contact];

@@ -71,8 +71,8 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // The polygon lies inside the round cone. On the round cone there may be an equilibrium although the polygon has none, or an equilibrium far
-        // from every equilibrium on the polygon.
+        // The polygon lies inside the round cone. On the round cone there may be an equilibrium although there is none on the polygon, or an
+        // equilibrium far from every equilibrium on the polygon.
         if problem.round
             && let (Settled::Found(found, rule), effort) = settle(&problem, settings)
         {

@@ -18,8 +18,8 @@ struct SiteAnswer<'a> {
     gap: f64,
     separated: bool,
     stretch: SVector<f64, 3>,
-    /// Slip beyond the slip memory that the offsets contain already (nonzero only on a load path), m. Only this part of the slip obeys the contact
-    /// law.
+    /// Slip in addition to the slip memory, which the offsets contain already (nonzero only on a load path), m. Only this part of the slip obeys the
+    /// contact law.
     slip: SVector<f64, 3>,
 }
 
@@ -99,7 +99,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law holds for the slip beyond the slip memory of the problem, which is subtracted from the finger offsets already.
+        // The contact law holds for the slip in addition to the slip memory of the problem, which is subtracted from the finger offsets already.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -119,8 +119,9 @@ impl Engine {
         }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
-        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. Their size is therefore taken as at
-        // least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring under the largest force.
+        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. Their size is therefore taken to be at
+        // least this fraction of the largest size of all contacts. It is also taken to be at least the stretch of the stiffest spring under the
+        // largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {
@@ -252,7 +253,7 @@ impl Engine {
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
-        // If no contact carries a force, the computed forces are rounding. Its scale is the force that displacements could cause in a spring.
+        // If no contact carries a force, the computed forces are rounding, in proportion to the force that displacements could cause in a spring.
         force_size += spring_force;
         // Moments are compared with the sum of all moments and of all forces times the mean arm of the contacts.
         moment_size += force_size * self.length();

@@ -9,7 +9,7 @@ use crate::serial::AsComputed;
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
 /// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are divided by the sum
 /// of the sizes of its own displacements. Products of force and displacement are divided by the product of both sizes. On a load path only the slip
-/// since the contact states were last determined counts, for example since the last event.
+/// since the contact states were last determined is used, for example since the last event.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -17,7 +17,7 @@ use crate::serial::AsComputed;
 pub struct Residuals {
     /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms. To this sum is added the
     /// least force that the displacements of a contact could cause in its spring. The imbalance of moments is divided likewise, by the sizes of all
-    /// moments plus those of all forces times the root mean square distance of the contacts. The larger of the two ratios counts.
+    /// moments plus those of all forces times the root mean square distance of the contacts. The residual is the larger of the two ratios.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal

@@ -27,7 +27,7 @@ pub(crate) struct StickingResponse<'g> {
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms of which it is the sum, which scales its rounding.
+/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms whose sum it is, to which its rounding is proportional.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -68,8 +68,8 @@ impl<'g> StickingResponse<'g> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Forces of contacts and drives in the given contact states, at these finger offsets (commands minus clearances) and this load in the engine's
-    /// coordinates. The error is a motion that nothing resists and along which the load does work.
+    /// Forces of contacts and drives under the finger offsets `offsets` (commands minus clearances) and the load `load` in the engine's coordinates.
+    /// Contacts and drives have the states of this response. The error is a motion that nothing resists and along which the load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -87,13 +87,13 @@ impl<'g> StickingResponse<'g> {
         }
     }
 
-    /// Forces of contacts and drives under a load alone, without commands; the error as in [`Self::forces`].
+    /// Forces of contacts and drives under a load alone, without commands; the error is that of [`Self::forces`].
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Result<ContactForces, Motion<3>> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
 
-    /// Forces and motion at these finger offsets and this load, in the engine's coordinates; `None` if no forces in the given contact states balance
-    /// them.
+    /// Forces and motion under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if no forces in the states of
+    /// this response balance them.
     pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
         self.piece.solve(self.problem.sites, offsets, load).ok()
     }

@@ -33,7 +33,7 @@ pub enum TooFar {
         /// The name of the body; `None` if there is only one object.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         body: Option<String>,
-        /// The largest rotation that still counts as small, rad.
+        /// The largest rotation that is still taken as small, rad.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
@@ -41,7 +41,7 @@ pub enum TooFar {
     JointTurns {
         /// The joint that turns.
         joint: PartLabel,
-        /// The largest rotation that still counts as small, rad.
+        /// The largest rotation that is still taken as small, rad.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
@@ -49,7 +49,7 @@ pub enum TooFar {
     Slips {
         /// The contact that slips.
         contact: WholeContact,
-        /// The largest displacement that still counts as small, m.
+        /// The largest displacement that is still taken as small, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
@@ -57,7 +57,7 @@ pub enum TooFar {
     Opens {
         /// The contact that opens.
         contact: WholeContact,
-        /// The largest displacement that still counts as small, m.
+        /// The largest displacement that is still taken as small, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
@@ -101,7 +101,7 @@ impl TooFar {
 /// motion of the object, the forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// The vector of the rotation (rad) or slip (m). An opening (m) has one component, along the normal, which counts if it is positive.
+    /// The vector of the rotation (rad) or slip (m). An opening (m) has one component, along the normal, and is a motion only if it is positive.
     pub(crate) shift: SVector<f64, 3>,
     /// The largest length of a small motion, rad or m.
     pub(crate) limit: f64,
@@ -119,7 +119,7 @@ enum MotionOf {
 }
 
 impl CountedMotion {
-    /// Whether the motion is an opening, of which only the positive direction counts.
+    /// Whether the motion is an opening, whose component is compared with its limit with its sign.
     pub(crate) fn is_opening(&self) -> bool {
         matches!(self.of, MotionOf::Opening(_))
     }
@@ -197,7 +197,7 @@ impl Engine {
             let moved = site.map.tr_mul(standing.twist);
             let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
             if standing.states[i].is_open() {
-                // An opening that a retracting command causes is no motion of the object, and does not count.
+                // An opening that a retracting command causes is no motion of the object, and is subtracted.
                 (shift[0], of) = (moved[0] - standing.offsets[i][0].max(0.0), MotionOf::Opening(i));
             } else {
                 let mut slip = standing.slips[i];

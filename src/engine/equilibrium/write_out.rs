@@ -150,8 +150,8 @@ struct SolvedContact<'s> {
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip beyond `memory`, m, which is zero if the contact sticks. For an open or frictionless contact this is the
-    /// displacement of the surfaces past each other.
+    /// State of the contact, and its slip in addition to `memory`, m, which is zero if the contact sticks. For an open or frictionless contact the
+    /// second value is the displacement of the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {
@@ -159,8 +159,8 @@ impl SolvedContact<'_> {
             Mode::Sticking if self.local.is_frictionless() => (ContactState::Frictionless, slip),
             Mode::Sticking => (ContactState::Sticking, SVector::zeros()),
             sliding => {
-                // Friction pulls the body in the direction in which the finger slips. While the slip is still zero, on the edge of the cone, the
-                // direction is that in which slip would start.
+                // Friction pulls the body in the direction in which the finger slips. While the slip is still zero, on the edge of the cone, this is
+                // the direction in which slip would start.
                 let outward = self.local.outward(sliding).unwrap_or(slip);
                 let is_facet_slide =
                     sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
@@ -199,7 +199,7 @@ impl SolvedContact<'_> {
             Stiffness::Series(_) => (None, None),
         };
         let gap = self.moved[0] - self.offset[0];
-        // The computed gap of a touching contact is the rounding of two displacements, and counts as zero.
+        // The computed gap of a touching contact is the rounding of two displacements, and is taken as zero.
         let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.offset.norm());
         ContactAnswer {
             contact: contact.label(index),

@@ -18,8 +18,8 @@ use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. In energy coordinates, x = K^{-1/2} F with the
-/// contact's stiffnesses K and force F, the unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
+/// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. In energy coordinates, with the contact's
+/// stiffnesses K and its force F, the force is x = K^{-1/2} F. The unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
 struct Jump {
     contact: usize,
     row: SVector<f64, 3>,
@@ -80,7 +80,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
 }
 
 /// Displacements of all coordinates under a unit of each jump (gap or slip) of a contact; `None` for contacts not yet computed. They are stored by
-/// contact: a later kinematic form of another set of contacts reuses the stored displacements.
+/// contact, so that a later kinematic form of another set of contacts reuses them.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
 

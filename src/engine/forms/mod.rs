@@ -13,10 +13,10 @@
 //! ```
 //!
 //! It is small, and z = 0 solves it exactly when every contact sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a
-//! ray although an equilibrium exists, so a ray proves nothing.
+//! ray although an equilibrium exists, so a ray does not prove that no equilibrium exists.
 //!
-//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist is
-//! free. The coefficient of corner d_j in the friction force `F_t = Σ β_j d_j` is β_j, and the size of the slip is λ:
+//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist may
+//! have any sign. The coefficient of corner d_j in the friction force `F_t = Σ β_j d_j` is β_j, and the size of the slip is λ:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0
@@ -25,8 +25,8 @@
 //! q free:   Σ G_i F_i + W = 0
 //! ```
 //!
-//! It is about twice as large. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q
-//! > 0.
+//! It is about twice as large as the kinematic form. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0
+//! at all contacts has W·q > 0.
 //!
 //! The forms have no rows that a contact does not need ([`Why`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 

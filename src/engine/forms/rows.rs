@@ -45,7 +45,7 @@ pub enum Row {
     Balance {
         /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
-        /// Whether z is the positive part of the component, not the negative one.
+        /// Whether the unknown z is the positive part of the component, rather than the negative part.
         positive: bool,
     },
 }
@@ -97,7 +97,7 @@ pub struct Form {
 }
 
 impl Form {
-    /// The index of the row with this meaning; `None` if the form has no such row.
+    /// The index of the row that is `row`, i.e. has this meaning; `None` if the form has no such row.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

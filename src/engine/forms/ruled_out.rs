@@ -1,5 +1,5 @@
 //! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. It evaluates only the pairs of the
-//! form. States that pass the test need not be right: only a solution with all contacts shows whether they are.
+//! form. States that the test does not exclude need not hold: only a solution with all contacts shows whether they do.
 
 use crate::numerics::{matrix_of, vector_of};
 
@@ -9,8 +9,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// Whether these contact states clearly make an unknown or a slack of the form negative. `largest` is the largest force of the elastic trial state,
-/// in units of the slacks. Slip across two facets of a contact is not covered: the result is then `false`, and so it is if the equations are
-/// singular.
+/// in units of the slacks. False if a contact slips across two facets, a case that the test does not cover, and if the equations are singular.
 pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {

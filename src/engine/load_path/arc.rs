@@ -1,5 +1,5 @@
-//! An arc: a piece of the load path on which contacts keep their states while directions of sliding turn. This file has the linear algebra at one
-//! point of an arc.
+//! An arc: a piece (part of a leg with fixed contact states) of the load path on which directions of sliding turn. This file has the linear algebra
+//! at one point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
 //! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
@@ -28,13 +28,14 @@ use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg.
+/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg that is
+/// done.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
     pub(super) states: &'s [State],
     /// Indices of the contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The unit u of displacement in arclength, m: arclength is measured along the curve (q/u, λ) of twist and load factor.
+    /// The unit u of displacement in arclength, m: arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
     unit: f64,
     /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
@@ -55,7 +56,7 @@ struct Fixed {
     push: Vector,
 }
 
-/// A direction (q', λ') of the path in the space of twist and load factor, also used for a change of both.
+/// A direction (q', λ') of the path in the space of twist q and load factor λ, also used for a change of both.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
     /// Rate of the twist, q' = dq/ds per unit of arclength.
@@ -98,7 +99,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     fn fixed_anew(&self) -> Fixed {
         let Self { segment, states, free_motions, .. } = self;
         let (sites, size) = (self.sites(), segment.grasp.size());
-        // The artificial stiffness against a free motion couples all coordinates that move in it, and leaves no narrow band.
+        // An artificial stiffness against a free motion couples all coordinates that move in this motion, so that no band matrix is narrow.
         let order = if free_motions.is_empty() { NarrowOrder::of(size, sites) } else { None };
         let (mut stiffness, mut push, mut stiffest) =
             (PathStiffness::zeros(size, order), Vector::zeros(), 0.0_f64);
@@ -110,7 +111,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
                     stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
                 } else {
-                    // The entries of each contact's grasp map are read once, since a map of several bodies must search for an entry.
+                    // The entries of each contact's grasp map are read once, since reading an entry of the map of several bodies takes a search.
                     let rows = [a, b].each(|map| {
                         ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
                     });
@@ -139,13 +140,14 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The right-hand side b of `T q' = b λ'` at a load factor without the terms of sliding contacts: the rate of the load and the constant terms.
+    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load and the constant terms
+    /// `Fixed::push`.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of [`Self::push_at`], N per unit of the load factor. This is the rate of the load and of the forces by which commands push contacts that
-    /// do not slide.
+    /// Norm of [`Self::push_at`], N per unit of the load factor: the rate of the load plus the rate of the forces by which commands push contacts
+    /// that do not slide.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -165,9 +167,9 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// LU factors of the bordered matrix at a load factor: T times the displacement u, with the column -b to its right, and below both the row
-    /// `across`, transverse to the path. Also returns the largest entry of T u and b. `None` if the matrix is singular: the path may continue in more
-    /// than one direction.
+    /// LU factors of the bordered matrix at a load factor: T times the displacement u, with the column -b to its right. The last row is `across`,
+    /// transverse to the path. Also returns the largest entry of T u and b. `None` if the matrix is singular: the path may then continue in more than
+    /// one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -194,7 +196,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// LU factors of the bordered matrix as in [`Self::bordered`], from the tangent stiffness T = `t` and the right-hand side b = `push`. Also
-    /// returns the largest entry of T u and b. `None` if the matrix is singular.
+    /// returns the largest entry of `T u` and b, with the unit u of displacement. `None` if the matrix is singular.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -219,8 +221,9 @@ impl<'s, 'g> Arc<'s, 'g> {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The direction of the path per unit of arclength, at a load factor and with these tangent stiffnesses of sliding contacts. It has a positive
-    /// component along `along`. `None` if the path may continue in more than one direction, or if it differs from `along` by more than sixty degrees.
+    /// The direction of the path per unit of arclength, at a load factor, for the tangent stiffnesses `tangents` of sliding contacts. Its component
+    /// along `along` is positive. `None` if the path may continue in more than one direction, or if its direction differs from `along` by more than
+    /// sixty degrees.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -232,13 +235,13 @@ impl<'s, 'g> Arc<'s, 'g> {
         let ends = [along.factor * scale, scale];
         let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
-        // Within a step the tangent of the path may turn by sixty degrees at most. After a larger turn its orientation might be wrong.
+        // Within a step the tangent of the path may turn by sixty degrees at most. After a larger turn the sign of the direction might be wrong.
         let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates `[stretch, force]` of a contact with this tangent stiffness as the path continues in the direction `way`, per unit of arclength of
-    /// `way`.
+    /// The rates `[stretch, force]` of a contact with the tangent stiffness `tangent` as the path continues in the direction `way`, per unit of
+    /// arclength of `way`.
     pub(super) fn rates(&self, contact: usize, tangent: &Tangent, way: &Direction) -> [SVector<f64, 3>; 2] {
         let site = &self.sites()[contact];
         let stretch = site.stretch(&(self.segment.change[contact] * way.factor), &way.twist);
@@ -258,7 +261,8 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// Corrects twist and load factor, transverse to the direction `across` of the path, until forces balance. Friction forces of sliding contacts
-    /// lie on their cones, at first in the directions of `frictions`. Returns forces, twist and load factor; `None` if it does not converge.
+    /// lie on their cones, at first in the directions of `frictions`. Returns forces, twist and load factor; `None` if the iteration does not
+    /// converge.
     pub(super) fn balanced(
         &self,
         mut twist: Vector,
@@ -266,7 +270,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(PieceState, f64)> {
-        // An imbalance of forces counts as rounding below this fraction of the sum of all terms; rounding grows with the root of their number.
+        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
@@ -275,8 +279,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // At most six Newton corrections: a step violates the cones by its error, and the first correction already leaves only the square of this
-            // error.
+            // At most six Newton corrections. A step leaves friction forces off their cones by the error of the step, and the first correction leaves
+            // only the square of this error.
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -286,7 +290,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // This correction leaves the load factor fixed: the computed change of it is rounding.
+                    // This correction leaves the load factor fixed: a computed change of the load factor is rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -296,8 +300,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // If hardly anything resists a motion, the correction along it may turn friction forces off the cones. The correction is then repeated
-            // with the new directions of friction.
+            // If hardly anything resists a motion, a correction along this motion may turn friction forces off the cones. The correction is then
+            // repeated with the new directions of friction.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
                 self.sliding
@@ -305,8 +309,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // A state whose forces have shrunk to less than a quarter during the correction still carries the rounding of the larger forces, and is
-            // corrected again.
+            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
+            // then corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -317,7 +321,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         balanced
     }
 
-    /// The largest difference, N, between the friction force of a sliding contact and its limit μ F_n; contacts without friction force do not count.
+    /// The largest difference, N, between the friction force of a sliding contact and its limit μ F_n. Contacts without friction force are left out.
     fn off_the_cones(&self, forces: &[SVector<f64, 3>]) -> f64 {
         let mut most = 0.0_f64;
         for &i in &self.sliding {
@@ -355,9 +359,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// State and rates of a path at `factor`, on which contacts have the states `states` and slide on the round cone. The state is the equilibrium
-    /// near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per unit of the load factor. Along
-    /// motions that no spring resists the object moves at the rates `pushed`.
+    /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round cone.
+    /// The forces are the equilibrium near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per
+    /// unit of the load factor. Along motions that no spring resists the object moves at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State],

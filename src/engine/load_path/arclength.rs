@@ -13,9 +13,9 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl Pieces<'_> {
-    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, so that twist and load factor
-    /// count equally at the beginning. While the load turns, the norm of the rate a quarter revolution later is added in quadrature, since the
-    /// present rate may be small. If the result is zero, one is returned.
+    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, which gives twist and load factor
+    /// equal weight in the arclength at this beginning. While the load turns, the present rate may be small. The norm of the rate a quarter
+    /// revolution later is then added in quadrature. If the result is zero, one is returned.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
@@ -31,8 +31,8 @@ impl Pieces<'_> {
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Deflection, m, of the softest spring under the largest present force and the change of the load per unit of the load factor. The largest
-    /// change of an offset is added.
+    /// Deflection, m, of the softest spring under the sum of the largest present force and the change of the load per unit of the load factor. The
+    /// largest change of an offset per unit of the load factor is added to the deflection.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

@@ -1,9 +1,10 @@
 //! Beyond the end of a path: whether any other equilibrium exists at a slightly larger load factor.
 //!
-//! A motion may prove that no equilibrium exists: a virtual motion at the end, or another motion that separates the load from all possible contact
-//! forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* + ε`, with
-//! τ* at the end and ε infinitesimal. At this load factor a condition of a contact state holds if its value at τ* is positive, or zero with a rate
-//! that is not negative. On the round cone an equilibrium slightly beyond the end is searched for without regard to the path.
+//! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
+//! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +
+//! ε`, with τ* the load factor at the end and ε infinitesimal. At `τ* + ε` a condition of a contact state holds if its value at τ* is positive, or
+//! zero with a rate that is not negative. On the round cone an equilibrium at a slightly larger load factor is searched for without regard to the
+//! path.
 
 use nalgebra::SVector;
 
@@ -36,8 +37,8 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with these contacts sliding or open. This is an answer only after a first slip, since a load path is itself followed
-    /// as far as it continues.
+    /// The equilibrium continues with these contacts sliding or open. Only the question about a first slip has this answer; a load path is followed
+    /// as far as it continues, so that its end has none.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
     /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
@@ -47,9 +48,9 @@ pub enum Beyond<const C: usize> {
     /// grasp snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not: an
     /// object that moves as with viscous contacts reaches none of them by small motions.
     Snap,
-    /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist
-    /// beyond is not known, and there is no proof that none exists. The grasp has too many contacts: more than 32 on the round cone, or else more
-    /// combinations of contact states than [`Settings::most_states`].
+    /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist at
+    /// larger loads is not known. The reason is the number of contacts: more than 32 on the round cone, or else more combinations of contact states
+    /// than [`Settings::most_states`].
     Ends {
         /// The reason why no rates of forces and motion exist. Its work is the work of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
@@ -59,9 +60,9 @@ pub enum Beyond<const C: usize> {
         /// The cups whose vacuum is gone.
         cups: Vec<WholeContact>,
     },
-    /// It is not known what happens beyond.
+    /// It is not known whether an equilibrium exists at slightly larger loads.
     Undecided {
-        /// The reason why the answer is undecided.
+        /// The reason why the search ended without an answer.
         doubt: Doubt,
     },
 }
@@ -110,8 +111,8 @@ pub(super) struct EquilibriumEnd<'f> {
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: that no
-/// solution exists, or undecided.
+/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: either no
+/// solution exists, or the search was undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -146,8 +147,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof that no equilibrium exists covers all loads up to this distance beyond the end, in units of `way_beyond`. At a shorter distance
-        // rounding might hide it.
+        // The proof that no equilibrium exists covers all loads up to 1e-2 times `way_beyond` past the end. At a shorter distance rounding might hide
+        // that no equilibrium exists.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -184,15 +185,15 @@ fn from_scratch<'g>(
     // Distances are tried in turn, since at a short distance the search on the round cone may end undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance the search would exceed the allowed number of pivots again.
+            // At a larger distance the search would exceed the allowed number of pivots, too.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
                 // If the forces found are nearly the forces at the end, the search is repeated at shorter distances. Only the forces of another
                 // equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If no forces differ, the equilibrium found may be the one that ends here, which rounding lets exist a little further: the answer is
-                // undecided. Otherwise the grasp can snap over to the equilibrium found.
+                // If the forces found do not differ from the forces at the end, the equilibrium found may be the one that ends here: rounding may let
+                // this equilibrium exist a little further. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -220,8 +221,8 @@ fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load, or all present offsets, at present rates. The lesser change is returned.
-/// Zero if it is not finite.
+/// The change of the load factor that would build up the whole present load, or all present offsets, at present rates: the smaller of the two
+/// changes. Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -261,8 +262,9 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition that is positive at the end also counts as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of `way`.
-            // `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this accuracy.
+            // A condition that is positive at the end is also taken as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of
+            // `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this
+            // accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

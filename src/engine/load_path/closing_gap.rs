@@ -1,16 +1,16 @@
 //! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
-//! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ v at which the first
-//! open contact closes, with normals n_i and grasp maps G_i. Contacts keep the slips that the motion causes:
+//! If nothing resists the motion v of a loss, forces stay constant along this motion: no spring is stretched further, and friction is exhausted
+//! already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ v, at
+//! which the first open contact i closes. It has the normal n_i and the grasp map G_i. Contacts keep the slips that the motion causes:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! From there the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a part of their friction force.
-//! This part is removed first, along a leg of its own ([`super::jump_leg`]) on which the gap may close. A motion too large for linear kinematics is
-//! not made.
+//! At the closed gap the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a part of their friction
+//! force. This part is removed first, along a leg of its own ([`super::jump_leg`]) on which the gap may close. A motion too large for linear
+//! kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -34,12 +34,13 @@ struct FreeWay {
     length: f64,
     /// Indices of the contacts and drives whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each contact or drive, whether it has no velocity in the motion, so that it sticks even on the edge of its friction cone.
+    /// For each contact or drive, whether it has no velocity in the motion. Such a contact sticks even if its force is on the edge of its friction
+    /// cone.
     still: Vec<bool>,
 }
 
 /// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. Then no spring is
-/// stretched, and friction is at its limit against the slip. Velocities up to `none` count as zero.
+/// stretched, and friction is at its limit against the slip. Velocities up to `none` are treated as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -49,8 +50,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. Friction reaches this resistance if the
-            // directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only rounding may reduce the resistance.
+            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. The force is taken to reach this
+            // resistance if the directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only rounding may
+            // reduce the resistance.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -66,7 +68,7 @@ impl<'g> Pieces<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity is rounding below this fraction of the largest velocity that a motion of this size could give the contact.
+            // A contact velocity below this fraction of the largest velocity that a motion of the same size could give the contact is rounding.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
@@ -99,8 +101,8 @@ impl<'g> Pieces<'g> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// Makes contacts slide that are on the edge of their cones, and open those at the apex, unless they have no velocity in the motion. Returns the
-    /// changes of contact states.
+    /// Makes contacts slide that are on the edge of their cones, and open those at the apex. Contacts without velocity in the motion keep their
+    /// states. Returns the changes of contact states.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -119,11 +121,11 @@ impl<'g> Pieces<'g> {
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object by `motion` times the length in `way`, until the gap closes, at the same load. `None` if the forces of the new states cannot
-    /// be solved for.
+    /// Moves the object by `motion` times `way.length`, until the gap closes, at the same load. `None` if the linear system for the forces of the new
+    /// states has no solution.
     fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        // Forces are solved for anew in the new states: in contacts that have opened not even a rounding error of a force remains.
+        // Forces are solved for anew in the new states. Then the force of contacts that have opened is exactly zero, without a rounding error.
         let forces = mapped(&point.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * way.length;
         self.node.move_to_end(&mut self.segment, &point, self.factor, &PieceState { forces, twist });
@@ -140,8 +142,8 @@ impl<'g> Pieces<'g> {
         Some(())
     }
 
-    /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues from there.
-    /// `None` if no gap closes, after a failed jump, or if no integration steps are left.
+    /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues with this gap
+    /// closed. `None` if no gap closes, after a failed jump, or if no integration steps are left.
     pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
@@ -188,11 +190,10 @@ impl<'g> Pieces<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// Continues after the loss `loss` on this leg. If contacts begin to slide with lower kinetic friction, a new leg starts along which the friction
-    /// force that they lose is removed: returns true. Otherwise the object moves until a gap closes: returns false.
+    /// Continues after the loss `loss` on this leg. If contacts begin to slide with lower kinetic friction, starts a new leg along which the friction
+    /// force that they lose is removed, and returns true. Otherwise moves the object until a gap closes, and returns false.
     ///
-    /// # Errors
-    /// The loss, if no gap closes.
+    /// # Errors The loss, if no gap closes.
     pub(super) fn follow_free_motion(
         &mut self,
         loss: &Loss<3>,

@@ -64,8 +64,8 @@ impl Engine {
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, a spring whose state
-    /// never changes.
+    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, i.e. a spring whose
+    /// state never changes.
     pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),

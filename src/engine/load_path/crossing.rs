@@ -1,8 +1,8 @@
-//! Steps along an arc, on which directions of sliding turn. Each step is shortened to the place where a condition of a contact state is just met (its
-//! value is zero).
+//! Steps along an arc, on which directions of sliding turn. Each step is shortened to end at the place where a condition of a contact state is just
+//! met (its value is zero).
 //!
-//! The last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a bracket. States of the
-//! path are never interpolated.
+//! To find this place, the last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a
+//! bracket. States of the path are never interpolated.
 
 use super::flow::{Flow, FlowStep, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -35,8 +35,8 @@ impl Pieces<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None`
-    /// if no condition is violated.
+    /// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between
+    /// the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -60,7 +60,7 @@ impl Pieces<'_> {
             // The condition is zero at the start already, and negative right after it.
             low.1 = 0.0;
         }
-        // At most eighty steps are tried; bisection alone would need fifty.
+        // At most eighty steps are tried; bisection alone would need about fifty (the bits of a floating-point number).
         for trial in 0..80 {
             // If Newton's method gives no length inside the bracket, a secant step is made, or every third time a bisection.
             let part = low.1 / (low.1 - high.1);
@@ -71,7 +71,7 @@ impl Pieces<'_> {
                 end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
             if to <= low.0 || to >= high.0 {
-                // No floating-point number lies between both ends of the bracket.
+                // No floating-point number lies between both ends of the bracket: the step `end` is as near to the zero as possible.
                 end.located = Some(k);
                 return Some(end);
             }

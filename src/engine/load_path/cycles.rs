@@ -50,7 +50,8 @@ pub(crate) struct CycleRecord {
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// Successive lists of the states of all contacts and drives, each with the index of the leg, within the cycle, on which it occurs.
+    /// Successive lists of the states of all contacts and drives in the cycle, each with the index (within the cycle) of the leg on which these
+    /// states occur.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -95,8 +96,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The cycle before it is followed, at the state `from`. `None` if this state is no equilibrium of the grasp: a contact would slide at once, or
-    /// the equilibrium with these slips has other forces.
+    /// The cycle before it is followed, at the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would slide at once, or the
+    /// equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -126,7 +127,7 @@ impl<'g> Cycles<'g> {
         is_there.then_some(begun)
     }
 
-    /// Sets how many integration steps along arcs, on which directions of sliding turn, are allowed on each leg from now on.
+    /// Sets the number of integration steps along arcs, on which directions of sliding turn, that are allowed on each leg from now on.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
         self.path.journey.settings.most_steps = most_steps;
     }
@@ -141,8 +142,8 @@ impl<'g> Cycles<'g> {
         self.path.end_of_small_motions().map(|end| end.what.clone())
     }
 
-    /// The index of the present leg within the present cycle, and the fraction of this leg covered. The path counts legs from the first cycle on, and
-    /// `completed` includes the present cycle.
+    /// The index of the present leg within the present cycle, and the fraction of this leg that is done. The path counts legs from the first cycle
+    /// on, and `completed` includes the present cycle.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
         (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)
@@ -160,7 +161,8 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The last piece of the previous cycle is still stored, since the present state is computed from it. It does not count for this cycle.
+        // The last piece of the previous cycle is still stored, since the present state is computed from it. Its energies are not added to this
+        // cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
@@ -179,7 +181,8 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // Slips at the end of the piece. The slips of a jump that follows are counted with the jump, which is a piece of its own.
+            // Slips at the end of the piece. If a jump follows, the slips before the jump are taken: the jump is a piece of its own, with its own
+            // slips.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
@@ -190,7 +193,8 @@ impl<'g> Cycles<'g> {
         Some(record)
     }
 
-    /// The state of the grasp at the present place, after the cycles so far. `None` without a path, if no equilibrium exists under the base load.
+    /// The state of the grasp at the present place, after the cycles so far. `None` if no equilibrium exists under the base load, so that there is no
+    /// path.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);

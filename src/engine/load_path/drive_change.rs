@@ -21,7 +21,7 @@ pub struct PartChange {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveChange {
-    /// The drive yields: its force or torque has reached its greatest allowed value.
+    /// The drive gives way at a constant force or torque, which has reached its greatest allowed value.
     Yields,
     /// The drive holds again like a spring.
     Holds,

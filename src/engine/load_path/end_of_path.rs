@@ -1,4 +1,4 @@
-//! Determines the kind of an end of a load path, from the state there. At such an end no rates of forces and motion satisfy the contact laws.
+//! Determines the kind of an end of a load path from the state at this end, at which no rates of forces and motion satisfy the contact laws.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -13,9 +13,9 @@ use crate::search::{Effort, Settings, Settled};
 /// The end of a path at which no rates of forces and motion satisfy the contact laws, or the search `settled` for rates is undecided. The result is
 /// `loss` with kind and motions.
 ///
-/// The object gives way if a motion meets no resistance. Otherwise the end is a corner: no combination of states of the contacts on the edge of their
+/// The kind is `GivesWay` if a motion meets no resistance. Otherwise it is `Corner`: no combination of states of the contacts on the edge of their
 /// cones admits rates. If the search for rates was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium beyond.
-/// Else the end is undecided.
+/// Without such a proof the end is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
     (settled, effort): (Settled, &Effort),
@@ -54,9 +54,9 @@ pub(super) fn end_of_path(
 /// `None` if nothing moves or no motion can be determined.
 ///
 /// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is one along which no contact
-/// force of these states does work. Because of friction it differs from the motion. For a block that slides to the right on a floor, it also points
-/// upwards, at a right angle to the contact force. If rates exist in these states, both are the twist rate, reversed if contacts would slip against
-/// friction.
+/// force of these states does work. Because of friction the two motions differ. For a block that slides to the right on a floor, the virtual motion
+/// also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the twist rate, reversed if contacts
+/// would slip against friction.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {

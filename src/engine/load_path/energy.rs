@@ -10,9 +10,9 @@ use crate::numerics::{Each, Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, under a load that
-/// turns they are harmonics of its angle, and every integral is exact. If contacts slide on the round cone, works are integrated along with the
-/// slips.
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine in the load factor,
+/// and under a load that turns they are harmonics of its angle: every integral is exact. If contacts slide on the round cone, works are integrated
+/// along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -31,9 +31,9 @@ pub struct LegEnergy {
     /// negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
-    /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
-    /// cancel. If directions of sliding turn on the round cone, the stored energies before and after each step are contributions, since their change
-    /// is a difference. Not serialised.
+    /// Sum of the absolute values of all contributions of all pieces and contacts. It is the scale for the rounding error of the balance, because
+    /// works of opposite signs cancel. If directions of sliding turn on the round cone, the stored energies before and after each step are
+    /// contributions, because their change is computed as a difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
@@ -50,7 +50,7 @@ impl LegEnergy {
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
             self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
-            // The change of energy is a difference, which carries the rounding of both energies.
+            // The change of energy is a difference, so that its rounding error is proportional to both energies.
             self.turnover += site.springs.stored(to) + site.springs.stored(from);
         }
     }
@@ -64,8 +64,8 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece of the path from the load factor `factor` on, over the change `step` of it. On this piece contacts keep their
-    /// states, and no contact slides on a round cone. `point` is the state at its beginning with rates.
+    /// Adds the energies of a piece of the path on which the load factor changes from `factor` by `step`. On this piece contacts keep their states,
+    /// and no contact slides on a round cone. `point` is the state at the beginning of the piece with its rates.
     pub(super) fn add(
         &mut self,
         segment: &Segment,

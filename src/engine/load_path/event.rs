@@ -21,8 +21,8 @@ use crate::serial::AsComputed;
 pub struct Event<const C: usize> {
     /// Index of the leg, from 0.
     pub leg: usize,
-    /// Fraction of the leg already followed, from 0 to 1. It is exact up to rounding or, if a contact slides on the round cone, up to the error of
-    /// the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
+    /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding or, if a contact slides on the round cone, up to the error of the
+    /// steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load at the event.
@@ -33,8 +33,8 @@ pub struct Event<const C: usize> {
     /// Changes in the hand, if a hand holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
-    /// Unit motions that nothing resists from here on: any multiple of them may be added to the twist. The path continues without moving along them,
-    /// unless a contact that touches without force pushes the object.
+    /// Unit motions that nothing resists from this event on: any multiple of them may be added to the twist. The path continues without moving along
+    /// them, unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique. The
@@ -63,7 +63,7 @@ pub struct ContactChange<const C: usize> {
     /// The contact whose state changes.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// The behaviour of the contact from here on.
+    /// The behaviour of the contact from this event on.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub what: Change<C>,
 }
@@ -87,14 +87,14 @@ pub enum Change<const C: usize> {
     Sticks,
     /// A sliding contact reverses its direction.
     Reverses {
-        /// The new direction, as for [`Self::Slides`].
+        /// The new direction of slip, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another facet or corner of its cone (only in space, on a polygonal cone; on the round cone the direction of sliding
     /// turns continuously).
     Turns {
-        /// The new direction, as for [`Self::Slides`].
+        /// The new direction of slip, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -125,9 +125,9 @@ pub enum PathEnd<const C: usize> {
     Undecided {
         /// Index of the leg, from 0.
         leg: usize,
-        /// Fraction of the leg already followed, from 0 to 1.
+        /// Fraction of the leg that is done, from 0 to 1.
         fraction: f64,
-        /// The reason why the path could not be followed beyond.
+        /// The reason why the path could not be followed further.
         doubt: Doubt,
     },
 }
@@ -168,7 +168,7 @@ impl<const C: usize> PathEnd<C> {
 pub struct Loss<const C: usize> {
     /// Index of the leg, from 0.
     pub leg: usize,
-    /// Fraction of the leg already followed, from 0 to 1.
+    /// Fraction of the leg that is done at the loss, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load at the loss.
@@ -184,8 +184,9 @@ pub struct Loss<const C: usize> {
     /// states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The slips in a jump at this load that reaches no equilibrium. The jump begins when the friction of contacts falls from its static to its
-    /// kinetic value. Each entry is a contact that slides in the jump, with its slip until equilibrium is lost. Empty if no friction fell.
+    /// The slips in a jump at this load that leads to no equilibrium. The jump begins when the friction of contacts falls from its static to its
+    /// kinetic value. Each entry is a contact that slides in the jump, with its slip in the jump until the equilibrium is lost. Empty if no friction
+    /// fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
     /// A virtual motion along which contact forces can do little or no negative work at the loss, in the engine's coordinates. It may prove that no
@@ -233,13 +234,13 @@ pub enum LossKind {
     /// Contacts are on the edge of their cones, and no combination of their states admits rates of forces and motion under the growing load.
     Corner,
     /// The object moves without bound while the load approaches the load of this loss and never reaches it. Directions of sliding have turned along
-    /// this motion, and nothing else resists it.
+    /// this motion, and apart from friction nothing resists it.
     Asymptote,
-    /// From here on nothing resists some motion, and the change of the load does work along this motion.
+    /// From this load on nothing resists some motion, and the change of the load does work along this motion.
     GivesWay,
-    /// Motions cease to be [small](crate::Settings::small_motions) at this load. What follows is beyond the theory of small motions.
+    /// Motions cease to be [small](crate::Settings::small_motions) at this load. For larger loads the theory of small motions does not hold.
     TooFar,
-    /// A contact with infinite friction loses its normal force while it still carries a tangential force. Or the whole lip of a suction cup is open,
-    /// and its vacuum is gone.
+    /// A contact with infinite friction loses its normal force while it still carries a tangential force. This kind also covers a suction cup whose
+    /// whole lip is open, so that its vacuum is gone.
     LetsGo,
 }

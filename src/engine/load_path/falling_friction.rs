@@ -12,9 +12,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> Pieces<'g> {
-    /// From here on stores the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start
-    /// get kinetic friction, which may cause a jump, reported as the first event. Changes nothing if the cones are stored already. The error is the
-    /// end of the path in that jump.
+    /// Begins to store the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
+    /// kinetic friction. This may cause a jump, which the path then reports as its first event. Changes nothing if the cones are stored already. The
+    /// error is the end of the path in that jump.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -49,8 +49,8 @@ impl<'g> Pieces<'g> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the wider static cone, so no edge of
-    /// it is active; a contact at the apex stays there.
+    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the static cone, which is wider. Thus
+    /// their active sets lose all edges of the cone; a contact at the apex stays at the apex.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -64,17 +64,17 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether one of the contacts in `reached` has kinetic friction and has almost lost its contact force. While such a contact is unloaded, it
-    /// alternately sticks and slips, infinitely often before its force vanishes.
+    /// Whether one of the contacts in `reached` has kinetic friction and has almost lost its contact force. As the force of such a contact decreases
+    /// to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // A force of at most the fraction `NEGLIGIBLE` of the largest force of the segment counts as vanished.
+        // A force is taken as zero if it is at most the fraction `NEGLIGIBLE` of the largest force of the segment.
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Puts those contacts in `reached` whose force has all but vanished at the apex of their cones, as if it were zero. Counts this force as a step
-    /// error.
+    /// Takes the forces of those contacts in `reached` that are almost zero as zero: puts these contacts at the apex of their cones. Adds the
+    /// relative size of these forces to the step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {
@@ -87,8 +87,8 @@ impl<'g> Pieces<'g> {
         self.stalls = 0;
     }
 
-    /// On a leg along which neither load nor commands change, contacts that slide with kinetic friction come to rest. Such a leg represents passing
-    /// time. Returns their changes to sticking; empty on every other leg.
+    /// On a leg along which neither load nor commands change, which represents passing time, contacts that slide with kinetic friction come to rest.
+    /// Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

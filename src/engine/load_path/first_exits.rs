@@ -1,4 +1,5 @@
-//! The first exit along a piece of the path: a contact force reaches an edge or the apex of its cone, or a gap closes.
+//! The first exit along a piece of the path. An exit is an end of a contact state: the force reaches an edge or the apex of its cone, or a gap
+//! closes.
 
 use crate::contact::Exit;
 use crate::prelude::*;
@@ -6,7 +7,8 @@ use crate::prelude::*;
 /// Indices of contacts whose present state ends, each with its exits: edges of its cone that the force reaches, the apex, or a closing gap.
 pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
-/// The first place along a piece of the path at which the present state of a contact ends, and touches of cone edges before it.
+/// The first place along a piece of the path at which the present state of a contact ends, and the edges of cones that forces touch before this
+/// place.
 pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
     /// no state ends.
@@ -16,8 +18,8 @@ pub(super) struct FirstExits {
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-/// The smallest step to an exit in `ways`, and all contacts with exits there; `None` if `ways` has no exit. In symmetric grasps several contacts
-/// reach an edge at once: steps that are equal up to the sum of their uncertainties count as equal.
+/// The smallest step to an exit in `ways`, and all contacts with exits after this step; `None` if `ways` has no exit. In symmetric grasps several
+/// contacts reach an edge at once: steps that are equal up to the sum of their uncertainties are taken as equal.
 pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached)> {
     let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
     for (_, exits) in &ways {

@@ -20,8 +20,8 @@ use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::search::{Found, FoundBy};
 
-/// The contact (or drive) that stops sticking first, and forces and twist there. `factor` is the load factor or, while a load turns, the angle in
-/// rad.
+/// The contact (or drive) that stops sticking first, and forces and twist at this onset. `factor` is the load factor or, while a load turns, the
+/// angle in rad.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
@@ -92,8 +92,8 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.harmonics(inside, 1.0, &parts);
-    // The solutions under the constant, cosine and sine terms of the load are not refined. So each force has the rounding error of the largest force.
-    // Cases that this error could change are left to `sticking_path`.
+    // The solutions under the constant, cosine and sine terms of the load are not refined, so each force has a rounding error in proportion to the
+    // largest force. Cases that such an error could change are left to `sticking_path`.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {

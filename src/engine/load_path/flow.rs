@@ -1,4 +1,4 @@
-//! Steps along an arc, on which contacts keep their states and directions of sliding turn; the lengths of steps are arclengths.
+//! Steps along an arc, a piece on which contacts keep their states and directions of sliding turn. The lengths of steps are arclengths.
 //!
 //! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
 //! sliding alone,
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! with the tangent stiffness T, the right-hand side b, and for each contact the tangent stiffness C, the rate a' of its offset and the grasp map G.
-//! So a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps
-//! preserve it. Newton's method transverse to the path puts friction forces back onto their cones, from which a step removes them a little.
+//! Thus a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps
+//! preserve it. A step removes friction forces a little from their cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 
@@ -56,11 +56,10 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal `factor` of a step after `trials` steps that missed it. Implicit steps have large rounding errors and may miss a goal again and
-    /// again.
+    /// The goal at the load factor `factor`, after `trials` steps that missed this goal. Implicit steps have large rounding errors and may miss a
+    /// goal again and again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        // The distance that is covered along the tangent grows after sixteen and after thirty-two trials; even the largest distance is as small as
-        // the error of steps.
+        // The distance `near` grows after sixteen and after thirty-two trials. Even the largest distance is no larger than the usual error of steps.
         let near = match trials / 16 {
             0 => 2e-13,
             1 => 1e-11,
@@ -70,7 +69,7 @@ impl StepGoal {
     }
 }
 
-/// The differential equation of an arc in fixed contact states, from one point of the path, at the load factor `from`.
+/// The differential equation of an arc in fixed contact states, from one point of the path, at which the load factor is `from`.
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
@@ -126,7 +125,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // Along motions that no spring resists the object keeps its present velocity, since no force changes it.
+        // Along motions that no spring resists the object keeps its present velocity, because no force changes this velocity.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
             // A free motion slower than this fraction of the twist rate is rounding.
@@ -153,8 +152,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// For each sliding contact its index and the rate, per unit of arclength, at which its friction force at the start turns towards its slip. This
-    /// is the stiffness across the slip times the slip rate along the friction force, divided by the friction force. Zero without friction force.
+    /// For each sliding contact its index and the rate, per unit of arclength, at which its friction force at the start turns towards its slip. The
+    /// rate is the stiffness across the slip times the slip rate along the friction force, divided by the friction force. Zero without friction
+    /// force.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, 3>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -196,7 +196,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // A step that has not come near the load factor of its goal may come near it by the correction onto the cones.
+        // The integrated step may end outside the distance `near` of its goal, while the correction onto the cones still brings it inside.
         let arrived = if stays(factor) {
             None
         } else {
@@ -323,8 +323,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        // The error of a friction force counts relative to the largest force. The error of a vanishing friction force also counts relative to the
-        // force itself, with this weight, so that its direction stays accurate.
+        // The error of a friction force is compared with the largest force. The error of a vanishing friction force is also compared with this force
+        // itself, with the weight 1e-6, which keeps its direction accurate.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
@@ -340,7 +340,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // After many trials a step may end farther from the goal and be extended to it.
+            // After many trials a step may end at a larger distance from the goal and still be extended to it.
             let goal_here = StepGoal::after(goal, trial);
             // The allowed error of an implicit rule is multiplied by these factors, tried in turn: rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));

@@ -1,4 +1,4 @@
-//! The interface of the two methods that follow a load program, piece by piece or in steps.
+//! The interface of the two methods that follow a load program: piece by piece (a piece is a part of a leg with fixed contact states), or in steps.
 
 use core::fmt::Debug;
 
@@ -36,8 +36,8 @@ pub(crate) struct StateAtEdge<'g> {
     pub(super) forces: Vec<SVector<f64, 3>>,
 }
 
-/// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place on the present
-/// leg and the accumulated slips; the [`Journey`] stores the legs.
+/// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place (the fraction of
+/// the present leg) and the accumulated slips; the [`Journey`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
     /// The type of the items that the path returns to its caller: events, or steps.
     type Report;
@@ -54,7 +54,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The end of the path, if it ends here.
     fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
 
-    /// The fraction of the present leg already followed, from 0 to 1.
+    /// The fraction of the present leg that is done, from 0 to 1.
     fn fraction(&self) -> f64;
 
     /// The equilibrium at the present place of the path; `None` if it cannot be computed because of rounding.
@@ -63,7 +63,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// Forces of all contacts and drives at the present place, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The forces at the present place, with the rate problem there, in which contacts on the edge of their cones may slide or open.
+    /// The forces and the rate problem at the present place. In the rate problem, contacts on the edge of their cones may slide or open.
     fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond the end of the path, if it ended in a jump to kinetic friction that found no equilibrium. Otherwise `None`, as always
@@ -99,14 +99,14 @@ pub(crate) trait Follower<'g>: Debug {
         Vec::new()
     }
 
-    /// The place on the path at which a motion exceeded its limit of small motions. `None` if no motion has, or from a follower that does not check
-    /// them.
+    /// The place on the path at which a motion exceeded its limit of small motions. `None` if no motion has exceeded it, or from a follower that does
+    /// not check the limits.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }
 
     /// The largest ratio, on the path so far, of a rotation, slip or opening to its limit of small motions. Zero from a follower that does not check
-    /// them.
+    /// the limits.
     fn farthest(&self) -> f64 {
         0.0
     }

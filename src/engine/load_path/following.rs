@@ -1,4 +1,4 @@
-//! A load program and the follower that follows it: the start, the change of legs, and the end.
+//! A load program together with its follower (the method in progress that advances along the program): the start, the change of legs, and the end.
 
 use core::fmt::Debug;
 
@@ -18,18 +18,18 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
 
-/// A load path: a load program in progress, the follower that follows it, and the end of the path, once it has ended.
+/// A load path: the load program in progress, the follower (the method in progress that advances along the program), and the end of the path.
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) journey: Journey<'g>,
-    /// The follower; `None` if no equilibrium to start from was found.
+    /// `None` if no equilibrium was found from which the path could start.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }
 
 impl<'g, F: Follower<'g>> Following<'g, F> {
-    /// The path of the load program with the legs `legs`, from the equilibrium under the load `start`. `begin` makes the follower there. Its error,
-    /// such as that no equilibrium exists, is the end of the path.
+    /// The path of the load program with the legs `legs`. `begin` makes the follower at the equilibrium under the load `start`. An error of `begin`,
+    /// such as that no equilibrium exists, becomes the end of the path.
     pub(super) fn start(
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),

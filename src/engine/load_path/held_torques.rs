@@ -1,5 +1,5 @@
 //! Changes, along a load program, of the torques that hold the joints of a hand. Such a torque does not depend on the displacement of its joint, as
-//! with a screw that is tightened.
+//! in a clamp whose screw is tightened.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -11,8 +11,8 @@ use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the torques that hold the joints of a hand change by `change`: N m, or N for prismatic joints, one for each joint. Slides of
-    /// contacts that are [held by a force](crate::grasp::Contact::force) come last.
+    /// A leg along which the torques that hold the joints of a hand change by `change`: N m, or N for prismatic joints, one for each joint. After the
+    /// joints follow the slides of contacts that are [held by a force](crate::grasp::Contact::force).
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};

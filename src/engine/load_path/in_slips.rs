@@ -8,9 +8,10 @@
 //! F_i = F_i⁰ + λ F_i¹ + Σ_j R_ij s_j,     s_j' = γ_j p_j,     p_j = F_t,j / |F_t,j|
 //! ```
 //!
-//! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. This is one equation for each sliding
-//! contact, where an [arc](super::arc) has one for each coordinate. In some cases this file gives no answer, and the caller follows a load path: an
-//! onset that does not begin from clear sticking, a slip that ends, a contact that opens, events that coincide, and several continuations.
+//! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. Thus there is one equation for each
+//! sliding contact, where an [arc](super::arc) has one for each coordinate. In some cases the functions of this file return `None`, and the caller
+//! follows a load path: an onset without clear sticking before it, a slip that ends, a contact that opens, simultaneous events, several
+//! continuations.
 
 use nalgebra::SVector;
 
@@ -45,7 +46,7 @@ pub(crate) struct InSlips {
 
 /// The end of a path along which a load grows.
 pub(crate) enum SlipEnd {
-    /// The grasp holds up to the given load factor at which following stops.
+    /// The grasp holds up to the load factor `most` at which following stops.
     Held,
     /// This motion (a rotation or slip) has reached its limit of small motions.
     TooFar(CountedMotion),
@@ -199,7 +200,7 @@ impl Slips<'_> {
         let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
         rates.extend(slips.iter().zip(directions).flat_map(along));
         if slips.iter().all(|slip| *slip > 0.0) {
-            // The unit of slip is chosen so that slips and load factor count equally in arclength at the beginning.
+            // The unit of slip is chosen so that slips and load factor have equal weight in the arclength at the beginning.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
             for rate in rates.iter_mut() {
                 *rate *= core::f64::consts::FRAC_1_SQRT_2;
@@ -227,15 +228,15 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With these rates forces balance the load, but contacts slip against friction. The object leaves with the reversed motion, along which
-        // contacts slip with friction.
+        // With these rates forces balance the load, but contacts slip against friction. The object leaves with the reversed motion, in which friction
+        // opposes the slips.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.lost_by(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of the path at `at` as a loss of the kind `kind`, a fold or a corner, with the leaving motion `motion`. `None` if the object then
-    /// snaps over to another equilibrium, or for a malformed ramp.
+    /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. The object leaves with the motion `motion`. `None` if
+    /// the object then snaps over to another equilibrium, or for a malformed ramp.
     fn lost_by(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;

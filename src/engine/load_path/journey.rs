@@ -1,4 +1,4 @@
-//! The data of a load path that all followers share: the grasp, the load program with its legs, and the settings of the caller.
+//! The data of a load path that every follower (method of following it) needs: the grasp, the load program with its legs, and the caller's settings.
 
 use alloc::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
 
-/// The result of the search for the equilibrium under the load at factor 0, from which a path starts, and the effort of this search.
+/// The result of the search for the equilibrium at load factor 0, from which a path starts, and the effort of this search.
 pub(crate) type Rest = (Settled, Effort);
 
 /// A load program in progress, with its grasp and settings.
@@ -41,8 +41,8 @@ impl<'g> Journey<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The static problem with these offsets of the contacts (commands minus clearances and slips) and the load `load`, with the friction cone of the
-    /// settings.
+    /// The static problem with the friction cone of the settings, for the load `load` and these offsets of the contacts' springs (commands minus
+    /// clearances and slips).
     pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))
@@ -66,8 +66,8 @@ impl<'g> Journey<'g> {
         }
     }
 
-    /// The present leg as a segment, with the accumulated slips `slips` at its beginning. Loads and commands are computed from the goals of the legs,
-    /// so that rounding does not add up over many legs.
+    /// The present leg as a segment (loads and offsets along a leg, see `segment`), with the accumulated slips `slips` at its beginning. Loads and
+    /// commands are computed from the goals of the legs, which keeps rounding errors from adding up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
@@ -115,7 +115,7 @@ impl<'g> Journey<'g> {
         loss.leaving(self.grasp, motion)
     }
 
-    /// The end of a path that cannot be followed beyond this fraction of the present leg, for the reason `doubt`.
+    /// The end of a path that cannot be followed beyond the fraction `fraction` of the present leg, for the reason `doubt`.
     pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<3> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }

@@ -1,4 +1,4 @@
-//! Jumps at constant load: friction falls as a contact begins to slide, or nothing resists the object. A jump ends where contacts stop the object.
+//! Jumps at constant load: friction falls as a contact begins to slide, or nothing resists the object. A jump ends when contacts stop the object.
 
 use core::fmt;
 
@@ -14,18 +14,17 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they
-/// carry less.
+/// A jump from one equilibrium to another under one load. In the first kind contacts begin to slide, and with [kinetic
+/// friction](crate::grasp::Contact::kinetic) they carry less.
 ///
 /// The lost force is removed so slowly that other contacts can take it over. Contacts that reach their static friction limit meanwhile begin to
-/// slide, too, and lose force as well. The object comes to rest where forces balance again. This is the overdamped answer: the object does not
-/// overshoot.
+/// slide, too, and lose force as well. The object comes to rest where forces balance again. It does not overshoot, as if its motion were overdamped.
 ///
-/// Or nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). Every place on this motion is in
-/// balance under the same load. The speed of arrival plays no part.
+/// In the second kind nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). At every point
+/// of this motion forces balance under the same load. The speed at which the gap closes plays no part.
 ///
-/// Or no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. It moves as slowly as if every
-/// spring had a damper in proportion to its stiffness. The object does not overshoot here either.
+/// In the third kind no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. It moves as if
+/// every spring had a damper in proportion to its stiffness, and does not overshoot either.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -63,7 +62,7 @@ pub struct JumpSlip<const C: usize> {
     /// The contact that slips.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Slip in the contact frame, as in [`ContactAnswer`](crate::equilibrium::ContactAnswer), m.
+    /// Slip of the contact during the jump, in the contact frame, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
 }

@@ -7,9 +7,9 @@
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is applied as well. The
-//! leg then begins anew from there. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise equilibrium
-//! is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in which the
+//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, its lost force is applied as an external force,
+//! too, and the leg begins anew. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise equilibrium is
+//! lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in which the
 //! object does not overshoot the new equilibrium.
 
 use nalgebra::{Matrix, SVector};
@@ -54,11 +54,12 @@ impl<'g> JumpInProgress<'g> {
         Self { leg, record, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on it are removed as well. If the
-    /// equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too often.
+    /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on the leg are removed as well.
+    /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too
+    /// often.
     pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        // A lost force is removed at most sixteen times for each contact or drive. Each time energy is lost, so only rounding could make contacts
-        // stick and slide again more often.
+        // A lost force is removed at most sixteen times for each contact or drive. Each jump loses energy, so contacts could only stick and slide
+        // again more often because of rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(journey) {
@@ -178,8 +179,8 @@ impl<'g> Pieces<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. A jump counts
-        // as a step.
+        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Each jump is
+        // therefore counted as a step.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -225,7 +226,7 @@ impl<'g> Pieces<'g> {
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_stretch(journey).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // If hardly anything resists a motion, the contact states alone hardly determine the twist. The twist at the end of the leg is therefore
+            // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the leg is
             // kept, as along an arc.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
@@ -250,8 +251,8 @@ impl<'g> Pieces<'g> {
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump under the load `load` that began with these contact forces and this twist and ended in the present state. All work of the
-    /// load that springs do not take up is dissipated.
+    /// Energies of a jump under the constant load `load`. The jump began with the contact forces `forces` and the twist `twist`, and ended in the
+    /// present state. All work of the load that springs do not take up is dissipated.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =

@@ -81,9 +81,9 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
 
-    /// A leg along which the load changes as in a [`Turn`]: the change of the turn from its beginning is added to the present load. Other loads stay,
-    /// and the constant part of the turn does not matter. The finger commands stay constant, so that forces are harmonics of the angle, and the
-    /// angles of events are found without stepping.
+    /// A leg along which the load changes as in a [`Turn`]: at each angle, the load of the turn minus its load at the first angle is added to the
+    /// load before the leg. So the constant part of the turn does not matter. The finger commands stay constant, so that forces are harmonics of the
+    /// angle, and the angles of events are found without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};
@@ -194,7 +194,7 @@ impl<const C: usize> Leg<C> {
         matches!(self.load, LegLoad::Turn(_))
     }
 
-    /// A leg along which load and commands change as along a ramp while its load factor grows by one.
+    /// A leg along which load and commands change as they do along `ramp` while the load factor of the ramp grows by one.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());
@@ -283,7 +283,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the values at the beginning and end of the previous leg, by the values of the next leg, which has this goal.
+    /// Replaces `commands`, the values at the beginning and end of the previous leg, by the values for the leg with this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones. A gap grows
-//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone counts as
+//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone is treated as
 //! bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]);
 //! without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if no
 //! other equilibrium exists, the end is a limit load, else a snap. At a snap a load path lets the object move as with viscous contacts, and continues
@@ -26,7 +26,20 @@
 //! s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of
 //! sliding turns along the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times. Slips are then integrated with an estimate of the error.
 //!
-//! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter.
+//! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter. The parts of a
+//! path have these names in all files of this module:
+//!
+//! | word | meaning |
+//! |---|---|
+//! | leg ([`Leg`]) | a part of the load program, along which load and commands change linearly to given values, or the load turns |
+//! | load factor on a leg | the fraction of the leg that is done, from 0 to 1 |
+//! | place | a point of the path, given by a leg and a fraction of it |
+//! | segment | the loads and commands along one leg (or ramp, or turn) in the engine's coordinates, with the slips so far |
+//! | piece | a part of a leg on which all contacts keep their states; its stored form is called a stretch |
+//! | arc | a piece on which contacts slide on the round cone, so that directions of sliding turn |
+//! | step | a numerical step: on a [`LoadPath`] a part of an arc, stored as a piece of its own; on a [`SteppedPath`] a part of a leg |
+//! | node | the place between two pieces: an [`Event`], or the start of a leg |
+//! | follower | the part of a path that advances; it stores its place on the present leg, while a journey stores the whole program |
 //!
 //! | path | advances by | reports | takes acceptable time for |
 //! |---|---|---|---|

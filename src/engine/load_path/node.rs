@@ -1,5 +1,5 @@
-//! A node of the load path is the place of an event. It has for each contact the edges of its cone on which its force lies (its active set). At a
-//! node the rates of forces and motion determine how the path continues.
+//! A node of the load path is the place between two pieces: an event, or the start of a leg. For each contact it stores the edges of its cone on
+//! which its force lies (its active set). At a node the rates of forces and motion determine how the path continues.
 
 use nalgebra::{Matrix, SVector};
 
@@ -25,7 +25,7 @@ use crate::search::{
 /// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
 /// solution.
 struct Decided<'g> {
-    /// The load factor at which the rates of load and commands in the problem are taken: the node's load factor or, while the load turns, a slightly
+    /// The load factor at which the rates of load and commands in `rates` are taken: the node's load factor or, while the load turns, a slightly
     /// larger one.
     ahead: f64,
     rates: Problem<'g>,
@@ -87,8 +87,8 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. The path takes the shortest of all
-        // admissible motions, not an end of their range.
+        // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. Of all admissible motions the path
+        // takes the shortest, rather than one at an end of their range.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -136,7 +136,7 @@ impl Node {
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
         // The continuation is taken from the rate problem with the rate of the load at this angle (rad) beyond the node. Smaller angles are tried
-        // next, in case another event comes first.
+        // next, because another event may occur before the larger angle.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let Settled::Found(found, _) = &decided.settled else {
@@ -144,8 +144,8 @@ impl Node {
                 continue;
             };
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
-            // problem just behind the node. The distance of 1e-12 rad is the accuracy of an event's angle. Closer to the node, the rate of a load
-            // that turns back might have the wrong sign.
+            // problem at 1e-12 rad behind the node, the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might
+            // have the wrong sign.
             let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_behind, found.states.clone()), Judged::Holds(_))
@@ -156,7 +156,7 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The place of a node at the end of an arc has the error of the arc's steps. So rates at the node are as good as rates ahead.
+            // The load factor of a node at the end of an arc has the error of the arc's steps. Rates at this load factor are as good as rates ahead.
             _ => at(factor),
         }
     }
@@ -164,7 +164,7 @@ impl Node {
     /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
     /// [`Judged::Holds`] with the first solution that meets all conditions.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
-        // Only at the start of a leg may nothing change: within a leg the present state of some contact has just stopped being valid.
+        // Only at the start of a leg may all states stay as they are: within a leg the present state of some contact has just stopped being valid.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
@@ -191,8 +191,8 @@ impl Node {
     }
 
     /// Opens contacts in the solution `found` of the rate problem that touch and gain no force, so that they do not drag the object along. They open
-    /// if a solution without them exists in which the object moves less. If no contact gains a force, and a contact would slide on the round cone,
-    /// all contacts that may open are opened.
+    /// if a solution exists in which they are open and the object moves less. If no contact gains a force, and a contact would slide on the round
+    /// cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone a contact slides along its friction force, and a zero force has no direction.

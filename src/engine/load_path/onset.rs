@@ -23,7 +23,7 @@ pub enum Onset<const C: usize> {
     At(Box<OnsetEvent<C>>),
     /// Everything keeps sticking at every load factor; for a turn, at every angle up to the last angle.
     Never,
-    /// A contact slides already at load factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
+    /// A contact slides already at load factor 0, in this equilibrium. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at load factor 0.
     NoBase(NoEquilibrium<C>),
@@ -78,7 +78,7 @@ pub struct OnsetEvent<const C: usize> {
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// The engine's state at the onset, from which the equilibrium there and the continuation are computed on request.
+    /// The engine's state at the onset, from which the equilibrium at the onset and its continuation are computed on request.
     pub(super) local: StickingState,
 }
 
@@ -101,8 +101,8 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The onset at the load factor `factor`, from the caller's load, the solution `found` and the active sets there. `leaving` and `sites` are the
-    /// contacts and drives that stop sticking. `lists` are emptied lists whose memory is reused.
+    /// The onset at the load factor `factor`, from the caller's load, the solution `found` and the active sets at this load factor. `leaving` and
+    /// `sites` are the contacts and drives that stop sticking. `lists` are emptied lists whose memory is reused.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),

@@ -22,8 +22,8 @@ pub enum Leaver {
 }
 
 /// The margins that vanish at an onset, and the derivatives of its load factor τ with respect to the data of grasp and load: `dτ = -dm / m'`. The
-/// vanishing margin is m = `μ F_n - |F_t|` (F_n if a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of
-/// the angle of the onset.
+/// vanishing margin is m = `μ F_n - |F_t|` (F_n if a contact opens), and m' is its rate along the ramp. For a load that turns, τ is the angle of the
+/// onset.
 ///
 /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
 ///
@@ -31,9 +31,9 @@ pub enum Leaver {
 /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0
 /// ```
 ///
-/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames. So do changes of commands along a ramp. A
-/// command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the normal, by -φ
-/// `a·n` along t.
+/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames, as do changes of commands along a ramp. If a
+/// command a is to stay along the **coordinate** axes, its components change in a frame that tilts by φ towards the tangent t: by φ `a·t` along the
+/// normal n, by -φ `a·n` along t.
 pub struct OnsetMargins<'g> {
     response: StickingResponse<'g>,
     state: PieceState,
@@ -52,7 +52,7 @@ struct Margin {
 
 impl<'g> OnsetMargins<'g> {
     /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, or closes at the onset and slides. `None` also if
-    /// the event has another number of contacts.
+    /// the grasp has another number of contacts than `event`.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -60,7 +60,7 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes there, and the load factor has no such derivative.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes, and the load factor has no such derivative.
         let opens = |site: &usize| found.states[*site].is_open();
         if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
             return None;
@@ -77,8 +77,8 @@ impl<'g> OnsetMargins<'g> {
     }
 
     /// The contacts and drives that stop sticking at the onset, in the order of the derivatives of [`Self::by`]. Each has a load factor at which its
-    /// margin vanishes; the onset is the least of these load factors. So the one-sided derivative of the onset along a change of the data is the
-    /// least of their derivatives.
+    /// margin vanishes; the onset is the least of these load factors. Thus, if the data change, the one-sided derivative of the onset is the least
+    /// derivative of these load factors.
     #[must_use]
     pub fn leavers(&self) -> Vec<Leaver> {
         mapped(&self.margins, &|margin| margin.leaver)
@@ -99,9 +99,9 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// The derivative of the load factor with respect to x at x = 0, if x times `load` is added to the load. It is computed for each contact or drive
-    /// of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the value 1.
-    /// `None` if nothing resists `load` in the present contact states.
+    /// The derivative with respect to x at x = 0 of the load factor at which `load` times x is added to the load. It is computed for each contact or
+    /// drive of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the
+    /// value 1. `None` if nothing resists `load` in the present contact states.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;

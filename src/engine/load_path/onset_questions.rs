@@ -2,8 +2,8 @@
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is the smallest τ at which a
 //! contact reaches the edge of its cone. Each facet gives a linear equation for τ, the round cone a quadratic one. The onset is the first pivot of
-//! Lemke's method with the load as covering vector. An open contact may close before; it starts with F_t = 0 and sticks if the rate of its force lies
-//! in its cone.
+//! Lemke's method with the load as covering vector. An open contact may close before the onset. It starts with F_t = 0 and sticks if the rate of its
+//! force lies in its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;
@@ -84,7 +84,7 @@ impl Engine {
     }
 
     /// The onset along the trajectory `course` of the load up to the load factor `end`; contacts may close before the onset. `rest` is the result of
-    /// the search for the equilibrium at load factor 0.
+    /// the search for the equilibrium at load factor 0, if that search was made.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
@@ -134,7 +134,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The static problem at an onset; `None` if the event is that of a grasp with another number of contacts and drives.
+    /// The static problem at the onset `event`; `None` if `event` has another number of contacts and drives than the grasp.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {

@@ -5,8 +5,8 @@ use crate::prelude::*;
 
 /// The estimated error of a step is proportional to this power of its length.
 const ERROR_ORDER: f64 = 8.0;
-/// The length of the next step is this fraction of the length that the error estimate allows. Its error is then a sixth of the allowed error: few
-/// steps are refused, and errors that add up have a reserve.
+/// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, its error is then a sixth of
+/// the allowed error: few steps are refused, and errors that add up have a reserve.
 const CAUTION: f64 = 0.8;
 /// Least ratio of the length of a step to the length of the step before. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
@@ -16,7 +16,7 @@ const LEAST_RATIO: f64 = 0.2;
 pub(super) struct Pace {
     /// Arclength of the next step; `None` after a node, where it is chosen anew.
     pub(super) length: Option<f64>,
-    /// The unit of displacement in arclength, m, see [`super::arclength`]; `None` before the first step from a node.
+    /// The unit of displacement in arclength, m, see [`super::arclength`]; `None` before the first step from a node (the place of an event).
     pub(super) unit: Option<f64>,
     /// Number of steps refused since the last accepted step.
     refused: u8,
@@ -51,13 +51,13 @@ impl Pace {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Allows a larger error, when steps have become too short to advance; `rest` is the rest of the leg. Returns whether this was done: at most
-    /// twice between two events.
+    /// Called when steps have become too short to advance; `rest` is the rest of the leg. Allows a larger error, at most twice between two events.
+    /// Returns whether it was allowed.
     pub(super) fn loosen(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
-            // Rounding may be the reason why steps are refused, so the allowed error grows by this factor, at most twice. The estimated error of the
-            // path includes the errors actually made.
+            // Rounding may be the reason why steps are refused. Therefore the allowed error grows by this factor, at most twice. The estimated error
+            // of the path includes the errors actually made.
             (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
             // First step after the allowed error has been raised, as a fraction of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
@@ -65,8 +65,8 @@ impl Pace {
         may
     }
 
-    /// Records an accepted step of arclength `length`, with the fraction `part` of the allowed error, and chooses the next length. A step that was
-    /// shortened (`cut`) to end at an event does not reduce the next length.
+    /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the next length. A step
+    /// that was shortened (`cut`) to end at an event does not reduce the next length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
         // Largest ratio of the length of a step to the length of the step before. After a refused step no growth is allowed.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
@@ -77,13 +77,14 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether steps have been explicit for a while, and the rest of the leg `rest` is more than fifty times `stable`, the longest stable step.
+    /// Whether explicit steps are too short: `patience` is used up, and the rest `rest` of the leg is more than fifty times `stable`, the longest
+    /// stable step.
     pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }
 
-    /// Records a refused step of arclength `length`, with `times` times the allowed error, and chooses a shorter length.
+    /// Records a refused step of arclength `length`, whose error is `times` times the allowed error, and chooses a shorter length.
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;

@@ -172,15 +172,15 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.end()
     }
 
-    /// The present place: the leg, from 0, and the fraction of it already followed, from 0 to 1. A completed path is at the end of its last leg.
+    /// The present place: the leg, from 0, and the fraction of the leg that is done, from 0 to 1. A completed path is at the end of its last leg.
     #[must_use]
     pub fn place(&self) -> (usize, f64) {
         self.0.place()
     }
 
     /// The equilibrium at the present place, with residuals recomputed from the grasp, the load and the slip so far. `None` if the path had no
-    /// equilibrium to start from, or if the state cannot be computed because of rounding. The state is returned whatever its residuals are: check
-    /// them. If an event lies exactly here, the contact states may be those before or after the event.
+    /// equilibrium to start from, or if the state cannot be computed because of rounding. The state is returned even if its residuals are large:
+    /// check them. If an event lies exactly at this place, the contact states may be those before or after the event.
     #[must_use]
     pub fn state(&self) -> Option<Equilibrium<C>> {
         self.0.state()
@@ -206,16 +206,16 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.continue_with(legs)
     }
 
-    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not been lost. The search has the limits on its
-    /// work (steps, combinations of states) of the path's own settings, see [`Self::beyond_with`].
+    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not ended in a loss. The search has the limits on
+    /// its work (steps, combinations of states) of the path's own settings, see [`Self::beyond_with`].
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)
     }
 
-    /// Whether another equilibrium exists just beyond the loss of this one, with the slip so far, searched for within the limits of these
-    /// [`Settings`]. The search usually takes longer than the path; in space it may go as far as a proof over all contact states. With too many
-    /// contacts to try all their states, only a motion can prove a limit load. `None` if the path has not been lost.
+    /// Whether another equilibrium exists just beyond the loss of this one, with the slip so far. The search stays within the limits of `settings`.
+    /// It usually takes longer than the path; in space it may go as far as a proof over all contact states. With too many contacts to try all their
+    /// states, only a motion can prove a limit load. `None` if the path has not ended in a loss.
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
         self.0.beyond(Some(settings))
@@ -233,8 +233,8 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 impl<const C: usize> LoadPath<'_, C> {
     /// Sum of the estimated errors of all integration steps so far, along which directions of sliding turn on the round cone. The estimated error of
     /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
-    /// polygonal friction cones. If events accumulate, small forces and margins are set to zero; their sizes, relative to the largest force, are
-    /// added.
+    /// polygonal friction cones. If events accumulate, small forces and margins are set to zero. Their sizes, relative to the largest force, are
+    /// added to the sum.
     ///
     /// The estimate is the larger of two ratios: error of forces to largest force of the step, and error of displacements to largest displacement.
     /// The error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
@@ -250,19 +250,19 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.end_of_small_motions()
     }
 
-    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces of the path so far.
     pub(crate) fn farthest(&self) -> f64 {
         self.0.farthest()
     }
 
     /// As [`Self::run`], but stops after the first piece of the path at which a motion exceeds its limit of small motions. Returns the events up to
-    /// there.
+    /// the end of this piece.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }
 
-    /// The leg and fraction from which on, without interruption up to the leg and fraction `until`, every contact with friction that carries a force
-    /// slides. `None` if such a contact sticks just before `until`.
+    /// The leg and fraction from which on, up to `until` (a leg and a fraction of it), every contact with friction that carries a force slides
+    /// without interruption. `None` if such a contact sticks just before `until`.
     #[must_use]
     pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.0.all_slide_from(until)
@@ -274,9 +274,9 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.energies()
     }
 
-    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. If an event lies exactly
-    /// there, the state is the equilibrium before the event. If directions of sliding turn, the integration step is repeated up to this fraction with
-    /// the same error bound. `None` if that fails because of rounding.
+    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` for a place that it has not reached.
+    /// If an event lies exactly at this place, the state is the equilibrium before the event. If directions of sliding turn, the integration step is
+    /// repeated up to this fraction with the same error bound. `None` if that fails because of rounding.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)
@@ -285,8 +285,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
 impl<const C: usize> SteppedPath<'_, C> {
     /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path, which makes
-    /// each step at once, whereas the first path makes it in two halves. An estimate of the errors that both paths have in common is added, for
-    /// contacts that stop, open or close. The error is usually a third of the estimate.
+    /// each step at once, whereas the first path makes it in two halves. For contacts that stop, open or close, an estimate of the errors that both
+    /// paths have in common is added. The error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

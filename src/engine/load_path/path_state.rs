@@ -1,5 +1,5 @@
-//! Active sets and slip memory at a node of the path, the place of an event or the start. The active set of a contact is the edges of its cone on
-//! which its force lies.
+//! Active sets and slip memory at a node of the path (the place of an event, or the start of a leg). The active set of a contact consists of the
+//! edges of its cone on which its force lies.
 
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
@@ -18,8 +18,8 @@ use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Whether load and all contact forces are as small as the force that rounding of the displacements causes in the softest spring. Rounding alone
-/// would then determine which contacts press, so no contact counts as pressing. In a rate problem the test applies to rates.
+/// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring. Rounding
+/// alone would then determine which contacts press, so no contact is treated as pressing. For a rate problem load, forces and motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
@@ -55,7 +55,7 @@ impl Node {
         node
     }
 
-    /// Whether a contact slides on the round cone: then the path is an arc, along which directions of sliding turn.
+    /// Whether a contact slides on the round cone. The path is then an arc, along which directions of sliding turn.
     pub(super) fn turns(&self) -> bool {
         self.states.iter().any(|state| state.slide().is_some())
     }
@@ -104,7 +104,7 @@ impl Node {
         }
     }
 
-    /// Adds the exits in `reached` (edges of the cone, the apex, a closed gap) to the active sets of their contacts.
+    /// Adds the exits in `reached` (edges and apexes of cones that forces reach, and gaps that close) to the active sets of their contacts.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
@@ -139,8 +139,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes from active sets the edges from which contact forces have moved away since the last event. The rates at that
-    /// event did not reveal this departure.
+    /// While the load turns, removes from active sets the edges from which contact forces have moved away since the last event. The rates at the last
+    /// event did not show that these forces would move away.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {
@@ -154,7 +154,7 @@ impl Node {
         }
     }
 
-    /// Puts sliding contacts whose normal force at `point` has almost vanished at the apex of their cones, since their friction cannot be followed
+    /// Puts sliding contacts whose normal force at `point` has almost vanished at the apex of their cones, because their friction cannot be followed
     /// any further. Returns whether there is such a contact.
     pub(super) fn release_vanishing(&mut self, point: &PathPoint) -> bool {
         let mut any = false;
@@ -167,7 +167,7 @@ impl Node {
         any
     }
 
-    /// Records that a contact has stopped sliding: its active set becomes empty, so that it sticks like a contact inside its cone.
+    /// Records that a contact has stopped sliding. Its active set becomes empty, so that the contact sticks as if its force were inside its cone.
     pub(super) fn stick(&mut self, contact: usize) {
         self.active_sets[contact] = ActiveSet::EMPTY;
         self.stopped.push(contact);
@@ -190,7 +190,7 @@ impl Node {
 
     /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a gap that is nearly
     /// closed as closed. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
-    /// relative to the size of its force or gap. Without such contacts it is zero if contacts slide on the round cone and the load does not turn,
+    /// relative to the size of its force or gap. Without such contacts returns zero if contacts slide on the round cone and the load does not turn,
     /// else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;

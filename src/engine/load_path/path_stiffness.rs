@@ -13,17 +13,17 @@ use crate::numerics::{
 use crate::object::uses_band;
 use crate::prelude::*;
 
-/// An order of the coordinates in which coordinates coupled by a contact are near each other.
+/// An order of the coordinates that makes the band of the tangent stiffness narrow: coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
     /// The position of each coordinate in this order.
     numbers: Vec<usize>,
-    /// The half width of the band.
+    /// The half width of the band: the largest distance, in this order, of two coupled coordinates.
     reach: usize,
 }
 
 impl NarrowOrder {
-    /// The narrow order for these contacts and drives; `None` with few coordinates, for which a full matrix is used.
+    /// The order of the coordinates that makes the band of the stiffness matrix narrow. `None` for few coordinates, for which a full matrix is used.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !uses_band(size) {
             return None;
@@ -35,7 +35,7 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness at a point of a path: a full matrix, or a band matrix in the narrow order of the coordinates.
+/// The tangent stiffness at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order that makes the band narrow.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),

@@ -1,5 +1,6 @@
 //! Follows a load program piece by piece, from event to event, and finds the exact load of each event. With up to some hundreds of contacts this
-//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns.
+//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of a leg
+//! on which all contacts keep their states; a node is the place between two pieces.
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event. Under a
 //! turning load they are harmonics of its angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). If a contact slides
@@ -35,26 +36,27 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The follower of a [`LoadPath`], piece by piece, with its place on the present leg (`factor`) and all pieces that the path has passed.
+/// The follower of a [`LoadPath`], which advances piece by piece. It stores its place on the present leg (the load factor `factor`) and all pieces
+/// that the path has passed.
 #[derive(Debug)]
 pub(crate) struct Pieces<'g> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g>,
     pub(super) node: Node,
-    /// Whether the path is at a node, the place of an event, and its continuation is still to be computed.
+    /// Whether the path is at a node (an event or the start of a leg) from which its continuation is still to be computed.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
     /// All pieces that the path has passed so far, the first one first, jumps included.
     pub(super) behind: Vec<Stretch<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of successive pieces, up to the present place, that are no longer than their own rounding error, see `straight`.
+    /// Number of successive pieces, up to the present place, that are no longer than the rounding error of their own length, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
     /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc of this leg, NaN before that, and the contacts whose slips ended there.
+    /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended at this factor.
     pub(super) stopped: (f64, Vec<usize>),
-    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor of its last rest.
+    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which it last came to rest.
     pub(super) snapped: Snapped,
     /// Sum of the estimated relative errors of all steps so far: of integration along arcs, on which directions of sliding turn, and of gathered
     /// events.
@@ -80,8 +82,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
-    /// As [`Self::follow`], but starts from `rest`, if it is given. This is the equilibrium under the load `start` that the computation of an onset
-    /// with the same settings has found.
+    /// As [`Self::follow`], but starts from `rest`, if `rest` is not `None`. `rest` is the equilibrium under the load `start` that the computation of
+    /// an onset with the same settings has found.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<Rest>),
@@ -242,7 +244,7 @@ impl<'g> Pieces<'g> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
 
-    /// Decides the continuation of the path from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
+    /// Computes how the path continues from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
     /// resistance. Also returns an event if the continuation at the start of a leg is not unique.
     fn decide(&mut self, journey: &Journey<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
@@ -267,7 +269,7 @@ impl<'g> Pieces<'g> {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // If all forces vanish together, the remaining forces are rounding, and residuals relative to them mean nothing.
+        // If all forces vanish together, the remaining forces are rounding, and residuals divided by them mean nothing.
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);

@@ -68,7 +68,7 @@ impl Program {
             leg.check(grasp)?;
             leg.of_points(grasp)?;
         }
-        // Complete legs are removed, so that endless programs need no more memory.
+        // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
         for leg in legs {
@@ -169,8 +169,8 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of the program's load, loads on bodies and torques that hold joints, as a function of the load factor along the present leg. Moments
-    /// are about the centroid of the contacts.
+    /// The sum of the program's load, the loads on bodies and the torques that hold joints, as a function of the load factor along the present leg.
+    /// Moments are about the centroid of the contacts.
     pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
@@ -197,7 +197,7 @@ impl Program {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
-    /// The index of the present leg and `fraction`; the end of the last leg, at fraction 1, once all legs are complete.
+    /// The index of the present leg and `fraction`. Once all legs are complete, the index of the last leg and 1.
     pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
         if self.has_leg() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }

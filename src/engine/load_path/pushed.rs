@@ -7,8 +7,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, with the velocities of `pushed` along motions that do not change the balance of forces. Unchanged if
-    /// `pushed` is `None`.
+    /// The rates `rate` of forces and twist, whose component along motions that do not change the balance of forces is replaced by that of `pushed`.
+    /// Unchanged if `pushed` is `None`.
     pub(super) fn pushed_along(
         &self,
         piece: &Piece,

@@ -13,7 +13,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A load and commands that change in proportion to a load factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
-/// times their given change. τ has no unit. With a direction of 1 N it is the load in newtons.
+/// times their given change. τ has no unit: if `direction` is a force of 1 N, τ is the size of this force in newtons.
 ///
 /// ```
 /// use grasp_lcp::planar::{Ramp, Wrench};

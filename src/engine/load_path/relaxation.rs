@@ -1,10 +1,10 @@
 //! The derivative J of the rates of a [`Flow`](super::flow::Flow) along an arc with respect to the friction forces of sliding contacts. Implicit
 //! steps use it: friction forces turn towards the directions of slip, often fast.
 //!
-//! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. So it changes the rate `r = C s` of
-//! its own force, with the rate s of the stretch. The balance of forces then changes the rates of the twist q of the object and of the load factor λ,
-//! which affects all contacts. T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of the
-//! offsets. With φ = d·Δ / |F_t| for a change Δ of the friction forces
+//! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. Thus it changes the rate `r = C s` of
+//! its own force, with the rate s of the stretch. To keep forces in balance, the rates of the twist q and of the load factor λ change as well, by δq
+//! and δλ, which affects all contacts. T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of
+//! the offsets. With φ = d·Δ / |F_t| for a change Δ of the friction forces
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
@@ -12,7 +12,7 @@
 //! ```
 //!
 //! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. The inverse of 1 - hJ for a step of length h has the same
-//! form. With c = Cᵀ d
+//! form. With the right-hand side g and c = Cᵀ d
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -35,7 +35,7 @@ struct Turning {
     size: f64,
     /// The unit tangent d perpendicular to the friction force, towards which it can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// The derivative v of the rate of the contact force with respect to the angle of the friction force, N per radian and unit of arclength.
+    /// The derivative v of the rate of the contact force with respect to the angle φ of the friction force, N per radian and unit of arclength.
     change: SVector<f64, 3>,
     /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
@@ -59,11 +59,11 @@ pub(super) struct Relaxation<'f, 's, 'g> {
 /// The factors of the matrix 1 - hJ for the length h = `length`, with the matrix J of [`Relaxation`].
 pub(super) struct Damped {
     length: f64,
-    /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are T and b as the implicit step
-    /// changes them.
+    /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are the tangent stiffness T and the
+    /// right-hand side b with the terms of the implicit step.
     bordered: PathFactors,
-    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: its friction force minus a change in the
-    /// step. Here d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
+    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: the size of its friction force minus a term
+    /// of the implicit step. Here d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
@@ -85,8 +85,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
-            // Angle of the central difference by which the derivative of a contact's tangent stiffness is computed, rad. The derivative has two
-            // thirds of all digits.
+            // Angle of the central difference by which the derivative of a contact's tangent stiffness is computed, rad. Two thirds of the digits of
+            // this derivative are correct.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
@@ -126,8 +126,9 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds g before, and Δ after. Its entries are changes of friction
-    /// forces, two for each sliding contact, then of twist and load factor. The works after them stay unchanged, since no rate depends on them.
+    /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds the right-hand side g before, and Δ after. Its entries are
+    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The works after them stay unchanged, because no rate
+    /// depends on works.
     pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

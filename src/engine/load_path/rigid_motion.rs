@@ -1,8 +1,8 @@
 //! The motion with which bodies leave while no contact carries a force. It is the motion of rigid bodies under the load, with Coulomb friction at
 //! contacts that touch.
 //!
-//! Springs then do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body that
-//! the load W drives away starts with the velocity v under contact forces r_i
+//! In this case springs do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body
+//! that the load W drives away starts with the velocity v under contact forces r_i
 //!
 //! ```text
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
@@ -22,8 +22,8 @@ use crate::prelude::*;
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if no contact
-/// touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if a command changes, if the motion is zero, or in
-/// large problems.
+/// touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if a command changes, if the motion is zero, or with
+/// more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -56,14 +56,14 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    // In the plane nothing moves along the second tangent. With an entry of one on the diagonal, friction along this tangent is coupled with no
-    // motion of the object, and is zero.
+    // In the plane nothing moves along the second tangent. An entry of one on the diagonal makes friction along this tangent zero, without coupling
+    // to the motion of the object.
     let is_absent = |a: usize| a % 3 >= rates.space().axes();
     let products = matrix_of(columns.len(), columns.len(), &|a, b| {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
     });
     let driven = vector_of(columns.len(), &|a| columns[a].dot(&load));
-    // Problems in the plane use the solver for space, too: compiling another solver would take as long again.
+    // Problems in the plane use the solver for space, too, because a second instance of the solver would double the time of compiling it.
     let pushes = FrictionProblem::<3>::new(products, driven, friction).ok()?.solve();
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);
@@ -71,11 +71,11 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         return Some(motion.normalize());
     }
     // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the component of
-    // the load along which pressing contacts at their friction limit slide without coming nearer, and other pressing contacts stick.
+    // the load along motions in which contacts at their friction limit slide without a normal velocity, and other pressing contacts stick.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // Friction within this fraction of its limit counts as exhausted.
+        // Friction within this fraction of its limit is taken as exhausted.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;
@@ -93,7 +93,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
 /// Adds the direction of `motion` to `basis`, an orthonormal basis of resisted motions, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
-    // A motion depends linearly on the basis if less than this fraction of it remains after its components along the basis are removed.
+    // A motion depends linearly on the basis if less than this fraction of its norm remains after its components along the basis are removed.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

@@ -1,5 +1,5 @@
-//! A segment is one leg of a load program, a ramp or a turn. The load changes linearly with the load factor or turns, and commands change linearly.
-//! While contacts keep their states, forces and motions change linearly or as harmonics of the angle, too.
+//! A segment gives load and offsets along one leg of a load program, a ramp or a turn, as functions of the load factor. The load changes linearly or
+//! turns, and commands change linearly. While contacts keep their states, forces and motions are linear functions, too, or harmonics of the angle.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,8 +13,8 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// A leg, ramp or turn: the load as a function of the load factor. Each contact and drive has its offset at load factor 0, the rate of this offset,
-/// and its accumulated slip.
+/// The load along a leg, ramp or turn as a function of the load factor. Each contact and drive has its offset at load factor 0, the rate of this
+/// offset, and its accumulated slip.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
@@ -29,8 +29,8 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// Forces, twist and gaps of the grasp at a load factor, with their rates. The rates are per unit of the load factor on a straight piece, per unit of
-/// arclength along an arc.
+/// Forces, twist and gaps of the grasp at a load factor, with their rates. The rates are per unit of the load factor on a straight piece (a part of a
+/// leg with fixed contact states), and per unit of arclength along an arc (a piece on which directions of sliding turn).
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
@@ -54,7 +54,8 @@ pub(super) struct PathPoint {
 }
 
 impl PathPoint {
-    /// Forces and twist after a change `step` of the load factor (an arclength along an arc), extrapolated linearly or with the load's angle.
+    /// Forces and twist after the step `step`: a change of the load factor, or an arclength along an arc. They are extrapolated linearly or, while
+    /// the load turns, as harmonics.
     pub(super) fn after(&self, step: f64) -> PieceState {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
@@ -82,7 +83,7 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. So a contact that touches without force may push
+    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. Thus a contact that touches without force may push
     /// the object. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
@@ -134,7 +135,7 @@ impl<'g> Segment<'g> {
     }
 
     /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are the sizes of the state `base` at the load factor
-    /// `since` plus the sizes of the change from `since` to `factor`. The state itself may be the small difference of both.
+    /// `since` plus the sizes of the change from `since` to `factor`, since the state itself may be a small difference of large terms.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -166,7 +167,7 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Accumulated slips are subtracted from the commands. If both cancel, the rounding of the slips remains.
+            // Accumulated slips are subtracted from the commands. If slip and command cancel, the rounding error of the slip remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -195,15 +196,15 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, computed anew: extrapolation from another load factor would add the rounding of larger terms. If no spring
-    /// resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
+    /// Forces and twist at a load factor, solved for anew: extrapolation from another load factor would add the rounding of larger terms. If no
+    /// spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. Rates are those of
+    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. Rates are taken from
     /// `point`.
     pub(super) fn step_to_exit(
         &self,
@@ -253,8 +254,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds the slip of a contact, at this load factor, twist and contact force, to its accumulated slip, and subtracts it from its offset. Without
-    /// tangential stiffness there is no slip memory.
+    /// Adds to the accumulated slip of a contact its slip at the load factor `factor`, the twist `twist` and the contact force `force`, and subtracts
+    /// it from the contact's offset. Without tangential stiffness there is no slip memory.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -272,20 +273,22 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may end, with the step to each: edges of its cone, the apex, a closing gap, a reversal of slip.
+    /// The exits at which a contact's present state may end, each with the step to it. An exit is an edge of the cone, the apex, a closing gap, or a
+    /// reversal of slip.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// For every contact the law for the rates of its force and motion. It follows from the active set, the edges of its cone on which its force
-    /// lies, and from the contact state.
+    /// For every contact the law for the rates of its force and motion. It follows from the contact state and from the active set, i.e. the edges of
+    /// its cone on which its force lies.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
     /// The smallest step from `point` at which the present state of a contact ends, with all contacts whose states end there. A state ends at an edge
-    /// of the cone, the apex, a closing gap or a reversal of slip. For a load that turns, steps up to `rest` are searched.
+    /// of the cone, the apex, a closing gap or a reversal of slip. For a load that turns, steps up to `rest` (a change of the load factor) are
+    /// searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
         if let Some(turned) = &point.turned {
             return turned.first_exits(&self.problem, states, rest);

@@ -1,4 +1,4 @@
-//! Contact forces and twist as linear combinations of the load factor and of the slips of sliding contacts, and the rates of both.
+//! Contact forces and twist as linear combinations of the load factor and of the slips of sliding contacts, and the rates of load factor and slips.
 
 use nalgebra::SVector;
 
@@ -10,8 +10,8 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// Upper limit of the number of sliding contacts that `in_slips` follows. With more, an [arc](super::arc) takes less time: each stage of its
-/// integration solves one equation for each coordinate, not one for each sliding contact.
+/// Upper limit of the number of sliding contacts that `in_slips` follows. With more, following an [arc](super::arc) takes less time: each stage of
+/// its integration solves one equation for each coordinate, rather than for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
@@ -23,8 +23,8 @@ pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) piece: alloc::sync::Arc<Piece>,
-    /// Contact forces of all terms, one term after the other. The terms are the state at load factor 0, and its rate with the load factor. Then
-    /// follow the responses to a unit slip of each sliding contact along both tangents.
+    /// Contact forces of all terms, one term after the other. The first two terms are the state at load factor 0 and the rate with respect to the
+    /// load factor. Then follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
     /// Twists of the object in the terms, in the same order as `forces`.
     pub(super) twists: Vec<Vector>,
@@ -32,7 +32,7 @@ pub(super) struct Slips<'g> {
     pub(super) sliding: Vec<usize>,
     /// The largest contact force at the first slip, N.
     pub(super) largest: f64,
-    /// The load factor at which following stops.
+    /// The load factor up to which the load is followed.
     pub(super) most: f64,
     /// The unit of slip in arclength, m: arclength is measured along the curve (slips / unit, load factor).
     pub(super) unit: f64,
@@ -58,8 +58,8 @@ impl Slips<'_> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
-    /// Writes to `rates` the rates of the state `at`, per unit of arclength, with which the margins of sliding contacts stay zero. Their component
-    /// along the rates `along` is positive. `None` if the rates are not unique.
+    /// Writes to `rates` the rates of the state `at`, per unit of arclength, with which the margins of sliding contacts stay zero. Their inner
+    /// product with the rates `along` is positive. `None` if the rates are not unique.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
         let (directions, count) = (self.directions(at), self.sliding.len());
         let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
@@ -129,14 +129,14 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips are known already. If every contact counts as sticking, no further slip is derived from its springs.
+        // The slips are known already. If every contact is treated as sticking, no further slip is derived from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = Standing { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio, in the state `at`, of the object's rotation or a contact's slip to its limit of small motions. The twist ends with the
-    /// rotation times the engine's unit of length, since it has only the coordinates of one object.
+    /// The largest ratio, in the state `at`, of the object's rotation or a contact's slip to its limit of small motions. The last entries of the
+    /// twist are the rotation times the engine's unit of length, because it has only the coordinates of one object.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
         let space = self.grasp.space();
         let mut turned = 0.0;

@@ -1,4 +1,5 @@
-//! A step along a growing load whose unknowns are the slips of sliding contacts (see `in_slips`), and the first event within the step.
+//! A step along a growing load whose unknowns are the load factor and the slips of sliding contacts (see `in_slips`), and the first event in the
+//! step.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -21,12 +22,12 @@ pub(super) struct SlipStep {
 /// Index of the condition that the load factor grows. Each condition is a value that must stay positive. After the first three conditions come the
 /// slip rates of sliding contacts along friction, their normal forces, and the margins `μ F_n - |F_t|` of sticking contacts.
 pub(super) const GROWS: usize = 0;
-/// Index of the condition that the load factor is below [`Slips::most`], at which following stops.
+/// Index of the condition that the load factor is below [`Slips::most`], up to which the load is followed.
 pub(super) const GOES_ON: usize = 1;
 /// Index of the condition that all motions are small.
 pub(super) const SMALL: usize = 2;
 impl Slips<'_> {
-    /// A step of this arclength from the state `at` with the rates `rates`; `None` if rates are not unique somewhere in it.
+    /// A step of the arclength `length` from the state `at` with the rates `rates`; `None` if rates are not unique somewhere in the step.
     pub(super) fn step(&self, (at, rates): (&[f64], &[f64]), length: f64) -> Option<SlipStep> {
         let mut there = at.to_vec();
         let rate = |change: &[f64], out: &mut [f64]| {
@@ -50,8 +51,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to the place where the first condition becomes zero, and the index of that
-    /// condition. If no condition becomes zero, the whole step. `None` if several conditions become zero together, or if the place is not found.
+    /// The step `end` from the state and rates `from`, shortened to end where the first condition becomes zero, and the index of that condition. The
+    /// whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end of the shortened step is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -92,7 +93,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // Over less than this fraction of the step, Heun's method, with an error of third order in the length, is more accurate than the step.
+            // If the change of length is below this fraction of the step, Heun's method is more accurate than repeating the step: its error is of
+            // third order.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -112,11 +114,11 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by Heun's method to the place where condition `k` becomes zero, about the short arclength `rest` away. `None` if this
+    /// The end of a step, moved by Heun's method to where condition `k` becomes zero, about the short arclength `rest` away. `None` if the iteration
     /// does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
-        // Newton's method converges quadratically: three iterations reach rounding.
+        // Newton's method converges quadratically: after three iterations only rounding remains.
         for _ in 0..3 {
             let (from, mut ahead) = (end.at.clone(), end.rates.clone());
             let moved = |rate: &[f64]| -> Vec<f64> { paired(&from, rate, &|(at, rate)| at + rest * rate) };
@@ -131,13 +133,13 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The remaining distance `rest` is then below the error of the step. At a maximum of the load factor, an error of the place changes the load
+        // The remaining distance `rest` is then below the error of the step. At a maximum of the load factor, an error of arclength changes the load
         // factor only by the square of the error.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The derivative of the value of condition `k` with respect to arclength, from a difference over a millionth of `length`. `None` if the rates
-    /// are not unique there.
+    /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
+    /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
         // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
@@ -148,7 +150,7 @@ impl Slips<'_> {
     }
 
     /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. It is the
-    /// least such fraction found over the contacts. A contact for which this is not decided counts with one half. `None` if all forces stay inside.
+    /// least such fraction found over the contacts. For a contact for which this is not decided, one half is taken. `None` if all forces stay inside.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -186,8 +188,8 @@ impl Slips<'_> {
         }
     }
 
-    /// Arclength of the first step. At the present rates no direction of friction turns by more than 0.3 rad. No normal force of a sliding contact
-    /// falls to less than half. The load factor does not exceed [`Slips::most`].
+    /// Arclength of the first step: the longest for which three conditions hold at the present rates. No direction of friction turns by more than 0.3
+    /// rad. No normal force of a sliding contact falls to less than half. The load factor does not exceed [`Slips::most`].
     pub(super) fn first_length(&self, at: &[f64], rates: &[f64]) -> f64 {
         let mut length = (self.most - at[1]) / rates[1];
         for i in &self.sliding {
@@ -199,7 +201,7 @@ impl Slips<'_> {
     }
 }
 
-/// The value at the place `to` of the cubic polynomial with given values and slopes at two places, each given as (place, value, slope).
+/// The value at the argument `to` of the cubic polynomial with given values and slopes at two arguments, each given as (argument, value, slope).
 fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     let length = high.0 - low.0;
     let (part, rise) = ((to - low.0) / length, high.1 - low.1);
@@ -207,8 +209,8 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The index of the condition, among those violated at the end of a step, that vanishes first by linear interpolation between both ends. `None` if no
-/// condition is violated.
+/// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between the
+/// ends of the step. `None` if no condition is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))

@@ -1,8 +1,8 @@
 //! The place on a load path where a motion exceeds its limit of small motions, and the place from which all contacts slide.
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg: their largest value is at an end of the piece.
-//! While the load turns, they are harmonics of its angle, and the first place is a root of a trigonometric polynomial. Integration steps along which
-//! directions of sliding turn are checked at their ends. Regula falsi then finds the place within the piece or step.
+//! While the load turns, they are harmonics of its angle, and the first place is a root of a trigonometric polynomial. Integration steps on arcs,
+//! along which directions of sliding turn, are checked at their ends. Regula falsi then finds the place within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -27,10 +27,10 @@ use crate::serial::AsComputed;
 pub struct EndOfSmallMotions {
     /// Index of the leg, from 0.
     pub leg: usize,
-    /// Fraction of the leg already followed, from 0 to 1.
+    /// Fraction of the leg that is done, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// The motion that is too large beyond this fraction.
+    /// The motion that exceeds its limit beyond this fraction of the leg.
     pub what: TooFar,
 }
 
@@ -38,8 +38,8 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> Pieces<'g> {
-    /// Updates the largest ratio of a motion to its limit, and records the first place where a motion exceeds its limit. It must be called at the
-    /// start and after each piece of the path.
+    /// Updates the largest ratio of a motion to its limit of small motions, and records the first place where a motion exceeds its limit. It must be
+    /// called at the start and after each piece of the path.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);
@@ -154,8 +154,8 @@ impl<'g> Stretch<'g> {
         first
     }
 
-    /// Whether, on this piece, some contact with friction carries a force, and all such contacts slide. A bonded contact that carries a force counts
-    /// as sticking; links do not count.
+    /// Whether, on this piece of the path, some contact with friction carries a force, and all such contacts slide. A bonded contact that carries a
+    /// force is taken as sticking. Links between bodies are left out.
     fn everything_slides(&self, grasp: &Engine) -> bool {
         let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
         let contacts = 0..grasp.len();

@@ -1,8 +1,8 @@
 //! Snapping over: the equilibrium ends at a fold, a corner or an asymptote. The object moves on under nearly the same load until it rests again.
 //!
-//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion there. This motion is taken to be that
-//! of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp maps, and R
-//! is the imbalance:
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is taken to
+//! be that of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp
+//! maps, and R is the imbalance:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
@@ -10,8 +10,8 @@
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
 //! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected imbalance D Δq/h. Once forces
-//! nearly balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues from there. A motion that would
-//! exceed the limits of small motions is not made, and the equilibrium counts as lost.
+//! nearly balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues at the end of this leg. A
+//! motion that would exceed the limits of small motions is not made, and the equilibrium is taken as lost.
 
 use nalgebra::SVector;
 
@@ -69,11 +69,11 @@ impl<'g> RestsAgain<'g> {
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
-        // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction. So the
-        // present friction cones are restored.
+        // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction.
+        // Therefore the present friction cones are restored.
         let cones = problem.cones.clone();
-        // At the start, rounding alone would determine whether a contact on the edge of its cone sticks. So all contacts count as open in the matrix
-        // of the first step, which has the dampers alone.
+        // At the start, rounding alone would determine whether a contact on the edge of its cone sticks. Therefore all contacts are taken as open in
+        // the matrix of the first step, which has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -119,8 +119,8 @@ impl<'g> RestsAgain<'g> {
 /// The change of the load factor that puts forces out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the
 /// rates of the contacts' offsets, and `rate` is the rate of the load.
 ///
-/// `largest` counts as at least [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds: without any force the change would be
-/// zero.
+/// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the change would be
+/// zero for a grasp without any force.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
         site.map.push(&site.springs.force(change), &mut rate);
@@ -132,9 +132,9 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Snapped {
     count: usize,
-    /// Load factor at which the object rested again after it last snapped over.
+    /// Load factor at which the object last came to rest after it had snapped over.
     at: f64,
-    /// The load factor at which the object last rested again, minus the load factor of the loss from which it snapped over.
+    /// The load factor at which the object last came to rest again, minus the load factor of the loss from which it had snapped over.
     step: f64,
 }
 
@@ -143,7 +143,7 @@ impl Snapped {
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
-/// Whether, in the motion `moved`, no body turns, and no contact point moves, by more than the limits of small motions for rotations and slips.
+/// Whether the motion `moved` is small: no body turns, and no contact point moves, by more than the limits of small motions for rotations and slips.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
         grasp.each_moves(moved).iter().all(|body| body.twist.parts().1.size() <= small.rotation);
@@ -167,8 +167,8 @@ impl MovingObject {
 
 impl<'g> Pieces<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if it does not come to rest within small motions. `None` also without a trial: for other kinds of loss, for suction cups, at
-    /// the end of a leg, after a failed jump, and after [`MOST_SNAPS`] times.
+    /// continues. `None` if the object does not come to rest within small motions. `None` also, without a trial, for other kinds of loss, for suction
+    /// cups, at the end of a leg, after a failed jump, and after [`MOST_SNAPS`] snaps.
     pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -183,10 +183,10 @@ impl<'g> Pieces<'g> {
         }
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
-        // The force to which the steps are proportional is at least the load, since contacts may carry no force at all.
+        // The force that determines the steps of the load factor is at least the load, since contacts may carry no force at all.
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
         let least = a_little(grasp.sites(), change, rate, most);
-        // An object that sticks and snaps over again and again moves on by larger and larger steps of the load.
+        // If an object sticks and snaps over again and again, the steps of the load factor grow each time.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
@@ -200,7 +200,7 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// The event at which the object snaps over and rests again at a load factor larger by `step`, at most 1. `None` if it does not rest.
+    /// The event at which the object snaps over and comes to rest at a load factor larger by `step`, at most 1. `None` if it does not come to rest.
     fn snaps_within(&mut self, step: f64, journey: &Journey<'g>) -> Option<Event<3>> {
         let state = self.state_before_event().or_else(|| self.present_state(journey))?;
         let beyond = (self.factor + step).min(1.0);
@@ -214,7 +214,7 @@ impl<'g> Pieces<'g> {
         jump.changes.clear();
         jump.run(&goal, journey).ok()?;
         let event = self.caught(journey, changes, state);
-        // A leg that begins with a snap has no piece yet that holds the state at its start.
+        // A leg that begins with a snap has no piece yet from which the state at its start can be computed.
         let is_first = self.stretch_behind(journey.program.leg, self.factor).is_none();
         let start = is_first.then(|| self.present_stretch(journey)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);
@@ -229,8 +229,8 @@ impl<'g> Pieces<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// The state in which the object, moving from its present twist, rests again under the load at the factor `beyond`, slightly past this loss.
-    /// `None` if it does not come to rest.
+    /// The state in which the object, moving from its present twist, comes to rest under the load at the factor `beyond`, slightly larger than at the
+    /// loss. `None` if it does not come to rest.
     fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)

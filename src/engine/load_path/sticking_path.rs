@@ -32,7 +32,7 @@ pub(super) struct StickingPath<'a> {
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
         let mut reached: Option<ExitsReached> = None;
-        // Every iteration closes a contact that stays closed, or ends the path. Without rounding there are fewer iterations than this.
+        // Every iteration closes a contact that stays closed, or ends the path. In exact arithmetic there are fewer iterations than this.
         for _ in 0..2 * states.len() + 2 {
             let mut point = match self.segment.point_at(&states, self.factor, None, None) {
                 Ok(point) => point,
@@ -49,7 +49,7 @@ impl StickingPath<'_> {
                 let stays = |found: &Found| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // A contact that carries no force under the base load and opens at once does not count as a contact that stops sticking.
+                        // A contact that carries no force under the base load and opens at once is not listed as a contact that stops sticking.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
@@ -81,8 +81,8 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load, each with its exits. Their step to an exit (edge, apex or closing gap) is zero up to
-    /// rounding, or they touch without force. For both, only the rates of the forces show whether they leave their cones.
+    /// Contacts on the edge of their cones under the base load, each with its exits. Either the step to an exit (edge, apex or closing gap) is zero
+    /// up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the contacts leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

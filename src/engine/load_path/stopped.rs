@@ -1,8 +1,8 @@
-//! The test whether a contact whose slip has ended on an arc can neither stick nor slide from there.
+//! The test whether a contact whose slip has ended on an arc can neither stick nor slide on.
 //!
 //! When the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states continues. Near
-//! a maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. In that case the path
-//! ends.
+//! a maximum of the load both may fail: if the contact sticks, its force leaves the cone, and if it slides, it slips against friction. In that case
+//! the path ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -10,8 +10,8 @@ use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
 impl Pieces<'_> {
-    /// Whether a contact whose slip has ended at the present place can neither stick nor slide from there. This is so if both states violate their
-    /// conditions in trial steps along the path. Only trial steps whose estimated relative error is at most `tolerance` count.
+    /// Whether a contact whose slip has ended at the present place can neither stick nor slide on. This is so if each of both states violates its
+    /// condition in trial steps along the path. Only trial steps whose estimated relative error is at most `tolerance` are used.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))

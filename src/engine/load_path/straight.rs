@@ -41,14 +41,14 @@ impl<'g> Pieces<'g> {
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
         // A step that is no longer than its own rounding error may be zero. If rounding chooses between two continuations, each of which leads back
-        // to the other, such steps would never end.
+        // to the other, the path would make such steps for ever.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Up to this many steps in a row, each no longer than its own rounding error, may be events at one place. More such steps mean that rounding
         // makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // The path alternates between continuations, so that rounding determines how it goes on.
+            // The path alternates between continuations, and only rounding would determine which one it finally takes.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);
@@ -74,8 +74,8 @@ impl<'g> Pieces<'g> {
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step `step` to the exits `reached`, corrected by means of the state that is solved for at its end. A step that is only extrapolated has
-    /// the rounding error of the present state. A correction that is too large is not made.
+    /// The step `step` to the exits `reached`, corrected with the state solved for at its end. Without the correction the step has the rounding error
+    /// of the present state, from which it is extrapolated. A correction that is too large is not made.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

@@ -1,6 +1,6 @@
-//! One stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in
-//! the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration, which is repeated up to the requested
-//! fraction.
+//! A stretch is a stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions
+//! are affine in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc. To compute
+//! a state within it, this step is repeated up to the requested fraction.
 
 use nalgebra::SVector;
 
@@ -18,7 +18,7 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, FoundBy, reported_at_rest};
 
-/// One stored piece of the path, from the fraction `from` to the fraction `to` of a leg. The state at any fraction between is computed from it.
+/// A stored piece of the path, from the fraction `from` to the fraction `to` of a leg. The state at any fraction in this range is computed from it.
 #[derive(Debug)]
 pub(super) struct Stretch<'g> {
     pub(super) leg: usize,
@@ -63,14 +63,14 @@ pub(super) struct JumpRecord {
 pub(super) struct ArcStep {
     /// The unit of displacement in arclength, m, see [`super::arclength`].
     pub(super) unit: f64,
-    /// Arclength of the step.
+    /// Arclength of the integration step.
     pub(super) length: f64,
     pub(super) rule: Rule,
 }
 
 impl<'g> Stretch<'g> {
-    /// The equilibrium at a fraction of the leg within this piece, in which contacts without force count as open, unless all forces are rounding.
-    /// `None` if it cannot be computed because of rounding.
+    /// The equilibrium at a fraction of the leg within this piece, in which contacts without force are reported as open, unless all forces are
+    /// rounding. `None` if it cannot be computed because of rounding.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -84,8 +84,8 @@ impl<'g> Stretch<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at its end lists the changes of these states.
-    /// `None` if it cannot be computed.
+    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at this end lists the changes of these states.
+    /// `None` if the equilibrium cannot be computed.
     pub(super) fn state_before_event(
         &self,
         grasp: &'g Engine,

@@ -1,4 +1,4 @@
-//! Tolerances of load paths, below which a value counts as zero, as rounding or as equal to another, and limits of steps.
+//! Tolerances of load paths: a value below one of them is taken as zero, as rounding, or as equal to another. Also limits of steps.
 //!
 //! They are pure numbers, or angles in rad. Unless its comment says otherwise, each number is a fraction of the leg, of the largest force, or of the
 //! quantity that is compared.
@@ -8,11 +8,11 @@ use crate::contact::ZERO_SLACK;
 /// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that builds up the
 /// whole load or all commands, or the leg if there is neither.
 ///
-/// If smaller, the equilibrium beyond differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
+/// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// An object snaps over at a distance beyond the end of its path that is proportional to the largest force. For this purpose the largest force counts
-/// as at least this fraction of the imbalance that a whole leg adds at its present rate.
+/// An object snaps over at a distance beyond the end of its path that is proportional to the largest force. In this proportion the largest force is
+/// at least this fraction of the imbalance that a whole leg adds at its present rate.
 ///
 /// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried beyond
 /// a later event.
@@ -21,22 +21,22 @@ pub(super) const LEAST_FORCE: f64 = 1e-3;
 /// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
 /// remaining imbalance is removed along a leg of its own.
 ///
-/// If smaller, slow motions take more steps; if larger, an object that still moves counts as at rest.
+/// If smaller, slow motions take more steps; if larger, an object that still moves is taken as at rest.
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
 /// Upper limit of the number of steps in which an object snaps over to another equilibrium; as a rule some dozens are made. With fewer, an object
-/// that moves slowly away from the end of its path counts as lost: an object that turns about a stop takes two hundred.
+/// that moves slowly away from the end of its path is taken as lost: an object that turns about a stop takes two hundred steps.
 pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
-/// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium counts as lost.
+/// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium is taken as lost.
 ///
 /// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
 /// leg, and forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of
 /// forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it is nearly as expected: up to this fraction of the imbalance
-/// before it.
+/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected imbalance by up to this fraction of the
+/// imbalance before the step.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
@@ -55,47 +55,47 @@ pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 /// Upper limit of the correction of an event's load factor by means of forces that are solved for at the event, as a fraction of this load factor. A
 /// larger correction means that the event itself is wrong.
 ///
-/// If smaller, true corrections are thrown away; if larger, wrong events count as corrected.
+/// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// If close events make steps too short to advance, margins and gaps up to this fraction of the size of their terms count as zero.
+/// If close events make steps too short to advance, margins and gaps up to this fraction of the size of their terms are set to zero.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 
 /// `rigid_motion` computes the velocity with which rigid bodies start to move under the load, with the identity as mass matrix. A velocity below this
-/// fraction of the norm of the load counts as zero: contact forces then balance the load up to rounding.
+/// fraction of the norm of the load is taken as zero: contact forces then balance the load up to rounding.
 ///
-/// If smaller, rounding moves a grasp that holds; if larger, a slow motion counts as rest.
+/// If smaller, rounding moves a grasp that holds; if larger, a slow motion is taken as rest.
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 
-/// A contact force counts as constant if it changes by at most this fraction of the largest force in a unit of arclength. The load factor counts as
-/// constant if it changes by at most this fraction of the leg. A direction of sliding within this angle (rad) of its final direction counts as having
-/// reached it.
+/// A contact force is taken as constant if it changes by at most this fraction of the largest force in a unit of arclength. The load factor is taken
+/// as constant if it changes by at most this fraction of the leg. A direction of sliding within this angle (rad) of its final direction has reached
+/// it.
 ///
-/// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn count as settled.
+/// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
 /// A normal force at most this fraction of the size of its terms, and decreasing, no longer determines the direction of friction of its contact. That
 /// direction has the error of the steps divided by this fraction.
 ///
-/// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses counts as
+/// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 
-/// Shortest step of a path followed in steps, as a fraction of a leg: a path that needs shorter steps ends there.
+/// Shortest step of a path followed in steps, as a fraction of a leg: if shorter steps would be necessary, the path ends.
 ///
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// Absolute value of a condition on an arc up to which it counts as zero, as a fraction of the size of its terms. This is the sum of rounding and of
-/// the error of the arc's steps, 1e-13.
+/// A condition on an arc is taken as zero up to this fraction of the size of its terms. The fraction is the sum of rounding and of the error of the
+/// arc's steps, 1e-13.
 ///
-/// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail count as events.
+/// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the first slip, `in_slips` gives no answer. The
-/// grasp is then followed as a load path. Directions of friction then turn fast.
+/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the first slip, directions of friction turn
+/// fast. `in_slips` then gives no answer, and the grasp is followed as a load path.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

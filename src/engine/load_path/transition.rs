@@ -18,8 +18,8 @@ pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[Stat
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
-/// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. Each state comes with the
-/// direction of slip if the contact slides.
+/// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. If the contact slides, a
+/// state is given with the direction of slip.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -38,9 +38,9 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of the rate problem `rates` that differ from `found` in rates of forces, or in twist rates other than free motions. Zero if a
-/// P-matrix proves uniqueness. Otherwise all combinations of contact states are tried; `None` if they are too many, or with a contact at the apex of
-/// a round cone.
+/// Number of solutions of the rate problem `rates` that differ from `found` in rates of forces, or in twist rates apart from free motions. Zero if
+/// the matrix is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None` if there are too many
+/// combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
     if rates.round {
@@ -57,8 +57,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found> = vec![found.clone()];
-    // With many coordinates solving for one combination of states takes long. A test on the few complementary pairs of the kinematic form excludes
-    // most combinations first.
+    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form, which has few complementary pairs, first
+    // excludes most combinations.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -70,7 +70,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            // Solutions are equal if forces and motions differ by no more than this fraction of their size.
+            // Solutions are equal if their forces and motions differ by at most this fraction of their size.
             apart.norm() <= NEGLIGIBLE * travel
                 && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= NEGLIGIBLE * size)
         };
@@ -84,7 +84,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
 /// The kinematic form of the problem for the rates of forces and motion, which has few complementary pairs.
 struct FewRows {
     form: Form,
-    /// The largest component of a contact force in the elastic trial, divided by the square root of its stiffness like the form's slacks.
+    /// The largest component of a contact force in the elastic trial. Each component is divided by the square root of its stiffness, like slacks of
+    /// the form.
     largest: f64,
     /// Whether there are so many coordinates that the elastic trial is factorised as a band matrix.
     many: bool,

@@ -34,8 +34,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Last angle of the turn, at which it ends, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weight, which then takes the place of `load`. Only the scene knows this
-    /// weight. `None` otherwise.
+    /// The axis about which the bodies of a scene are tilted under their own weights, which then take the place of `load`. Only the scene knows these
+    /// weights. `None` if `load` itself turns.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -126,7 +126,7 @@ impl<const C: usize> Turn<C> {
         Trajectory::Turn { load, angle: self.angle }
     }
 
-    /// The angle of the turn (rad), but at most one revolution, in which every load of the turn occurs.
+    /// The angle of the turn (rad), but at most one revolution, because every load of the turn occurs within one revolution.
     pub(crate) fn whole_angle(&self) -> f64 {
         self.angle.min(TAU)
     }
@@ -146,7 +146,7 @@ impl<const C: usize> Turn<C> {
 
     /// Refuses, with an error, an angle that is not positive or beyond 1e6 rad.
     pub(crate) fn check_angle(&self) -> Result<(), Error> {
-        // At larger angles rounding would leave no accurate place within a turn.
+        // At larger angles the rounding of the angle would leave no accurate position within a revolution.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6 rad";
             return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });
@@ -240,7 +240,8 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact that reaches the edge of its friction cone, or a drive of a hand that reaches its force limit, without crossing it.
+/// A contact whose force reaches the edge of its friction cone without crossing it, or a drive of a hand that reaches its force limit without
+/// exceeding it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,4 +1,4 @@
-//! Advances along an arc, on which directions of sliding turn on the round cone, step by step to the next event.
+//! Advances along an arc (a piece on which directions of sliding turn on the round cone), step by step to the next event.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the place where one of these
 //! values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
@@ -10,7 +10,7 @@
 //! path      the rate of the load factor, and the rest of the leg
 //! ```
 //!
-//! The event is found by repeating the last step with other lengths until the step ends there, see [`super::crossing`].
+//! The event is found by repeating the last step with other lengths until the step ends at the event, see [`super::crossing`].
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -38,7 +38,7 @@ impl<'g> Pieces<'g> {
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // After an event the unit of displacement is chosen so that the motion of the object and the load factor count equally in arclength.
+        // After an event the unit of displacement is chosen so that the object's motion and the load factor have equal weight in the arclength.
         let point = if self.pace.unit.is_some() {
             point
         } else {
@@ -93,8 +93,8 @@ impl<'g> Pieces<'g> {
         self.finish_step(journey, &point, &end)
     }
 
-    /// The step `end` from `point`, shortened to the place where the first watched condition is just met, which may be violated only within the step.
-    /// `None` if this place is not found.
+    /// The step `end` from `point`, shortened to end where the first watched condition is just met. That condition may be violated only within the
+    /// step, and hold again at its end. `None` if the end of the shortened step is not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -116,10 +116,10 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether some contact whose slip has ended at the present place can neither stick nor slide from there.
+    /// Whether some contact whose slip has ended at the present place can neither stick nor slide on.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        // Places closer than this fraction of the leg are the same.
+        // Places closer to each other than this fraction of the leg are taken as one place.
         let is_here = (self.factor - at).abs() <= NEGLIGIBLE;
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
@@ -157,8 +157,8 @@ impl<'g> Pieces<'g> {
     }
 
     /// Whether the object moves while the load factor and all contact forces stay constant: the load factor then approaches a limit that it never
-    /// reaches. The faster a friction force relaxes, the more rounding turns it, so the tolerance within which it counts as constant grows with the
-    /// rate of relaxation. Forces of contacts that do not slide balance all others, and have the largest tolerance.
+    /// reaches. The faster a friction force turns towards its slip, the more rounding turns it. Therefore the tolerance within which it is taken as
+    /// constant grows with the rate of relaxation. Forces of contacts that do not slide balance all others, and have the largest tolerance.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -171,13 +171,13 @@ impl<'g> Pieces<'g> {
         point.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Arclength of a straight step along the tangent; `None` if no such step is to be made. It is made from the apex of a cone, where a friction
-    /// force has no direction yet. It is also made to the place where a normal force that is almost zero vanishes.
+    /// Arclength of a straight step along the tangent; `None` if no such step is to be made. A straight step is made from the apex of a cone, at
+    /// which a friction force has no direction yet. It is also made up to the point at which a normal force that is almost zero vanishes.
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let all_but_gone = |(line, state): (&Line, &State)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-            // A falling normal force below this fraction of the size of its terms is followed to zero along the tangent.
+            // A falling normal force below this fraction of the size of its terms is extrapolated to zero along the tangent.
             let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
             little.then(|| line.force[0] / -line.rate[0])
         };
@@ -188,8 +188,8 @@ impl<'g> Pieces<'g> {
         let force_way = point.sizes[0] / point.rate_sizes[0];
         // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // The first step from an apex is this fraction of the length along which forces change by their own size. Directions of friction meanwhile
-        // turn by about the square of this fraction.
+        // The first step from an apex is this fraction of the length along which forces change by their own size. Within this step directions of
+        // friction turn by about the square of this fraction.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
 
@@ -226,8 +226,8 @@ impl<'g> Pieces<'g> {
         way
     }
 
-    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach there are added to their active sets.
-    /// Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
+    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to their active
+    /// sets. Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
     fn finish_step(
         &mut self,
         journey: &Journey<'g>,
@@ -287,7 +287,7 @@ impl<'g> Pieces<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Those of `contacts` whose slip rate is zero already at `point`, the beginning of the step, so that they have not slipped since.
+    /// Those of `contacts` whose slip rate is zero already at `point`, the beginning of the step, so that they do not slip in the step.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();

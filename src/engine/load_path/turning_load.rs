@@ -1,5 +1,5 @@
-//! The state of a path under a load that turns, by three linear solves. They also give forces, stretches and twist from this state on as harmonic
-//! functions of the load's angle.
+//! The state of a path under a load that turns, by three linear solves. The solutions also give forces, stretches and twist from this state on as
+//! harmonic functions of the load's angle.
 
 use alloc::sync::Arc;
 
@@ -18,7 +18,7 @@ impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
-        // A rate of the load below this fraction of its fastest rate counts as zero: the angle is known to the rounding of a full revolution.
+        // A rate of the load below this fraction of its fastest rate is taken as zero, because rounding of the angle makes a rate of about this size.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
@@ -69,8 +69,8 @@ impl Segment<'_> {
         Ok(point)
     }
 
-    /// Forces, stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load. The
-    /// offsets act together with the constant term. `angle` is the angle per unit of the load factor, rad.
+    /// Forces, spring stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load.
+    /// The offsets of the springs are in the solution for the constant term. `angle` is the angle per unit of the load factor, rad.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,
@@ -95,7 +95,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Accumulated slips are subtracted from the commands. If both cancel, the rounding of the slips remains.
+            // Accumulated slips are subtracted from the commands. If slip and command cancel, the rounding error of the slip remains.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

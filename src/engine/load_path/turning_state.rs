@@ -7,7 +7,7 @@ use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
-/// Forces, stretches and twist as harmonic functions of the load's angle, counted from a place on the path, while contacts keep their states.
+/// Forces, stretches and twist as harmonic functions of the angle by which the load has turned from a place on the path. Contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
     /// For every contact and drive `[force, stretch]` as harmonic functions of the angle.
@@ -26,8 +26,8 @@ impl TurningState {
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first place, within the change `rest` of the load factor, at which one of the contact states `states` ends. Also touches of cone edges
-    /// before it.
+    /// The first place, within the change `rest` of the load factor, at which one of the contact states `states` ends, and the edges of cones that
+    /// forces touch before this place.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in
@@ -36,7 +36,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // Converts an angle to the load factor of the leg, which is 1 at its end.
+                    // Converts an angle to the load factor of the leg, which is 1 at the end of the leg.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,

@@ -46,13 +46,13 @@ impl Watch {
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value decreases along the arc by more than rounding, or has an unknown rate. A constant value does not decrease: contacts that do
-    /// not move stay on the edge of their cones while others slide.
+    /// Whether the value decreases along the arc by more than rounding, or has an unknown rate. A constant value does not decrease. Therefore
+    /// contacts that do not move stay on the edge of their cones while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
 
-    /// The arclength after which the value vanishes by linear extrapolation, of either sign; `None` if the rate is unknown or zero.
+    /// The arclength (positive or negative) after which the value becomes zero by linear extrapolation; `None` if the rate is unknown or zero.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
@@ -63,8 +63,8 @@ pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the size of its terms. Its direction of
-/// friction was then not accurate enough to end the step where the force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the size of its terms. The direction of
+/// its friction was then not accurate enough to end the step where the normal force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
@@ -76,7 +76,7 @@ pub(super) fn watch(
     states: &[State],
     (factor, point): (f64, &PathPoint),
 ) -> Vec<Watch> {
-    // The rate of the load factor, at most 1, counts as zero up to 1e-8. Near a maximum the load factor itself then changes by less than the square
+    // The rate of the load factor (at most 1) is taken as zero up to 1e-8. Near a maximum the load factor itself then changes by less than the square
     // of this rate.
     let mut list = vec![
         Watch {
@@ -92,10 +92,10 @@ pub(super) fn watch(
             size: 1.0,
         },
     ];
-    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero here may
-    // grow, so the value is not constant.
+    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero at this
+    // point may grow, so the value is not taken as constant.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    // The change of a value over the rest of the leg is compared with rounding; the rest counts as at least a hundredth of the leg.
+    // The change of a value over the rest of the leg is compared with rounding. As the rest at least a hundredth of the leg is taken.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&point.lines[contact], segment.problem.local(contact));
@@ -124,7 +124,8 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // With almost no normal force, rounding alone would determine whether the contact stops sliding, so its condition counts as satisfied.
+            // With almost no normal force, rounding alone would determine whether the contact stops sliding. Its condition is therefore taken as
+            // satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

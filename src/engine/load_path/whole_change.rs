@@ -1,4 +1,5 @@
-//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere once its last closed point slides.
+//! Events of whole contacts. A soft fingertip consists of contact points: it begins to slide with its first point, and slides everywhere with its
+//! last.
 
 use core::fmt;
 
@@ -9,13 +10,13 @@ use crate::numerics::picked;
 use crate::prelude::*;
 use crate::words::{Words, opens};
 
-/// A change of one contact at an event; the points of a soft fingertip count as one contact.
+/// A change of one contact at an event. The points of a soft fingertip are taken together as one contact.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WholeChange<const C: usize> {
     /// The contact whose state changes.
     pub contact: ContactLabel,
-    /// The behaviour of the contact from here on.
+    /// The behaviour of the contact from this event on.
     pub what: PadChange<C>,
 }
 
@@ -199,7 +200,7 @@ impl PadAtEvent {
     }
 }
 
-/// The state of one point of a fingertip; a frictionless point that touches counts as sticking.
+/// The state of one point of a fingertip. A frictionless point that touches is treated as sticking.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PointState {
     Open,

@@ -22,14 +22,14 @@ pub(super) struct Bounded {
     points: Points,
     /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
     cone: Option<Coulomb>,
-    /// The factor g in the bound `s²(1 - s)² g` on the error of the margin at the fraction s of the step, in N or m.
+    /// The factor g of the bound `s²(1 - s)² g` on the error of the margin at the fraction s of the step, in N or m.
     bend: f64,
-    /// The condition counts as satisfied if its margin is at least minus this number, in N or m.
+    /// The condition is taken as satisfied if its margin is at least minus this number, in N or m.
     nothing: f64,
 }
 
 /// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. It is
-/// the least such fraction found over the contacts. A contact for which the step is too long for a decision counts with one half. `None` if all
+/// the least such fraction found over the contacts. If the step is too long for a decision about a contact, one half is taken for it. `None` if all
 /// conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
@@ -75,9 +75,9 @@ impl Bounded {
         (size, step_error): (f64, f64),
     ) -> Self {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin counts as violated if it is negative by more than this fraction of the allowed error of a step.
+        // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding of margins, relative to the size of their terms: no smaller violation counts.
+        // The rounding of margins, relative to the size of their terms: a smaller violation is ignored.
         let rounded = 2e-13;
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
@@ -93,10 +93,10 @@ impl Bounded {
     }
 
     /// A fraction of the step at which the margin is certainly below `-nothing`; one half if this is not decided. `None` if the margin is nowhere
-    /// below it.
+    /// below `-nothing`.
     pub(super) fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
-        // At most two hundred pieces of the cubic are examined; then the step counts as too long.
+        // At most two hundred pieces of the cubic are examined; then the step is taken as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));

@@ -132,7 +132,7 @@ impl<const C: usize> Leg<C> {
         self.bodies.iter().map(|(name, _)| &**name)
     }
 
-    /// The change of the load along this leg or the load at its end, as given; `None` if the load stays or turns.
+    /// The change of the load along this leg, or the load at its end, whichever the leg gives; `None` if the load stays constant or turns.
     pub(crate) fn straight_load(&self) -> Option<Wrench<C>> {
         match self.load {
             LegLoad::Straight(LegGoal::By(load) | LegGoal::To(load)) => Some(load),

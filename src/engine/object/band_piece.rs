@@ -10,8 +10,8 @@
 //!
 //! T has an entry for every two coordinates that a contact couples; a suitable order puts these entries near its diagonal. LU factors of T take a few
 //! thousandths of the time of orthogonal factors of A and B. But they lose twice as many digits if stiffnesses differ widely. Iterative refinement in
-//! twice the working precision restores the digits, or shows that it cannot. T may be singular along motions that stretch no spring, if the springs
-//! also leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
+//! twice the working precision restores the digits, or shows that it cannot. A singular T is accepted if its null vectors stretch no spring, and the
+//! springs leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
@@ -36,7 +36,7 @@ pub(crate) fn uses_band(coordinates: Size) -> bool {
 /// directions.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
-    /// Position of each coordinate in the narrow order, the order that makes the band of T narrow.
+    /// Position of each coordinate in the order of coordinates that makes the band of T narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
@@ -49,7 +49,7 @@ pub(crate) struct BandPiece {
 /// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// For each contact in turn, the positions in the narrow order of the coordinates with entries in its grasp map.
+    /// For each contact in turn, the positions (in the order that makes the band narrow) of the coordinates with entries in its grasp map.
     coordinates: Vec<usize>,
     /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
@@ -65,7 +65,8 @@ pub(super) struct Side {
     /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
     /// map.
     rows: Vec<f64>,
-    /// For each coordinate, in the narrow order, the factor that scales its column to length one. The factor of a zero column is one.
+    /// For each coordinate, in the order that makes the band narrow, the factor that scales its column to length one. The factor of a zero column is
+    /// one.
     units: Vec<f64>,
     /// Euclidean length of the longest row: the largest scaled stretch of a spring under a unit motion.
     pub(super) longest: f64,
@@ -73,7 +74,7 @@ pub(super) struct Side {
 
 impl BandPiece {
     /// The factorised tangent stiffness of these contacts and their springs. `first_springs` holds the index of the first spring of each contact and,
-    /// last, the number of springs. `None` with fewer than 36 coordinates, or if a pivot is not finite.
+    /// last, the number of springs. `None` with too few coordinates for a band ([`uses_band`]), or if a pivot is not finite.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !uses_band(size_of(sites)) {
@@ -153,8 +154,8 @@ impl BandPiece {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the narrow order, if the springs of a contact push with the scaled forces `pushes` and no other load
-    /// acts.
+    /// Displacements of the coordinates, in the order that makes the band narrow, if the springs of a contact push with the scaled forces `pushes`
+    /// and no other load acts.
     pub(super) fn displacements_under(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
         let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];
@@ -167,8 +168,8 @@ impl BandPiece {
         q
     }
 
-    /// The sum `Σ_k times_k (A u)_k` over the springs k of a contact, with the displacements u = `displacements` of the coordinates in the narrow
-    /// order.
+    /// The sum `Σ_k times_k (A u)_k` over the springs k of a contact. The displacements u = `displacements` of the coordinates are in the order that
+    /// makes the band narrow.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
@@ -222,8 +223,8 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the place of the spring's row in [`Side::rows`], and `coordinates` has
-    /// the position of each entry of this row in the narrow order.
+    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`Side::rows`]. `coordinates`
+    /// has the position of each entry of this row in the order that makes the band narrow.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -255,8 +256,8 @@ impl SpringLists {
         Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
-    /// Adds to q the wrench of the scaled spring forces x, Aᵀx or Bᵀx with the matrix A or B in `side`. Then multiplies each entry of q by the factor
-    /// that scales its column to length one.
+    /// Adds to q the wrench of the scaled spring forces x: Aᵀx or Bᵀx, with the matrix A or B in `side`. Then multiplies each entry of q by the
+    /// factor that scales its column of the matrix to length one.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
@@ -264,8 +265,8 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Multiplies each entry of the motion q by the factor that scales its column to length one. Then calls `visit(spring, stretch)` for every spring
-    /// with its scaled stretch, a row of A q or B q.
+    /// Multiplies each entry of the motion q by the factor that scales its column of the matrix to length one. Then calls `visit(spring, stretch)`
+    /// for every spring with its scaled stretch, an entry of A q or B q.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {

@@ -29,7 +29,7 @@ pub(crate) struct Correction {
     /// The exact twist minus the given twist, without components along motions that no spring resists.
     pub(crate) twist: Vector,
     /// Uncertainty of the corrected forces, N: machine precision times the largest residual force. If refinement did not converge, the largest force
-    /// of the last correction is added. It is large if the linear problem is nearly singular.
+    /// of the last correction is added. The uncertainty is large if the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 
@@ -150,7 +150,7 @@ impl Across {
     }
 }
 
-/// Changes the friction force of a sliding contact so that it lies on the edge of the cone, which it misses by rounding. The normal force stays.
+/// Changes the friction force of a sliding contact, which is off the edge of its cone by rounding, to lie on this edge. The normal force stays.
 fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3]) {
     let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);

@@ -47,7 +47,7 @@ pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
     pub(super) holds: SMatrix<f64, 3, 3>,
-    /// The rest of the spring stiffness, which is lost due to sliding or opening, N/m.
+    /// The rest of the spring stiffness, by which the force does not grow because the contact slides or opens, N/m.
     pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }
@@ -114,8 +114,8 @@ impl Limited {
         answer
     }
 
-    /// The response if the tangential part of `force`, the force that the springs would have while sticking, exceeds the friction limit. `None` if it
-    /// does not.
+    /// The response if the tangential part of `force` exceeds the friction limit, otherwise `None`. `force` is the force that the springs would have
+    /// if the contact stuck.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
         // Stiffness in the tangential directions perpendicular to `normal`, in which friction still follows the motion.
         let along = |normal: &SVector<f64, 3>| {

@@ -7,8 +7,8 @@
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
 //! ```
 //!
-//! with the tangent stiffness C_i of each contact. A few Newton steps suffice for any number of contacts. But the method may cycle, most often with
-//! few contacts; Lemke's method does not.
+//! with the tangent stiffness C_i of each contact. As a rule a few Newton steps are enough for any number of contacts. But the method may cycle, most
+//! often with few contacts; Lemke's method does not.
 
 use core::ops::Range;
 
@@ -66,8 +66,8 @@ pub(super) fn on_cones(
     }
 }
 
-/// [`newton`] from the twist `twist` with the laws of `problem`: each contact responds with the return map onto its friction cone (`contact/answer`),
-/// in any state.
+/// [`newton`] from the twist `twist` with the laws of `problem`: the force of each contact is its elastic force mapped back onto its friction cone
+/// (`contact/answer`), and its state may be any.
 pub(crate) fn newton_on_cones(
     problem: &Problem,
     (twist, settled): (Vector, f64),
@@ -76,10 +76,10 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from a twist, until the imbalance is at most the fraction `settled` of the sum of the norms of contact forces and load. Returns
-/// the twist, the number of steps, and the remaining imbalance; `None` if it does not converge. `contacts` is reused memory: every contact starts
-/// open, and the list holds the responses at the final twist. `beside`, N, is added to the sum of norms, so that an imbalance of `settled * beside`
-/// is accepted even without forces.
+/// Newton's method from the twist `twist`, until the imbalance is at most the fraction `settled` of a sum of norms. The sum contains the norms of
+/// contact forces and load, and `beside`, N. Thus an imbalance of `settled * beside` is accepted even without forces. Returns the twist, the number
+/// of steps, and the remaining imbalance; `None` if the iteration does not converge. `contacts` is reused memory: every contact starts open, and the
+/// list holds the responses at the final twist.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
 /// shorter step reduces it enough, the whole step is taken.
@@ -104,8 +104,8 @@ pub(crate) fn newton(
         let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // The smallest fraction p of a Newton step that is tried. A step must reduce the norm of the imbalance by at least the fraction
-        // `p SUFFICIENT_DECREASE`.
+        // The smallest fraction p of a Newton step that is tried. A step must reduce the norm of the imbalance by at least its fraction `p
+        // SUFFICIENT_DECREASE`.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;
@@ -121,8 +121,8 @@ pub(crate) fn newton(
     None
 }
 
-/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load, with `beside` added to its
-/// `size`.
+/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its `size`, the sum of the
+/// magnitudes of the terms, is increased by `beside`.
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

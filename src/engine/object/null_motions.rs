@@ -71,8 +71,8 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the left null vectors in `without_response`, each weighted by the work that offsets and load do along it. `None` if all this work
-    /// is zero. `x` holds the scaled stretch `right·a` of each spring due to the contact offsets a at zero twist.
+    /// The sum of the left null vectors in `without_response`, each weighted by the work that offsets and load do along it. `None` if all these
+    /// weights are zero. `x` holds the scaled stretch `right·a` of each spring due to the contact offsets a at zero twist.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -81,9 +81,9 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether contact offsets and load are an inconsistent right-hand side: along a left null vector in `without_response` they do more work than
-    /// rounding explains. Forces then cannot balance. `x` holds the scaled stretch of each spring due to the offsets of the contacts at zero twist.
-    /// `growth` is the factor by which the LU factors amplify rounding.
+    /// Whether contact offsets and load are an inconsistent right-hand side, so that forces cannot balance: along a left null vector in
+    /// `without_response` they do more work than rounding explains. `x` holds the scaled stretch of each spring due to the offsets of the contacts at
+    /// zero twist. `growth` is the factor by which the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -146,7 +146,7 @@ fn apart(
         }
         let length = dot(&stretches, &stretches).sqrt();
         // A unit motion is free if the norm of its stretches is at most this fraction of the largest stretch per unit motion of any spring. A motion
-        // that stretches even the softest springs exceeds 1e-6 of it.
+        // that stretches even the softest springs exceeds the fraction 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;

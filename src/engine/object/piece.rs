@@ -5,7 +5,7 @@
 //! offset a_i, grasp map G_i and twist q.
 //!
 //! The scaled spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α =
-//! right·a have a row for each spring. So x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are factorised by
+//! right·a have a row for each spring. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are factorised by
 //! orthogonal transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
@@ -101,7 +101,7 @@ impl Piece {
         })
     }
 
-    /// Number of coordinates of the twist: those of the object, of all joints and of further bodies.
+    /// Number of coordinates of the twist: the coordinates of the object, of all joints and of further bodies.
     pub(super) fn size(&self) -> Size {
         self.size
     }
@@ -127,14 +127,14 @@ impl Piece {
         self.band.is_some()
     }
 
-    /// The change of every coordinate, in the band's order, if a sticking contact pushes with given forces along its axes. The entries of `pushes`
-    /// are these forces divided by the square roots of the stiffnesses. `None` without a band.
+    /// The change of every coordinate, in the order of the band matrix, if a sticking contact pushes with given forces along its axes. The entries of
+    /// `pushes` are these forces divided by the square roots of the stiffnesses. `None` without a band matrix.
     pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the band's order. Each stretch
-    /// is weighted by the entry of `times` for the spring's axis. Zero without a band.
+    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the order of the band matrix.
+    /// Each stretch is weighted by the entry of `times` for the spring's axis. Zero without a band matrix.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,
@@ -164,8 +164,8 @@ impl Piece {
         &self.free
     }
 
-    /// An orthonormal basis of the motions along which forces change but stay in balance, orthogonal to the free motions. Unless it is empty, the
-    /// forces in these contact states are not unique.
+    /// An orthonormal basis of the motions along which forces change but stay in balance, orthogonal to the free motions. If there is such a motion,
+    /// the forces in these contact states are not unique.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector> {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
@@ -182,10 +182,10 @@ impl Piece {
         motions
     }
 
-    /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. This is a left null vector
-    /// of the tangent stiffness. Of the left null vectors along which no spring pushes, it is the one along which the load does the most work. If the
-    /// load does no work along any of these, springs push along the returned vector; offsets and load do work along it. `None` if they do no work
-    /// along any left null vector.
+    /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. It is a left null vector of
+    /// the tangent stiffness. Of the left null vectors along which no spring pushes, it is the one along which the load does the most work. If the
+    /// load does no work along any of these, y is a left null vector along which springs push, and along which offsets and load do work. `None` if
+    /// offsets and load do no work along any left null vector.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -219,7 +219,7 @@ impl Piece {
         }
     }
 
-    /// Whether the load does no work, up to rounding, along any motion along which no spring pushes. Otherwise the springs cannot balance the load.
+    /// Whether the springs can balance the load: it does no work, up to rounding, along any motion along which no spring pushes.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         motion_of_work(&self.unbalanced, wrench).is_none()
     }

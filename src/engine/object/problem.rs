@@ -48,7 +48,8 @@ pub(crate) struct Problem<'g> {
     /// In space: the friction force is limited by the round cone, and the polygon only proposes contact states. Otherwise it is limited by the
     /// polygon.
     pub(crate) round: bool,
-    /// Place where the grasp keeps the factorised elastic trial, in which all contacts stick, once it is computed; `None` in the rate problem.
+    /// Memory of the grasp for the factorised elastic trial, in which all contacts stick; the trial is stored once it is computed. `None` in the rate
+    /// problem.
     pub(crate) trial: Option<&'g Remembered>,
     /// Contact states of a similar grasp, from which a search with many coordinates starts. Empty in the rate problem, and if no such states are
     /// given.
@@ -148,7 +149,7 @@ impl<'g> Problem<'g> {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
 
-    /// Number of coordinates of the twist: those of the object, of all joints and of further bodies.
+    /// Number of coordinates of the twist: the coordinates of the object, of all joints and of further bodies.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         size_of(self.sites)
@@ -176,8 +177,8 @@ impl<'g> Problem<'g> {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
     }
 
-    /// For each contact, whether its present friction differs from its static friction, since it slides with kinetic friction. Empty if `cones` is
-    /// empty.
+    /// For each contact, whether its present friction differs from its static friction, because the contact slides with kinetic friction. Empty if
+    /// `cones` is empty.
     pub(crate) fn weaker(&self) -> Vec<bool> {
         self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).list()
     }
@@ -227,7 +228,7 @@ impl<'g> Problem<'g> {
     }
 
     /// `states`, in which each contact that slides on the round cone gets the slide of its friction force, with λ = slip·friction/|friction|², at
-    /// least 0. The slip is computed at `twist`. Without friction force the state stays.
+    /// least 0. The slip is computed at `twist`. A contact without friction force keeps its state.
     pub(crate) fn slid_on(
         &self,
         states: &[State],

@@ -1,6 +1,6 @@
 //! Relaxation of a stuck grasp: contacts beyond their friction cones slip, and the object moves as it would with viscous contacts.
 //!
-//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies beside the fingers. Steps of the twist q with the
+//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies next to the fingers. Steps of the twist q with the
 //! stiffness T of the stuck grasp,
 //!
 //! ```text
@@ -9,8 +9,8 @@
 //!
 //! move the object as viscous contacts would. R is the imbalance of forces, G_i the grasp map and K_i the stiffness of contact i. In each step,
 //! contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are made longer. The steps approach one
-//! equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction. Newton's method from afar
-//! jumps from one equilibrium to another.
+//! equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction. Newton's method from a
+//! distant start jumps from one equilibrium to another.
 
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
@@ -20,11 +20,12 @@ use crate::contact::ContactResponse;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The path on which the object relaxes, from the equilibrium in which everything sticks.
+/// The sequence of twists along which the object relaxes, from the equilibrium in which everything sticks.
 ///
-/// It iterates over twists at which the object has nearly relaxed. The estimated remaining path is a hundredth of the path covered, then a hundredth
-/// of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an equilibrium, or a place where a
-/// stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist, the caller asks for the next twist.
+/// It iterates over twists at which the object has nearly relaxed. At the first, the estimated rest of the way is a hundredth of the way covered, at
+/// the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an
+/// equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist, the caller
+/// asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -35,13 +36,13 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     /// Factor, at least 1, by which the last step was longer than `T⁻¹R`.
     pace: f64,
     steps: usize,
-    /// The next twist is returned once the estimated remaining length of the path is at most this fraction of its distance from the stuck twist.
+    /// The next twist is returned once the estimated rest of the way is at most this fraction of the distance from the stuck twist.
     nearly: f64,
 }
 
 impl<'p, 'a> ViscousRelaxation<'p, 'a> {
-    /// The path from the twist `stuck`, at which everything sticks and is in balance. `None` if some motion of the stuck grasp is resisted by no
-    /// spring.
+    /// The relaxation from the twist `stuck`, at which everything sticks and is in balance. `None` if no spring resists some motion of the stuck
+    /// grasp.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
         let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
         let contacts = vec![ContactResponse::open(); problem.len()];
@@ -51,7 +52,7 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of `twist` from the present twist of the path, divided by the distance of the present twist from the stuck twist.
+    /// The distance of `twist` from the present twist of the relaxation, divided by the distance of the present twist from the stuck twist.
     pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }
@@ -69,8 +70,8 @@ impl Iterator for ViscousRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // The estimated remaining length of the path is `whole` times this step, if steps keep shrinking by the same ratio. Steps that grow, as
-            // past an unstable equilibrium, give no estimate.
+            // The estimated rest of the way is `whole` times this step, if steps keep shrinking by the same ratio. Steps that grow, as past an
+            // unstable equilibrium, give no estimate.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {
                 let before = last.norm();

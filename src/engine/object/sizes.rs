@@ -66,7 +66,8 @@ impl Problem<'_> {
         largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
 
-    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m, to which the rounding error of this stretch is proportional.
+    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m, with its offset a_i, its grasp map G_i and the twist q. The
+    /// rounding error of this stretch is proportional to the bound.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.offsets[contact], twist)

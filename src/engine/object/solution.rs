@@ -50,8 +50,8 @@ pub(crate) struct Unbalanced {
 }
 
 impl Piece {
-    /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if no forces balance. `sites` are the contacts
-    /// and drives from which this [`Piece`] was made.
+    /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if no forces balance the load. `sites` are the
+    /// contacts and drives from which this [`Piece`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
@@ -100,7 +100,7 @@ impl Piece {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger of both counts as zero.
+                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger of both is taken as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });

@@ -23,7 +23,7 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// LU factors of the tangent stiffness T; from 36 coordinates on T is factorised as a band matrix.
+/// LU factors of the tangent stiffness T; with many coordinates ([`uses_band`]) T is factorised as a band matrix.
 pub(crate) enum TangentFactors {
     Whole(Factors),
     Band(Box<BandPiece>),
@@ -38,8 +38,7 @@ impl TangentFactors {
         }
     }
 
-    /// Null vectors of the tangent stiffness, as motions of all coordinates. Empty if it is regular, and always if it is not factorised as a band
-    /// matrix.
+    /// Null vectors of the tangent stiffness, as motions of all coordinates. Empty if it is regular, and always if it is factorised as a full matrix.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -65,7 +64,8 @@ impl Problem<'_> {
         })
     }
 
-    /// LU factors of the tangent stiffness T as a band matrix; `None` with fewer than 36 coordinates, or if a pivot is not finite.
+    /// LU factors of the tangent stiffness T as a band matrix; `None` with too few coordinates for a band ([`uses_band`]), or if a pivot is not
+    /// finite.
     pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State) -> Option<TangentFactors> {
         if !uses_band(self.size()) {
             return None;

@@ -1,19 +1,19 @@
-//! Tolerances of `object`: below which a force, work or correction counts as zero or as rounding, and numbers of steps.
+//! Tolerances of `object`: a force, work or correction below one of them is taken as zero or as rounding. Also numbers of steps.
 //!
 //! All of them are pure numbers. The tolerances are fractions of the forces, work or terms that are compared.
 
-/// Along a unit motion along which no spring pushes, the work of a load counts as zero up to this fraction of the load's norm. Loads that were
+/// Along a unit motion along which no spring pushes, the work of a load is taken as zero up to this fraction of the load's norm. Loads that were
 /// computed to balance carry rounding of about 1e-16.
 ///
-/// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance counts
-/// as balanced.
+/// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance is
+/// taken as balanced.
 pub(super) const NO_WORK: f64 = 1e-13;
 
 /// Forces below this fraction of the forces that displacements could cause in the springs are rounding. A statically determinate grasp may carry no
 /// force at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction
 /// such noise is not compared with itself.
 ///
-/// If smaller, rounding errors count as forces; if larger, small forces count as zero if displacements are large.
+/// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// Refinement ends at the first correction of the spring forces if it changes no force by more than this fraction of the largest force. The next
@@ -29,13 +29,13 @@ pub(super) const MOST_CORRECTIONS: usize = 4;
 /// are made. With fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed once the estimated remaining length of its path is below this fraction of its distance from the stuck twist.
-/// Newton's method completes the path. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random
-/// scenes (test `needed_amounts`). With a smaller fraction there are more steps.
+/// The object has nearly relaxed once the estimated rest of its way is below this fraction of its distance from the stuck twist. Newton's method
+/// completes the way. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random scenes (test
+/// `needed_amounts`). With a smaller fraction there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// Cosine of the angle between two steps of the relaxation from which on they have nearly the same direction. The factor by which steps are made
-/// longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
+/// If the cosine of the angle between two steps of the relaxation is at least this number, they have nearly the same direction. The factor by which
+/// steps are made longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
 /// Upper limit of the factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow

@@ -8,9 +8,9 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds its minimum from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of yielding springs;
-//! as a rule this fraction decreases. From the normal forces of the minimum follow new limits μ F_n, and the minimum is computed again. This is
-//! repeated until no contact changes its state, in at most 30 rounds. The states are a proposal: some may be wrong.
+//! and Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of
+//! yielding springs; as a rule this fraction decreases. From the normal forces at the minimum follow new limits μ F_n, and the minimum is computed
+//! again. This is repeated until no contact changes its state, in at most 30 rounds. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -179,7 +179,7 @@ impl GivenLimits {
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
             // In the next round, Newton's method ends at an imbalance proportional to the last relative change of the friction limits: a tenth of
-            // that fraction of the initial imbalance, but not below 1e-9 of it.
+            // that change, times the initial imbalance, but at least 1e-9 of the initial imbalance.
             enough = enough.min(0.1 * change * size).max(1e-9 * size);
         }
         Some((states, q))

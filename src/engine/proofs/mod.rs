@@ -1,12 +1,12 @@
 //! Proofs that a grasp has no equilibrium under a load. Each rests on virtual motions of the object along which the positive work of the load exceeds
 //! the negative work that contact forces can do.
 //!
-//! No proof solves for the forces of all combinations of contact states; the search for such solutions is in `search`.
+//! The proofs do not solve for the forces of all combinations of contact states; the search for such solutions is in `search`.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
-//! | `separating_many` | the same proof with many coordinates, by narrow band matrices |
+//! | `separating_many` | the same kind of proof with many coordinates, by band matrices |
 //! | `escape` | the margin of a proof: rounding may hide only forces far larger than the data |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | a radius around a lost equilibrium within which no other equilibrium exists |

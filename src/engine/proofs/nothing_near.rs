@@ -2,8 +2,8 @@
 //!
 //! A virtual motion v of the object moves contact i by `u_i = G_iᵀv`, with the grasp map G_i. Equilibrium of the contact forces F_i under the load W
 //! gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most its [`Resistance`]. This is a coefficient c_i times the normal stretch
-//! if friction resists, or a row r_i times the stretch if only springs resist. So the negative work of all contacts has an upper bound h that depends
-//! only on the motion q of the object:
+//! if friction resists, or a row r_i times the stretch if only springs resist. Therefore the negative work of all contacts has an upper bound h that
+//! depends only on the motion q of the object:
 //!
 //! ```text
 //! W·v  <=  h(q) = Σ c_i (a_n,i - n·G_iᵀq)₊  +  Σ r_i·(a_i - G_iᵀq)
@@ -24,16 +24,16 @@ use crate::numerics::{Vector, increasing, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The largest radius ρ for which it is proved that no equilibrium exists at any motion `q* + δ` of the object; q* is the argument `at`. Within the
-/// radius, δ moves the centroid of the contacts by at most ρ, and turns the object by at most ρ divided by the engine's unit of length. It moves each
-/// further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing is proved even at q*.
+/// The largest radius ρ for which it is proved that no equilibrium exists at any motion `q* + δ` of the object with δ within the radius; q* is the
+/// argument `at`. Within the radius, δ moves the centroid of the contacts by at most ρ, and turns the object by at most ρ divided by the engine's
+/// unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open. Also the increase, beyond this radius, of the slope of the bound on
-    // the contacts' work.
+    // For each contact that may open: the radius ρ at which it may first open, and the increase, beyond this radius, of the slope of the bound on the
+    // contacts' work.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);

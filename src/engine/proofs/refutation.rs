@@ -8,8 +8,8 @@
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! for every q. A label restricts the state of a contact, or the direction of its friction. If the labels of a case keep every contact's term on the
-//! left side from being positive, the case has no equilibrium.
+//! for every q. A label restricts the state of a contact, or the direction of its friction. If, under the labels of a case, no contact's term on the
+//! left side can be positive, the case has no equilibrium.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -100,8 +100,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the balance of virtual forces, relative to their wrenches and to those of the forces that the virtual motion would cause. An
-    // imbalance below it can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of this tolerance.
+    // Tolerance of the balance of virtual forces, relative to their wrenches and to those of the forces that the virtual motion would cause. A
+    // smaller imbalance can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of this tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

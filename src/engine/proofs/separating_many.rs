@@ -1,15 +1,15 @@
 //! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
 //! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
-//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, the
-//! contact's force in the last round:
+//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, which
+//! is the force of the contact in the last round of the method:
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
 //! ```
 //!
 //! with the projection P_i onto the cone. Each round is a convex problem without constraints. Newton's method solves it with a narrow band matrix,
-//! since each contact couples few coordinates. The result is checked like a motion from any other source.
+//! since each contact couples few coordinates. The residual found is checked like a motion from any other source.
 //!
 //! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1
 //! (1976).
@@ -96,13 +96,13 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
     // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow. They remove rounding from the
-    // motion, since users see it.
+    // separating motion, since users see it.
     while more < 6 && clearer < 4 {
         // A round ends at the imbalance `enough`: 1e-3 / ρ with the penalty ρ until a proof is found, then the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A residual below this fraction of the load counts as zero: the load is balanced.
+        // A residual below this fraction of the load is taken as zero: the load is balanced.
         if left < 1e-5 {
             return Residual::Nothing;
         }
@@ -111,7 +111,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
-        // The penalty ρ grows tenfold in each round, up to this value. Beyond it the Newton steps would lose their digits.
+        // The penalty ρ grows tenfold in each round, up to this value. With a larger ρ the Newton steps would lose their digits.
         if pushed.stiffness < 1e8 {
             pushed.stiffness *= 10.0;
         } else {

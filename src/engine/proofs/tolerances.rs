@@ -1,9 +1,9 @@
-//! Tolerances of the proofs that no equilibrium exists: when a contradiction counts, and which values count as rounding errors.
+//! Tolerances of the proofs that no equilibrium exists: when a contradiction is accepted, and which values are taken as rounding errors.
 
-/// A proof of no equilibrium counts if any equilibrium that rounding could hide from it has forces at least this many times as large as the data
+/// A proof of no equilibrium is accepted if any equilibrium that rounding could hide from it has forces at least this many times as large as the data
 /// (load and commands).
 ///
-/// If smaller, proofs count that are mere rounding; if larger, clear proofs are refused.
+/// If smaller, proofs are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
 /// Rounding error of the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. Smaller computed works are replaced

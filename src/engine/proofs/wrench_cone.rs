@@ -112,8 +112,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// Size of the load and of the squeezing forces together. A proof counts only if an equilibrium that rounding hides would exceed this size by
-    /// far: fingers may squeeze with forces far larger than the load.
+    /// Size of the load and of the squeezing forces together, since fingers may squeeze with forces far larger than the load. A proof is accepted
+    /// only if an equilibrium that rounding hides would exceed this size by far.
     data: f64,
 }
 

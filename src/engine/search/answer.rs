@@ -7,7 +7,7 @@ use crate::grasp::Coordinates;
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
-/// The method that found a solution. If several equilibria exist, it depends on the method which of them is returned.
+/// The method that found a solution. If several equilibria exist, the method determines which of them is returned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -18,13 +18,13 @@ pub enum FoundBy {
     /// Everything that touches sticks: contacts that would pull are open, and all others satisfy every condition while they stick. No complementarity
     /// problem was solved.
     EverythingTouchingSticks,
-    /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its path starts at the elastic trial state.
+    /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial state.
     KinematicForm,
     /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts near the
-    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, Newton's method finds this equilibrium. In all other cases it
+    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, Newton's method then finds this equilibrium. In all other cases it
     /// starts at the elastic trial state.
     Newton,
-    /// Lemke's method on the force form, whose unknowns are contact forces. Its path starts from zero forces.
+    /// Lemke's method on the force form, whose unknowns are contact forces. Its pivots start from zero forces.
     ForceForm,
     /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and directions of
     /// friction from which Newton's method converges. [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists equilibria that were found in this
@@ -50,8 +50,8 @@ pub enum Doubt {
     /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
     /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix. There are too many contacts to try every combination
-    /// of states.
+    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix. Also, there are too many contacts to try every
+    /// combination of states.
     OutOfPivots,
     /// On a load path: a leg needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone, or
     /// more jumps from static to kinetic friction.
@@ -66,8 +66,8 @@ pub(crate) struct Found {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m, which scale
-    /// its rounding if terms cancel. Both are zero for a solution that was not reached along a path.
+    /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m. Rounding
+    /// errors are proportional to them if terms cancel. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest difference, N, between a contact force and its value in the solution on polygonal cones from which Newton's
     /// method started. `None` if there was no such solution.
@@ -145,7 +145,7 @@ pub(crate) enum Settled {
         cases: usize,
         escape: f64,
     },
-    /// No equilibrium was found, and no proof that there is none, for this reason.
+    /// No equilibrium was found, and no proof that none exists. The field is the reason.
     Undecided(Doubt),
 }
 

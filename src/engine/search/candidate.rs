@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) enum Judged {
     Holds(Found),
     Violated {
-        /// Whether the violation is small enough to be rounding, so that it proves nothing.
+        /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
 pub(super) struct Refused {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
-    /// Whether the violation is small enough to be rounding, so that it proves nothing.
+    /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
@@ -66,7 +66,7 @@ pub(super) fn admit(
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
     // An inequality may be violated by this fraction of its size, times the factor by which the linear problem amplifies rounding errors. In
-    // symmetric grasps ties are normal: a slack that is exactly zero comes out as a few roundings of 1e-16.
+    // symmetric grasps equalities are common: a slack that is exactly zero is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.
@@ -143,8 +143,8 @@ pub(crate) fn for_each_condition(
 }
 
 /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms plus the largest force. If
-/// commands alone move a statically determinate grasp, its exact forces are zero and the computed forces are rounding errors. The largest force
-/// therefore counts as at least the fraction `NO_FORCE` of the least force that its springs could have.
+/// commands alone move a statically determinate grasp, its exact forces are zero and the computed forces are rounding errors. The largest force is
+/// therefore taken to be at least the fraction `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
@@ -175,8 +175,8 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved along the motions. `None` if
-/// there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved by the sum of τ times the
+/// motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

@@ -47,7 +47,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
     }
 
     /// The problem of [`Self::proposing`] with friction-cone facets for contacts with infinite friction; `None` if no contact has infinite friction.
-    /// Such a contact loses its tangential force when it opens. In the complementarity problem only facets can express this.
+    /// A contact with infinite friction loses its tangential force when it opens. In the complementarity problem only facets can express this loss.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =

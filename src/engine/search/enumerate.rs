@@ -13,7 +13,7 @@ pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
-/// Visits every combination of states in a fixed order until `visit` returns `true`. The first combination is that in which everything sticks.
+/// Visits every combination of states in a fixed order until `visit` returns `true`. In the first combination everything sticks.
 pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<State>) -> bool) {
     let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
@@ -33,9 +33,9 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
     pub(crate) found: Vec<Found>,
-    /// Number of combinations tried, without the combinations that a caller's test has excluded.
+    /// Number of combinations tried. Combinations that the caller's test `may_hold` has excluded are not included.
     pub(crate) tried: usize,
-    /// Whether some combination that was tried broke a condition so narrowly that rounding may be the cause.
+    /// Whether some combination that was tried broke a condition by so little that rounding may be the cause.
     pub(crate) doubtful: bool,
 }
 

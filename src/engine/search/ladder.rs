@@ -1,7 +1,7 @@
 //! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method finds an equilibrium
 //! or a proof.
 //!
-//! Below the first rung stands the elastic trial, in which everything sticks. A rung costs more than the rungs below it, or ends the search less
+//! The elastic trial, in which everything sticks, is tried before the first rung. A rung costs more than the rungs before it, or ends the search less
 //! often.
 
 use super::answer::{Doubt, Effort, Found, FoundBy, Settled};
@@ -59,8 +59,8 @@ pub(super) const LADDER: [Rung; 9] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // With many contacts or coordinates the search for a separating motion costs less than any pivoting path, and ends early if no such motion
-        // exists.
+        // With many contacts or coordinates the search for a separating motion costs less than any sequence of pivots, and ends early if no such
+        // motion exists.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -133,7 +133,7 @@ fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
-/// Whether Newton's method is expected to converge on polygons: with many contacts, and with several if there are few coordinates.
+/// Whether Newton's method is expected to converge on polygons: with many contacts, or with several contacts if there are few coordinates.
 fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     let several = || scene.problem.len() >= SEVERAL_CONTACTS && scene.problem.size().count() <= WHOLE;
     has_many_contacts(scene) || several()
@@ -184,9 +184,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium to which the grasp relaxes from the elastic trial, with the contacts taken as viscous (`ViscousRelaxation`). Newton's method
-/// starts from points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near
-/// equilibrium. `None` if it ends at no equilibrium.
+/// The equilibrium to which the grasp relaxes from the elastic trial if its contacts are viscous (`ViscousRelaxation`). Newton's method starts from
+/// points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near equilibrium. `None`
+/// if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -219,8 +219,8 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attemp
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that leave the elastic trial, then on the matrix of
-/// all contacts if that takes acceptable time. The form with facets for infinite friction is tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that break a condition in the elastic trial, then on
+/// the matrix of all contacts if that takes acceptable time. The form with facets for infinite friction is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut Log| {

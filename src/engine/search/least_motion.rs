@@ -2,8 +2,8 @@
 //!
 //! Forces do not depend on free motions, the columns of V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs.
 //! These are conditions `c + g·z >= 0` on the coefficients z of the free motions. The position q₀ closes the gaps of contacts that touched before
-//! anything moved, in the sense of least squares. The position with the least |z|, counted from q₀, is unique. It depends neither on the method that
-//! found the states nor on the frame.
+//! anything moved, in the sense of least squares. The position q with the least |z| is unique. It depends neither on the method that found the states
+//! nor on the frame.
 
 use nalgebra::SVector;
 
@@ -67,7 +67,7 @@ fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
-    // `rows` has the normal components of the free motions at the open contacts; singular values below 1e-9 count as zero.
+    // `rows` has the normal components of the free motions at the open contacts; singular values below 1e-9 are taken as zero.
     let mut motion = Vector::zeros();
     for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
         motion += v * *part;

@@ -1,5 +1,5 @@
-//! Lemke's method for many contacts, of which few leave the elastic trial, i.e. break a condition of their states in it: only these few contacts
-//! pivot.
+//! Lemke's method for many contacts, of which few leave the elastic trial, i.e. break a condition of their states in this trial: only these few
+//! contacts pivot.
 //!
 //! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
 //! These contacts enter, too, until no contact breaks a condition. If many contacts leave the trial, the start is instead a set of states from Tresca
@@ -19,7 +19,7 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a path of Lemke's method: states in which the contacts that pivot stick, with the solution `at` of the linear problem `piece`.
+/// The start of a run of Lemke's method: states in which the contacts that pivot stick, with the solution `at` of the linear problem `piece`.
 struct Base {
     states: Vec<State>,
     piece: Arc<Piece>,
@@ -56,8 +56,8 @@ pub(super) fn propose_of_the_leaving(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
-    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. A path costs the cube of the number of
-    // contacts that pivot.
+    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. A run of Lemke's method costs the cube
+    // of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = Base::of(problem, near)
@@ -86,14 +86,14 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // If more contacts leave, the paths take longer than paths from the elastic trial.
+        // If more contacts leave the states of the similar grasp, the pivots take longer than pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }
 }
 
-/// States from Lemke's path on the contacts `among`. If a path finds no solution, the neighbours of these contacts pivot as well, up to `most`
-/// contacts altogether.
+/// States from Lemke's method on the contacts `among`. If it finds no solution, the neighbours of these contacts pivot as well, up to `most` contacts
+/// altogether.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -101,14 +101,14 @@ fn pivoted(
     log: &mut Log,
 ) -> Option<Vec<State>> {
     let mut moved = Moved::default();
-    // Upper limit of the number of rounds in which further contacts begin to pivot: a changed state disturbs its neighbours, and the disturbance
-    // fades.
+    // Upper limit of the number of rounds in which further contacts begin to pivot. A changed state disturbs neighbouring contacts, but less in each
+    // further round.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
-        // The factor 20 allows each path this multiple of the usual number of multiplications, if the caller sets no limit on pivots. That takes some
-        // seconds; every other method would then take minutes.
+        // The factor 20 allows each run of Lemke's method 20 times the usual number of multiplications, if the caller sets no limit on pivots. That
+        // takes some seconds; every other method would then take minutes.
         let proposed = propose_dense(
             problem,
             settings,

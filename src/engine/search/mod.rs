@@ -14,7 +14,7 @@
 //! | `round_pieces`, `polish` | Newton's method on the round cone, from the elastic trial or from a solution with polygonal cones |
 //! | `enumerate` | every combination of states |
 //! | `solution_interval` | a solution that is one end of an interval of solutions |
-//! | `without_force` | contacts that touch without force count as open |
+//! | `without_force` | contacts that touch without force are reported as open |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over contact states |
 
 mod answer;

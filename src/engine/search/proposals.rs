@@ -14,8 +14,8 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether a path of Lemke's method takes acceptable time on a dense matrix with `times` as many rows as the kinematic form. A path takes about as
-/// many pivots as there are rows.
+/// Whether Lemke's method takes acceptable time on a dense matrix with `times` as many rows as the kinematic form. It makes about as many pivots as
+/// there are rows.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
@@ -30,7 +30,7 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
 type Propose<'p> = dyn Fn(&Problem, &mut Log) -> Option<Vec<State>> + 'p;
 
 /// Lets `propose` propose contact states, solves the linear problem with them and checks the solution; on the round cone Newton's method continues
-/// from there. `None` if no solution passes.
+/// from this solution. `None` if no solution passes the check.
 pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> Option<Found> {
     let proposed = propose(problem, log)?;
     if !problem.round {
@@ -58,8 +58,8 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one path suffices: branch and bound comes next, and ends more searches than another path. Elsewhere the search tries all
-    // contact states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
+    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and ends more searches than another run. Elsewhere the
+    // search tries all contact states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The affordable number of pivots is only passed to the solver if it is lower than the solver's default limit.
@@ -69,9 +69,10 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // The number of covering vectors tried after a ray. More are worth their time if combinations of states are too many to try next.
+        // The number of covering vectors tried after Lemke's method has ended on a ray: more if there are too many combinations of states to try
+        // next.
         let retries = if few { COVERING_VECTORS } else { 16 };
-        // All paths together may cost no more than `most_work` multiplications.
+        // All runs of Lemke's method together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);
         let retries = paths.saturating_sub(1).min(retries);
         lcp::Settings { prove_infeasible: problem.len() < MANY_CONTACTS, retries, ..one_path }

@@ -1,21 +1,23 @@
 //! Equilibrium with the law of each contact relaxed to its convex hull: a point of a polyhedral cone.
 //!
-//! With the stiffnesses K and grasp maps G, the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F` in energy units. P is the
-//! orthogonal projector on the span of `K^{1/2}Gᵀ`. f⁰ are the forces of the elastic trial, in which everything sticks. Balance of forces and
-//! compatibility of stretches are
+//! Equilibrium is written in energy units, in which the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F`, with the stiffnesses
+//! K. G are the grasp maps, and P is the orthogonal projector on the span of `K^{1/2}Gᵀ`. f⁰ are the forces of the elastic trial, in which everything
+//! sticks. Balance of forces and compatibility of stretches are
 //!
 //! ```text
 //! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰
 //! ```
 //!
-//! one equation in as many unknowns as there are stretches, without the twist. Either a pair (e, f) that is a sum of hull generators with
-//! coefficients s >= 0 solves it, or the distance of f⁰ from all such sums is positive. Then the residual y has
+//! one equation, without the twist, in as many unknowns as there are stretches. With the law of each contact relaxed to its convex hull, (e, f) may
+//! be any sum of generators of the hulls with coefficients s >= 0. Either such a sum solves the equation, or the distance of f⁰ from the values `e +
+//! P (f - e)` of all such sums is positive. In that case the residual y, from the nearest value to f⁰, has
 //!
 //! ```text
 //! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
 //! ```
 //!
-//! where δ is the largest of these products, nearly zero. It contradicts every equilibrium whose coefficients have a sum below `|y|²/δ`.
+//! where δ is the largest of the products in the second relation, nearly zero. This residual contradicts every equilibrium whose coefficients s have
+//! a sum below `|y|²/δ`.
 
 use nalgebra::SVector;
 
@@ -141,11 +143,11 @@ impl BalanceEquation {
         // At most forty generators are added for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this fraction of the elastic trial state counts as zero.
+            // A distance below this fraction of the elastic trial state is taken as zero.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            // A distance that shrinks by less than this fraction counts as unchanged.
+            // A distance that shrinks by less than this fraction is taken as unchanged.
             if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
@@ -162,7 +164,7 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // A distance below this fraction of the elastic trial state is too close to rounding for a contradiction.
+                // A distance below this fraction of the elastic trial state is too close to rounding to prove a contradiction.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
@@ -175,7 +177,7 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // The case is not clearly contradicted. The caller divides it further, which is always sound.
+        // The case is not clearly contradicted. The caller divides it further, which never excludes an equilibrium.
         self.sum(hulls, nearest)
     }
 

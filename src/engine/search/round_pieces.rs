@@ -1,8 +1,8 @@
 //! Newton's method in forces and twist together on the round cone. Each step solves the linear problem of the present contact states.
 //!
-//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. Computed from the twist alone (`object/newton`),
-//! its rounding would decide the contact state. Here forces are unknowns, too. The linear problem of the present states is solved in twice the
-//! working precision (`object/correction`); then contacts whose inequalities fail change their states.
+//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. If it were computed from the twist alone
+//! (`object/newton`), its rounding would determine the contact state. Here forces are unknowns, too. The linear problem of the present states is
+//! solved in twice the working precision (`object/correction`); then contacts whose inequalities fail change their states.
 
 use nalgebra::SVector;
 
@@ -37,8 +37,8 @@ impl RoundPieces {
     /// Newton's method on the twist from `from`, in which every contact may change its state; `None` if it does not converge.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
-        // Newton's method on the twist ends at this imbalance, a fraction of the forces; the caller's Newton steps with fixed contact states reduce
-        // the rest.
+        // Newton's method on the twist ends at this imbalance, a fraction of the forces. The caller's Newton steps with fixed contact states reduce
+        // the rest of the imbalance.
         let (twist, ..) = newton_on_cones(problem, (from, NEGLIGIBLE), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
@@ -81,7 +81,8 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
             }
-            // If nothing resists some motion, gaps along it are arbitrary: open contacts then stay open until Newton's method has converged.
+            // If nothing resists some motion, the gaps that it changes are arbitrary: open contacts then stay open until Newton's method has
+            // converged.
             let closing = sharp || piece.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
@@ -150,7 +151,7 @@ impl RoundPieces {
     }
 
     /// Whether a motion that seems free turns the friction force of a sliding contact. Such a motion meets a resistance that is only lost in the
-    /// rounding of the stiffest spring, so the solution is not known along it.
+    /// rounding of the stiffest spring. The component of the solution along this motion is then not known.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
@@ -184,7 +185,7 @@ impl RoundPieces {
 }
 
 /// The next state of a contact; sets its force if it opens or slides on the round cone. `touches` is true for an open contact that touches again.
-/// Normal and friction forces up to `rounding` count as zero.
+/// Normal and friction forces up to `rounding` are taken as zero.
 fn next_state(
     local: &LocalLaw<'_>,
     state: &State,

@@ -24,24 +24,24 @@ pub struct Settings {
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Upper limit of the number of pivots of Lemke's method on one complementarity problem of a grasp, all paths together. `None` allows about a
+    /// Upper limit of the number of pivots of Lemke's method on one complementarity problem of a grasp, all its runs together. `None` allows about a
     /// second. A search over thousands of contacts on which Newton's method has failed then gives up with
     /// [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take
     /// some ten seconds.
     pub max_pivots: Option<usize>,
     /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
     /// is 20 000, a few hundredths of a second: 7 contacts in the plane, or 3 contacts with 8 facets in space. On the round cone branch and bound
-    /// divides the states and friction directions of up to 32 contacts into cases. A case of n contacts counts as n³/400 combinations, but at least
-    /// as five: the default allows 4 000 cases for up to 12 contacts. A smaller number is faster if no equilibrium exists; 0 omits this search, and
-    /// with it proofs by trying all states. A larger number gives proofs for more contacts.
+    /// divides the states and friction directions of up to 32 contacts into cases. A case of n contacts is counted as n³/400 combinations, but at
+    /// least as five: the default allows 4 000 cases for up to 12 contacts. A smaller number is faster if no equilibrium exists. With 0 neither
+    /// combinations nor cases are tried, and there are no proofs by trying all of them. A larger number gives proofs for more contacts.
     pub most_states: usize,
-    /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to the largest force, of
-    /// slips relative to the largest displacement. The default is 1e-9. Step lengths scale with the eighth root of the error: 1e-13 takes about three
-    /// times as many steps. If rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that
-    /// error. Straight parts of a path need no steps.
+    /// On a load path on the round cone, the largest estimated error of one step along an arc (a part of the path on which contacts slide in turning
+    /// directions). It is the error of forces relative to the largest force, and of slips relative to the largest displacement. The default is 1e-9.
+    /// Step lengths scale with the eighth root of the error: 1e-13 takes about three times as many steps. If rounding allows only a larger error,
+    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, the upper limit of the number of steps along sliding arcs of the round cone within one leg, refused steps included. It also
-    /// limits the jumps from static to kinetic friction (default 20 000). A path that needs more ends
+    /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, refused steps
+    /// included. It also limits the jumps from static to kinetic friction (default 20 000). A path that needs more ends
     /// [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
     /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value

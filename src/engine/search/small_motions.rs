@@ -1,11 +1,11 @@
-//! Limits up to which rotations and slips count as small.
+//! Limits up to which rotations and slips are taken as small.
 
 use crate::error::{Error, is_moderate};
 
-/// Limits of small motions. All computations use the contact points and normals of the undeformed grasp, so an answer
-/// beyond these limits is unreliable: a [`Verdict`](crate::hold::Verdict) never claims that a load holds there.
+/// Limits of small motions. All computations use the contact points and normals of the undeformed grasp, so an answer beyond these limits is
+/// unreliable: a [`Verdict`](crate::hold::Verdict) never claims that a load holds beyond them.
 ///
-/// A translation that all contacts take up elastically changes no geometry, and does not count.
+/// A translation that the springs of all contacts take up changes no geometry, and has no limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

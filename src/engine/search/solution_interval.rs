@@ -1,8 +1,8 @@
 //! If a solution is one end of an interval of solutions, adds the free motion along that interval.
 //!
-//! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along it. States in which one
-//! of these contacts sticks describe the end of the interval at which that contact has not slipped. They satisfy every condition, but have no free
-//! motion.
+//! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along this motion. Contact
+//! states in which one of these contacts sticks describe the end of the interval at which that contact has not slipped. They satisfy every condition,
+//! but have no free motion.
 
 use nalgebra::{Matrix, SVector};
 

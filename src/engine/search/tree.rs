@@ -1,9 +1,9 @@
 //! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
 //!
 //! A case restricts the states of each contact by a [`Label`]; the first case restricts no contact. The relaxation of a case ([`super::relaxed`])
-//! contradicts it, or gives a stretch and a force for every contact, from which in some cases Newton's method starts. Unless it converges, the label
-//! of the contact farthest from its law is divided into two labels, which make two cases. Every division brings the relaxation closer to the law,
-//! until cases are contradicted or Newton's method converges.
+//! either contradicts the case, or gives a stretch and a force for every contact. In some cases Newton's method starts from these. Unless it
+//! converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two cases. Every division brings
+//! the relaxation closer to the law, until cases are contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -103,7 +103,7 @@ pub(super) fn search_tree(
         // Newton's method starts from every fourth case only, since it costs as much as a few cases.
         let every = 4;
         // If forces miss the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding, and Newton's
-        // method starts there, too.
+        // method starts from this case, too.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -150,9 +150,9 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
     }
 }
 
-/// The contact whose label to divide next: the contact whose force is farthest from its law at its stretch. The distance counts three times if the
-/// label restricts nothing yet. Also returns the largest distance of all contacts. Distances are norms in energy units, as fractions of the norm of
-/// the elastic trial state.
+/// The contact whose label to divide next: the contact whose force is farthest from its law at its stretch. If the label restricts nothing yet, the
+/// distance is multiplied by three. Also returns the largest distance of all contacts. Distances are norms in energy units, as fractions of the norm
+/// of the elastic trial state.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,

@@ -1,4 +1,4 @@
-//! Contacts that touch without force neither stick nor slide: they count as open, with a gap of zero.
+//! Contacts that touch without force neither stick nor slide: they are reported as open, with a gap of zero.
 //!
 //! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
 //! nothing. Hence the solution with all such contacts open has the same forces, and this solution is always returned.
@@ -37,8 +37,8 @@ pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
     Found { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
-/// The solution with the same forces in which all contacts without force are open; `None` if there is no such contact, or if its opening would change
-/// forces or leave a gap. `None` also if no contact carries a force, since then there is no scale for a small force.
+/// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if opening them would
+/// change forces or leave a gap. `None` also if no contact carries a force, because there is then no scale for a small force.
 fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since a contact may have no displacement as a scale.

@@ -1,5 +1,5 @@
-//! Tests of [`yields`], the proof that no forces balance offsets and load if everything yields. If the proof succeeds, no combination of contact
-//! states may be an equilibrium.
+//! Tests of [`yields`], the proof that no forces balance offsets and load if every contact that may slide or open does. If the proof succeeds, no
+//! combination of contact states may be an equilibrium.
 
 use core::f64::consts::TAU;
 
@@ -109,7 +109,7 @@ fn in_space() {
     let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
     while count.asked < 4_000 {
         let number = 3 + one_of(&mut draw, 3);
-        // Contacts lie around a circle and are mostly alike, so that often all of them yield.
+        // Contacts lie around a circle. In most draws their other data are equal, so that often all of them slide or open at once.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
         let place = draw.normal();
         let contact = |i: usize| {

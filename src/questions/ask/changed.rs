@@ -17,13 +17,13 @@ impl<const C: usize> Grasp<C> {
         Ok(Self::of(engine?).with(&self.settings))
     }
 
-    /// This grasp with the permanent loads of bodies that acted at `equilibrium`; a load program may have changed some.
+    /// This grasp with the loads on single bodies that acted at `equilibrium`; a load program may have changed some of them.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
         let changed =
             (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
-        // The loads give an error only for a body that this grasp does not have. The equilibrium then belongs to another grasp, and a copy of this
-        // grasp is returned.
+        // The loads give an error only for a body that this grasp does not have. In that case the equilibrium belongs to another grasp, and a copy of
+        // this grasp is returned.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
@@ -100,7 +100,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// This grasp with loads on other bodies that grow in proportion to `load`. A method that applies τ times `load` then also applies τ times each
-    /// of `others` to its body. Every load given to a method, base loads included, counts as a multiple of `load`: only its component along `load`
+    /// of `others` to its body. Every load given to a method, base loads included, is taken as a multiple of `load`: only its component along `load`
     /// acts. Constant loads are instead given with the bodies ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
@@ -154,7 +154,7 @@ impl<const C: usize> Grasp<C> {
         self.not_installed_with_friction(&friction)?.installed_again()
     }
 
-    /// [`Self::with_friction`] without its last step, which adjusts the commands of links to the tensions that they are to have.
+    /// [`Self::with_friction`] without its last step, which adjusts the commands of links so that they have their given tensions.
     pub(crate) fn not_installed_with_friction(
         &self,
         friction: &dyn Fn(usize, f64) -> f64,

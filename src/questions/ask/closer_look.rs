@@ -58,10 +58,10 @@ impl<const C: usize> Grasp<C> {
 
     /// For each contact, whether its state (open, sticking, sliding) can be distinguished from neighbouring states in working precision.
     ///
-    /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. It must exceed 1e-12 of
-    /// these terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last digits of the data determine, say,
-    /// whether the contact sticks or just slides. Forces and displacements hardly depend on this. `None` for an equilibrium with another number of
-    /// contacts.
+    /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. The state is distinct if
+    /// each difference exceeds 1e-12 of its terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last
+    /// digits of the data determine, say, whether the contact sticks or just slides. Forces and displacements hardly depend on this. `None` for an
+    /// equilibrium with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -83,7 +83,8 @@ impl<const C: usize> Grasp<C> {
 
     /// The proof that no equilibrium exists under a load on round friction cones. It divides contact states into cases and contradicts each case.
     /// [`Refutation::check`] verifies the proof and returns its safety factor against rounding, `escape` in the example, at least 1e4. `None` if an
-    /// equilibrium exists, if [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or if no cone is round, as in the plane.
+    /// equilibrium exists, if more cases are needed than [`Settings::most_states`](crate::Settings::most_states) allows, or if no cone is round, as
+    /// in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -171,9 +172,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Verifies this proof for a grasp and a load, and returns its safety factor against rounding. Rounding could hide only an equilibrium with very
-    /// large stretches and forces. The factor is a lower bound on their norm over all contacts (in √J), relative to their norm in the elastic trial
-    /// state. `None` if the proof does not hold for this grasp and this load, or if the bound is below 1e4.
+    /// Verifies this proof for a grasp and a load, and returns its safety factor against rounding. Rounding could hide from the proof only an
+    /// equilibrium with very large stretches and forces. The factor is a lower bound on their norm over all contacts (in √J), relative to their norm
+    /// in the elastic trial state. `None` if the proof does not hold for this grasp and this load, or if the factor is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

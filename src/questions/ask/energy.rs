@@ -15,8 +15,8 @@ impl<const C: usize> Energy<'_, C> {
     /// The load factors of a ramp, from 0, for which the minimum of energy under friction constraints is an equilibrium. In space the friction cone
     /// is the polygonal cone of the settings.
     ///
-    /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone, found in
-    /// another way. Frictionless contacts may open and close before.
+    /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone. It is found by
+    /// another method, as a check of the first slip. Frictionless contacts may open and close before the first slip.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -65,9 +65,9 @@ impl<const C: usize> Energy<'_, C> {
     /// The minimum of energy under friction constraints and a load: a quadratic program. In space the friction cone is the polygonal cone of the
     /// settings.
     ///
-    /// The paper (section 5.1, see [`energy`](crate::energy)) has all displacements as variables. Both minima are equal as long as that program opens
-    /// no contact with infinite friction. The springs of both sides are combined in series here, so that rigid sides and series stiffness are
-    /// allowed. Orthogonal factors keep the accuracy.
+    /// The paper (section 5.1, see [`energy`](crate::energy)) has all displacements as variables. The minimum here equals the minimum of that program
+    /// as long as that program opens no contact with infinite friction. The springs of finger and object are combined in series here, so that rigid
+    /// sides and series stiffness are allowed. Orthogonal factors keep the accuracy.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -63,7 +63,7 @@ struct Door<const C: usize> {
     joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
-/// The engine computes with three components. A grasp of the plane is therefore a `Grasp<3>` inside the engine, too.
+/// The engine computes with three components. A grasp of the plane is therefore passed to the engine as a `Grasp<3>`, too.
 impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
     const SAME: bool = C == 3;
@@ -143,7 +143,7 @@ impl<const C: usize> Grasp<C> {
         Self { settings: *settings, ..self.clone() }
     }
 
-    /// The contacts that have a point for which `is_meant`, given the point's index, is true. A soft fingertip counts as one contact, listed with the
+    /// The contacts that have a point for which `is_meant`, given the point's index, is true. A soft fingertip is listed as one contact, with the
     /// number of such points.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
@@ -244,7 +244,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.presses()
     }
 
-    /// Whether a command, a constant contact force or a vacuum presses on the object. [`Self::squeezed`] multiplies all of them.
+    /// Whether a command, a constant contact force or a vacuum presses on the object. [`Self::squeezed`] multiplies these commands, forces and
+    /// vacuums.
     pub(crate) fn is_squeezed(&self) -> bool {
         self.engine.is_squeezed()
     }
@@ -254,12 +255,12 @@ impl<const C: usize> Grasp<C> {
         self.engine.overlaps()
     }
 
-    /// Whether this contact presses by its own command, constant force or vacuum, in a grasp where no joint or tendon presses.
+    /// Whether this contact presses by its own command, constant force or vacuum, in a grasp in which no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_driven()
     }
 
-    /// Whether every force that acts before any load is applied is multiplied together with the squeeze.
+    /// Whether [`Self::squeezed`] multiplies every force that acts before any load is applied.
     pub(crate) fn is_proportional(&self) -> bool {
         self.engine.is_proportional()
     }
@@ -274,7 +275,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
-    /// The verdict on a load, with the fields that `extent` asks for, and further facts about its load path.
+    /// The verdict on a load, with the fields that `extent` asks for, and further facts about the load path.
     pub(crate) fn hold_to_an_extent(
         &self,
         load: &Ramp<C>,
@@ -285,7 +286,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a rotation,
-    /// slip or opening to its limit of small motions, on the path as far as it was followed.
+    /// slip or opening to its limit of small motions, on the part of the path that was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
         Ok((outside(verdict), more.farthest))
@@ -301,8 +302,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.farthest_direction(&inside(base), point, &self.settings)
     }
 
-    /// The least margin of sticking under the base load, divided by the largest force, as if every contact stuck. `None` if all forces are zero, or
-    /// if no contact resists the load.
+    /// The least margin of sticking under the base load, divided by the largest force. It is computed as if every contact stuck. `None` if all forces
+    /// are zero, or if no contact resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
@@ -325,7 +326,7 @@ impl<const C: usize> Grasp<C> {
         Energy(self)
     }
 
-    /// Number of contacts, at least 1; every point of a soft fingertip counts.
+    /// Number of contacts, at least 1; each point of a soft fingertip is one contact.
     #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a grasp is never empty")]
     pub fn len(&self) -> usize {

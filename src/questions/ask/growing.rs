@@ -10,7 +10,7 @@ use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
     /// This grasp with the loads `others`, by name of the body, which grow in proportion to `load`, the load of a scene's question. `load` is `None`
-    /// if that question has several loads or none. This grasp itself if `others` is empty.
+    /// if the question has several loads or no load. This grasp itself if `others` is empty.
     pub(crate) fn growing(
         &self,
         question: &'static str,

@@ -1,7 +1,7 @@
 //! Verdicts on many grasps, on all cores. A row of the batch is one grasp with its base load and its growing load.
 //!
-//! In most rows every contact sticks, and [`screening`](crate::screening) finds that out: the first slip lies beyond the whole load, and the rotation
-//! stays within the limit of small motions. For all other rows a load path is computed.
+//! In most rows every contact sticks, and [`screening`](crate::screening) shows this quickly: the first slip lies beyond the whole load, and the
+//! rotation stays within the limit of small motions. For all other rows a load path is computed.
 
 use core::ops::Range;
 
@@ -17,16 +17,16 @@ use crate::search::Settings;
 use crate::sweep::caught;
 
 impl<const C: usize> Grasp<C> {
-    /// The verdicts on many loads, each on a grasp of its own, on all cores. A row, which `row` returns by its number, is one grasp with its base
-    /// load and growing load. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
+    /// The verdicts on many loads, each on a grasp of its own, on all cores. A row is one grasp with its base load and growing load; `row` returns it
+    /// for the number of the row. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
     /// With [`Settings::most_load`] at 1 loads are followed no farther than the whole load. A row of two to 64 points in which everything sticks then
-    /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The factor of the first slip comes from screening
-    /// and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes some ten
-    /// times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row takes as
-    /// long as [`Self::hold`].
+    /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The load factor of the first slip comes from
+    /// screening and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes
+    /// some ten times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row
+    /// takes as long as [`Self::hold`].
     ///
-    /// The verdicts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
+    /// The verdicts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -68,7 +68,7 @@ fn held<const C: usize>(
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {
         // The result of screening is used only if the first slip is clearly beyond the whole load, and the rotation clearly below its limit.
-        // Otherwise rounding could make it wrong.
+        // Otherwise rounding could change the verdict.
         let clear = sticking.filter(|WhileSticking { first, turn }| {
             first.holds_up_to(1.0 + NEGLIGIBLE) && *turn <= limit * (1.0 - NEGLIGIBLE)
         });

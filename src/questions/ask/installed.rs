@@ -54,8 +54,8 @@ impl Grasp<3> {
             if worst <= SOLVED_ROUNDING {
                 break;
             }
-            // Derivatives are differences: the command of a link is changed by this fraction of its spring's stretch under its tension. The fraction
-            // is small, so that contacts hardly ever change state within it. If none does, the quotient is exact.
+            // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension. The
+            // fraction is so small that contacts hardly ever change state. If none does, the quotient is exact.
             let nudge = 1e-3;
             // Column k: the change of all missing tensions as the command of link k grows by `nudge` times the stretch of its spring.
             let mut change = DMatrix::zeros(pressed.len(), pressed.len());
@@ -83,7 +83,7 @@ impl Grasp<3> {
     fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(pressed[0].0, pressed[0].1))?;
-        // In a slack link the gap times the stiffness counts as missing tension, too. The missing tension thus depends on the command even if the
+        // In a slack link the gap times the stiffness is added to the missing tension. The missing tension thus depends on the command even if the
         // link is slack.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));

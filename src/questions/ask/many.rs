@@ -10,10 +10,10 @@ use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
     /// The loads up to which all contacts stick with `sigmas` standard deviations in reserve; a load of any direction is added to a base load. Of all
-    /// grasps within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – has a contact that slides below [`Reserve::along`]. All
-    /// contacts count, not only the first one to slide. Effects of the data on contact forces are computed beyond first order, and all together where
-    /// a contact most probably slides. A quarter of that fraction is kept back for neglected effects. The program `reserve` in `examples/reports`
-    /// compares the result with samples.
+    /// grasps within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – has a contact that slides below [`Reserve::along`]. The
+    /// probabilities of all contacts are included, not only of the contact that slides first. Effects of the data on contact forces are computed
+    /// beyond first order, and all together at the data with which a contact most probably slides. A quarter of that fraction is kept back for
+    /// neglected effects. The program `reserve` in `examples/reports` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -55,7 +55,7 @@ impl<const C: usize> Grasp<C> {
         all_answers(self.engine.onset_of_samples(&inside(&ramp.into()), uncertainty, samples, &self.settings))
     }
 
-    /// Sample `number` of a grasp with uncertain data, joint springs of a hand included. Its random numbers depend on the seed and the number alone,
+    /// Sample `number` of a grasp with uncertain data, joint springs of a hand included. Its random numbers depend only on the seed and on `number`,
     /// whatever else is sampled. See [`Uncertainty`]; the factor on the load of a sample is [`Uncertainty::load_factor`].
     ///
     /// # Errors
@@ -66,7 +66,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The answers with vectors of `C` components, from answers with vectors of three.
+/// Converts answers with vectors of three components to answers with vectors of `C` components.
 fn all_answers<T: Face>(answers: Vec<Result<T::Inside, Error>>) -> Vec<Result<T, Error>> {
     moved(answers, &|answer| answer.map(outside))
 }

@@ -11,7 +11,8 @@ impl<const C: usize> Grasp<C> {
     /// stop sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection:
     /// a linear equation for each facet in the plane, a quadratic equation for each contact on the round cone.
     ///
-    /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour beyond it, [`Self::beyond`].
+    /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour just beyond the first slip,
+    /// [`Self::beyond`].
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -42,7 +43,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The equilibrium at a first slip. All contacts stick, and the contacts that stop sticking at this load are on the edge of their cones. `None`
-    /// for the event of a grasp with another number of contacts.
+    /// if `event` belongs to a grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -61,7 +62,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.state_at_onset(&inside(event), &self.settings).map(outside)
     }
 
-    /// The behaviour of the grasp just beyond a first slip: see [`Beyond`]. `None` for the event of a grasp with another number of contacts.
+    /// The behaviour of the grasp just beyond a first slip: see [`Beyond`]. `None` if `event` belongs to a grasp with another number of contacts.
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {

@@ -8,7 +8,7 @@ use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start`, as found by [`Self::solve`], with the finger commands of the grasp, on the exact
-    /// cone: in space the round cone. Events beyond the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for
+    /// cone: in space the round cone. Events after the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for
     /// an example. The path ends as soon as a suction cup is open all around. If nothing resists the object any more, it moves freely until a gap
     /// closes. If that motion is small, the path continues after it ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts
     /// and more use [`Self::follow_in_steps`].
@@ -22,10 +22,10 @@ impl<const C: usize> Grasp<C> {
         Ok(path_outside(self.engine.follow(&inside(&start.into()), &all_inside(legs), &self.settings)?))
     }
 
-    /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. The grasp comes to
-    /// rest, contacts slide to and fro for ever, the object walks by the same motion in every cycle, or it is lost in some cycle. [`Shaken`] says in
-    /// a sentence which of these happens, for all time; see [`shake`](crate::shake). At most [`Settings::most_cycles`](crate::Settings::most_cycles)
-    /// cycles are followed.
+    /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. Either the grasp
+    /// comes to rest, or contacts slide to and fro for ever, or the object walks by the same motion in every cycle, or it is lost in some cycle.
+    /// [`Shaken`] says in a sentence which of these happens in all cycles; see [`shake`](crate::shake). At most
+    /// [`Settings::most_cycles`](crate::Settings::most_cycles) cycles are followed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -58,8 +58,8 @@ impl<const C: usize> Grasp<C> {
     /// of `error`. Suction cups keep their vacuum even if their lips open. A path in steps ends as soon as nothing resists the object any more. See
     /// [`SteppedPath`].
     ///
-    /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) if the speed of the object, or the rates of contacts on the edge
-    /// of their cones, give the motion of the loss. Otherwise it is [undecided](crate::load_path::PathEnd::Undecided).
+    /// If no step continues the path, its end is [lost](crate::load_path::PathEnd::Lost) if the motion of the loss is known, from the speed of the
+    /// object or from the rates of contacts on the edge of their cones. Otherwise its end is [undecided](crate::load_path::PathEnd::Undecided).
     ///
     /// In the plane friction forces do not turn: a step errs only if contacts begin to slide, stop, open or close within it.
     ///

@@ -30,7 +30,7 @@ pub(crate) fn answers_of_rows<T: Send>(
 }
 
 /// First slip of each row, and the larger of the rotations under the base load and under the whole load. `None` for a row whose contacts screening
-/// does not support, or if `is_meant` returns false for its contacts and base load.
+/// does not support, and for a row for whose contacts and base load `is_meant` returns false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
@@ -47,8 +47,8 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Rows passed over here get `None`, and the caller computes their load path. Screening does not find out whether a grasp of bonded contacts
-        // alone carries no force, and computes no slips of contacts without friction.
+        // Rows excluded here get `None`, and the caller computes their load path. Screening does not notice that a grasp of bonded contacts alone
+        // carries no force, and computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
         if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {

@@ -12,8 +12,8 @@ pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 impl<'g, const C: usize> Sensitivity<'g, C> {
     /// The margins of sticking that vanish at a first slip. They give the derivatives of its load factor with respect to every parameter.
     ///
-    /// `None` if a contact closed before the first slip, which then depends on that history, or if a contact closes at the first slip and slides at
-    /// once. Also `None` if the event has another number of contacts.
+    /// `None` if a contact closed before the first slip, because the first slip then depends on the slips so far, or if a contact closes at the first
+    /// slip and slides at once. Also `None` if the event has another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::load_path::Parameter;
@@ -38,10 +38,10 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         OnsetMargins::new(&self.0.engine, &inside(event))
     }
 
-    /// Derivative of an equilibrium of this grasp with respect to one parameter while every contact keeps its state: one linear solve, exact. On a
-    /// load path earlier slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts. Also `None`
-    /// for the position of a contact of a hand, and if changed geometry would resist a motion that is free now. Finally `None` if the change has no
-    /// equilibrium in these states, because a load does work along a free motion.
+    /// Derivative of an equilibrium of this grasp with respect to one parameter while every contact keeps its state. It takes one linear solve and is
+    /// exact. On a load path earlier slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts.
+    /// Also `None` for the position of a contact of a hand, and if changed geometry would resist a motion that is free now. Finally `None` if no
+    /// equilibrium in these states balances the change, because a load does work along a free motion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -9,9 +9,9 @@ impl<const C: usize> Grasp<C> {
     /// The least factor on all finger commands with which every contact touches and sticks under each of a set of loads. In space friction cones are
     /// round.
     ///
-    /// The margin of every sticking condition is linear in the factor or concave, so the sufficient factors form an interval. The search begins at a
-    /// lower bound of these factors. A condition broken at this bound gives a larger bound, until the bound itself is sufficient. Clearances do not
-    /// change.
+    /// The margin of every sticking condition is linear in the factor or concave, so the factors with which all conditions hold form an interval. The
+    /// search begins at a lower bound of these factors. A condition broken at this bound gives a larger bound, until no condition is broken.
+    /// Clearances do not change.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
@@ -45,9 +45,10 @@ impl<const C: usize> Grasp<C> {
     /// cone.
     ///
     /// For each facet of a friction cone the worst direction has a closed form. With the contact forces F⁰ under the base load, a force x gives
-    /// contact forces `F⁰ + A x`. The condition `a·F >= 0` of the facet is first broken by the x along `-Aᵀa` of size `a·F⁰ / |Aᵀa|`.
+    /// contact forces `F⁰ + A x`. Here A is the influence matrix of the grasp and a the row of the facet, whose condition is `a·F >= 0`. The shortest
+    /// x that breaks it lies along `-Aᵀa` and has the size `a·F⁰ / |Aᵀa|`.
     ///
-    /// The round cone has a facet at every angle. The least force is where a trigonometric polynomial falls below zero, see
+    /// The round cone has a facet at every angle. The least force is found where a trigonometric polynomial falls below zero, see
     /// [`squeeze`](crate::squeeze). It is thus the least over all directions up to rounding, whatever the number of minima.
     ///
     /// ```

@@ -14,7 +14,7 @@ pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 impl<const C: usize> Statics<'_, C> {
     /// Whether contact forces inside their friction cones could balance any load; in space on the round cone.
     ///
-    /// Stiffness, commands and squeeze play no part: the question is whether fingers *could* balance any load if they pressed as needed.
+    /// Stiffness, commands and squeeze play no part: the question is whether the fingers *could* balance any load if they pressed as needed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Closure, Contact, Grasp};
@@ -55,8 +55,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.force_closure(&self.0.settings).map(outside)
     }
 
-    /// Whether the contacts hold the object without any friction: normal forces alone could balance any load, and so resist every motion, to first
-    /// order.
+    /// Whether the contacts hold the object without any friction: whether normal forces alone could balance any load, and so resist every motion to
+    /// first order.
     ///
     /// # Errors
     /// As for [`Self::force_closure`].
@@ -64,8 +64,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.form_closure().map(outside)
     }
 
-    /// The largest factor λ for which *some* contact forces balance the load `base + λ direction`, with normal forces within a budget: limit
-    /// analysis, in space on the round cone. Vacuums of suction cups pull in addition. [`Grasp::hold`] includes springs and commands instead.
+    /// The largest factor λ for which *some* contact forces balance the load `base + λ direction`, with normal forces within a budget. This is limit
+    /// analysis, in space on the round cone. Vacuums of suction cups pull in addition. Springs and commands play no part, unlike in [`Grasp::hold`].
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -99,9 +99,10 @@ impl<const C: usize> Statics<'_, C> {
     /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. It is computed
     /// with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round cone in space.
     ///
-    /// Vacuums of suction cups pull in addition: a load counts as balanced if forces within the budget balance it together with these pulls.
+    /// Vacuums of suction cups pull in addition: a load is balanced if forces within the budget and these pulls balance it together.
     ///
-    /// ε measures which loads some contact forces *could* balance. [`Self::onset`](Grasp::onset) is about these fingers with their squeeze.
+    /// ε measures which loads some contact forces *could* balance. [`Self::onset`](Grasp::onset) takes the springs and the squeeze of the grasp into
+    /// account.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -187,8 +188,8 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The shakedown factor: the largest multiple of these loads, each added to a base load in any order, at which some constant slips could keep
-    /// every contact from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] finds out whether the grasp
-    /// comes to rest below the factor. In space a polygon around the round cone is used, with as many facets as
+    /// every contact from sliding. At a larger multiple the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] shows whether the
+    /// grasp comes to rest at a smaller one. In space a polygon around the round cone is used, with as many facets as
     /// [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
     ///
     /// Of the static questions only this one depends on springs and commands: slips push contacts against each other.

@@ -11,8 +11,8 @@ use crate::numerics::Memory;
 ///
 /// From the second call on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
 /// Memory is allocated if contact states must be found from the rates of contact forces. This is so if several contacts reach the edges of their
-/// cones together, a gap closes on the way, or some contact does not clearly stick under the base load. Memory is also allocated for the matrix
-/// factors of a grasp at its first call and, for a grasp with more than 256 contacts, at every call.
+/// cones together, a gap closes before the first slip, or some contact does not clearly stick under the base load. Memory is also allocated for the
+/// matrix factors of a grasp at its first call and, for a grasp with more than 256 contacts, at every call.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};

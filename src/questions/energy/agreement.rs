@@ -19,8 +19,8 @@ use crate::prelude::*;
 ///
 /// Load and commands are affine in the factor τ. So is the vector of the complementarity problem of the [quadratic program](super::MinimumEnergy),
 /// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. It ends once the multiplier
-/// of a friction constraint enters the basis: from this load factor on, the multiplier pushes the object, and Coulomb's law is violated. The paper
-/// (see [`energy`](crate::energy)) predicts sliding in this way.
+/// of a friction constraint enters the basis. At larger load factors this multiplier acts on the object like a force, and Coulomb's law is violated.
+/// The paper (see [`energy`](crate::energy)) predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
@@ -39,13 +39,14 @@ pub enum Agreement<const C: usize> {
     /// The load direction does work along a motion that no spring resists with all contacts closed: the quadratic program has no minimum for any τ >
     /// 0.
     Unbounded,
-    /// Lemke's method did not reach the load factor at which a friction constraint binds, nor the end of the path.
+    /// Lemke's method did not reach the load factor at which a friction constraint binds, nor the end of its pivots.
     Unsolved,
 }
 
 impl<const C: usize> Agreement<C> {
-    /// The load factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` if the
-    /// minimum at load factor 0 is not an equilibrium ([`Agreement::Never`]), or if the path is not known ([`Agreement::Unsolved`]).
+    /// The load factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`]. For [`Agreement::Unbounded`] it is 0, because
+    /// there is no minimum at any larger factor. `None` if the minimum at load factor 0 is not an equilibrium ([`Agreement::Never`]), or if Lemke's
+    /// method failed ([`Agreement::Unsolved`]).
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -121,7 +122,7 @@ impl Line<'_> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // If the margin of the constraint does not fall with the load factor, the load factor from the pivots counts.
+        // If the margin of the constraint does not decrease with the load factor, the load factor from the pivots is taken.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

@@ -42,7 +42,7 @@ pub struct Comparison<const C: usize> {
 #[non_exhaustive]
 pub struct Difference {
     /// Largest difference between the displacements of the object at a contact, m. Motions that no spring resists, in the equilibrium or in the
-    /// minimum, do not count.
+    /// minimum, are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
     /// Largest magnitude of the difference of a contact force, N.
@@ -76,8 +76,8 @@ impl<const C: usize> Comparison<C> {
 }
 
 impl Difference {
-    /// The largest of three relative differences: of displacement, force and energy, each divided by its `_size`. A difference of zero counts as 0
-    /// whatever the size.
+    /// The largest of three relative differences: of displacement, force and energy, each divided by its `_size`. A difference of zero gives the
+    /// quotient 0, even if the size is zero.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -101,28 +101,28 @@ pub enum ComparisonVerdict {
     TwoEquilibria,
     /// An equilibrium exists, but at the minimum of energy contact forces and load do not balance.
     OutOfEquilibrium {
-        /// The magnitude at the minimum of the sum of contact forces and load, `|Σ F + W|`, N.
+        /// At the minimum of energy, the magnitude of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The magnitude at the minimum of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
+        /// At the minimum of energy, the magnitude of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
     /// No equilibrium exists. The quadratic program has a minimum, at which contact forces and load do not balance.
     NoEquilibrium {
-        /// The magnitude at the minimum of the sum of contact forces and load, `|Σ F + W|`, N.
+        /// At the minimum of energy, the magnitude of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The magnitude at the minimum of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
+        /// At the minimum of energy, the magnitude of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
     /// At the minimum of energy contact forces and load do not balance. It is not known whether an equilibrium exists.
     Unknown {
-        /// The magnitude at the minimum of the sum of contact forces and load, `|Σ F + W|`, N.
+        /// At the minimum of energy, the magnitude of the sum of contact forces and load, `|Σ F + W|`, N.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         force: f64,
-        /// The magnitude at the minimum of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
+        /// At the minimum of energy, the magnitude of the sum of all moments about the origin, `|Σ r × F + M|`, N m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         moment: f64,
     },
@@ -140,15 +140,15 @@ impl Difference {
 }
 
 impl<const C: usize> MinimumEnergy<C> {
-    /// Whether the object is in equilibrium at the minimum: no multiplier of a friction constraint pushes it. [`MinimumEnergy::imbalance`] may be up
-    /// to 1e-12 of the largest force, with moments divided by the size of the grasp.
+    /// Whether the object is in equilibrium at the minimum of energy: the multipliers of friction constraints exert no resultant force or moment on
+    /// it. [`MinimumEnergy::imbalance`] may be up to 1e-12 of the largest force, with moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced
     }
 
-    /// The magnitudes at the minimum of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the origin,
-    /// `|Σ r × F + M|`, N m.
+    /// At the minimum of energy, the magnitudes of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the
+    /// origin, `|Σ r × F + M|`, N m.
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);

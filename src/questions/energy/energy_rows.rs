@@ -2,8 +2,8 @@
 //!
 //! Energy coordinates are `x = K^{-1/2} F`, with the contact forces F and the stiffness K. In them every condition `n·x >= 0` on one contact's force
 //! has a normal n of unit length, so that ratios of stiffnesses cancel. Let G be the grasp map, `K^{1/2}Gᵀ = Q R`, and Π = QQᵀ the projector on the
-//! motions of the object. The optimality conditions need only the products `n·Π n'` and `n·(1 - Π) n'` of two normals n, n', and the values `n·x⁰` if
-//! everything sticks.
+//! motions of the object. The optimality conditions need only two kinds of products of two normals n, n', `n·Π n'` and `n·(1 - Π) n'`, and the values
+//! `n·x⁰` of the forces x⁰ if everything sticks.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -28,9 +28,9 @@ pub(super) struct ForceCondition {
     pub(super) normal: SVector<f64, 3>,
     /// Norm of `K^{1/2} law`, by which the condition is divided in energy coordinates.
     pub(super) length: f64,
-    /// Scale of the rounding error of [`Self::value`] if the largest contact force is 1 N.
+    /// If the largest contact force is 1 N, the rounding error of [`Self::value`] is proportional to this number.
     pub(super) weight: f64,
-    /// Qᵀ times the normal, with the orthogonal factor Q of all springs: the component of the normal along motions of the object.
+    /// Qᵀ times the normal, with the orthogonal factor Q of all springs: the coordinates of the normal's projection on motions of the object.
     pub(super) rows_of_factor: Vector,
 }
 
@@ -48,7 +48,8 @@ impl ForceCondition {
         Self { contact, facet, law, normal, length, weight, rows_of_factor: rows_of_factor * normal }
     }
 
-    /// The left side of the condition for these contact forces, N: the friction margin `μ F_n - h·F_t` at the facet h, or the normal force F_n.
+    /// The left side of the condition for the contact forces `forces`, N: the friction margin `μ F_n - h·F_t` at the facet h, or the normal force
+    /// F_n.
     pub(super) fn value(&self, forces: &[SVector<f64, 3>]) -> f64 {
         self.law.dot(&forces[self.contact])
     }

@@ -1,8 +1,8 @@
 //! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
 //!
 //! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
-//! constraints. The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact
-//! exerts: the minimum is an equilibrium exactly if the resultant force and moment of these forces are zero.
+//! constraints. The springs that remain active then determine the minimum. The multipliers of the constraints are forces on the **object** that no
+//! contact exerts: the minimum is an equilibrium exactly if the resultant force and moment of these forces are zero.
 
 use nalgebra::{Matrix, SVector};
 
@@ -29,7 +29,7 @@ use crate::serial::AsComputed;
 pub enum MinimumOutcome<const C: usize> {
     /// The quadratic program has a minimum, given here.
     Minimum(Box<MinimumEnergy<C>>),
-    /// The friction constraints contradict each other, or the energy has no lower bound as contacts open.
+    /// The friction constraints contradict each other, or the energy has no lower bound because contacts open.
     NoMinimum,
     /// The load does positive work along a motion that no spring resists with all contacts closed: the energy has no lower bound.
     Unbounded {
@@ -39,8 +39,8 @@ pub enum MinimumOutcome<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         work: f64,
     },
-    /// No answer because of rounding, or of a limit on pivots or on rows of the matrix. The matrix is dense; more than 10 000 rows (a thousand
-    /// contacts in space on eight facets) are not tried.
+    /// The minimum was not found, because of rounding or of a limit on pivots or on rows of the matrix. The matrix is dense; more than 10 000 rows (a
+    /// thousand contacts in space on eight facets) are not tried.
     Unsolved,
 }
 
@@ -75,7 +75,7 @@ pub struct MinimumEnergy<const C: usize> {
     /// The load of the question, N and N m, without the permanent loads of bodies.
     pub load: Wrench<C>,
     /// Motion of the object about the origin at the minimum, m and rad. If some motions stretch no active spring, it is usually the motion of least
-    /// size.
+    /// norm.
     pub twist: Twist<C>,
     /// Forces, displacement and gap of each contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
@@ -143,8 +143,8 @@ pub struct Binding {
     /// [`PolygonCone`](crate::PolygonCone); `None` for F_n = 0 at infinite friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub facet: Option<usize>,
-    /// Multiplier λ >= 0 of the constraint on the friction margin `μ F_n - h·F_t` at the facet h, m: energy per unit of the margin. Zero if the force
-    /// lies on the facet without being held on it.
+    /// Multiplier λ >= 0 of the constraint on the friction margin `μ F_n - h·F_t` at the facet h, m: the energy per unit of the margin. Zero if the
+    /// force lies on the facet even without this constraint.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub multiplier: f64,
 }

@@ -12,7 +12,7 @@
 //!
 //! Coulomb's law and the quadratic program differ in one factor. Let x = K^{-1/2} F be the contact forces in energy coordinates, with the stiffness
 //! K. Let x⁰ be these forces if everything sticks, and Π the projector on the motions of the object. Each row of N x >= 0 is the condition of one
-//! facet of a friction cone, and S has the tangential components of these rows. z are slips in Coulomb's law, multipliers in the program:
+//! facet of a friction cone, and S has the tangential components of these rows. z are slips in Coulomb's law, multipliers in the quadratic program:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip

@@ -18,8 +18,9 @@
 //! x = x⁰ + (1 - Π) E ĝ + Π Nᵀλ
 //! ```
 //!
-//! Multipliers enter the forces through Π: they push the **object** like an external force. They leave `Aᵀx + W = AᵀNᵀλ` in the balance of forces,
-//! with the load W; the minimum is an equilibrium exactly if this is zero. Slips of Coulomb's law enter through 1 - Π and preserve the balance.
+//! Multipliers enter the forces through Π: they push the **object** like an external force. They leave the imbalance `Aᵀx + W = AᵀNᵀλ` of forces,
+//! with the load W; the minimum is an equilibrium exactly if this imbalance is zero. Slips of Coulomb's law enter through 1 - Π and preserve the
+//! balance.
 //!
 //! Lemke's method finds the open gaps and the binding friction constraints. The answer is then computed from the remaining springs, so that it does
 //! not depend on the rounding of the pivots. Every condition of the minimum is checked.
@@ -147,8 +148,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
-    /// the active springs do not resist the load. If the least motion makes a gap negative, the part of the motion `near` that stretches no active
-    /// spring is added.
+    /// the active springs do not resist the load. If a gap is negative at the motion of least norm, the part of the motion `near` that stretches no
+    /// active spring is added.
     pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));

@@ -29,16 +29,16 @@ pub(crate) enum Extent {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
     /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
-    /// This gives the largest ratio of a motion to its limit.
+    /// The verdict then knows the largest ratio of a motion to its limit.
     Measured,
     /// Like `Measured`, but without the proof near the loss and without the data that only sentences need. The base load is not followed from zero to
-    /// find out whether it is lost.
+    /// find out whether the grasp loses it.
     Decided,
     /// Without equilibria, proofs and the data that only sentences need: for [`super::ShortVerdict`]. The path is followed as far as for `Whole`.
     Brief,
 }
 
-/// Facts about the load path that [`Engine::hold_with`] returns beside the [`Verdict`].
+/// Facts about the load path that [`Engine::hold_with`] returns in addition to the [`Verdict`].
 #[derive(Debug, Default)]
 pub(crate) struct OfThePath {
     /// The largest ratio of a rotation, slip or opening to its limit in [small motions](crate::Settings::small_motions), up to the whole load or the
@@ -64,7 +64,7 @@ pub(crate) struct RestingContact {
     /// Whether the contact is open, sticks, slides or has no friction.
     pub(crate) kind: Discriminant<ContactState<3>>,
     /// Two quantities that are positive in this state; one of them is zero where the state ends. Open: the gap. Sticking: normal force and friction
-    /// margin. Sliding: normal force and slip. Frictionless: normal force. Infinity if there is no second quantity.
+    /// margin. Sliding: normal force and slip. Frictionless: normal force. If there is no second quantity, the second number is infinity.
     pub(crate) margins: [f64; 2],
 }
 
@@ -87,7 +87,7 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
     }
 
-    /// Implements [`Self::hold`] to the given extent; returns also facts about the load path.
+    /// Implements [`Self::hold`] to the given extent; also returns facts about the load path.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
@@ -108,7 +108,7 @@ impl Engine {
         settings: &Settings,
         extent: Extent,
     ) -> Result<(Verdict<3>, OfThePath), Error> {
-        // The search of the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
+        // The search for the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let states = match &rest {
             Some((Settled::Found(found, _), _)) => found.states.clone(),
@@ -258,7 +258,7 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict, so it is left out.
+        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict. Therefore it is not returned.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
@@ -354,8 +354,8 @@ impl Engine {
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
-        // Any virtual motion may give the proof. The motion of the loss, which usually gives it, and the direction of the load are tried. The proof
-        // with the larger radius counts.
+        // Any virtual motion may give the proof. Two are tried: the motion of the loss, which usually gives it, and the direction of the load. The
+        // proof with the larger radius is returned.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;

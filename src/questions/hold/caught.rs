@@ -137,7 +137,7 @@ impl Caught {
         }
     }
 
-    /// The jumps among the events of the leg that applies the whole load. The fraction of this leg is therefore the load factor.
+    /// The jumps among the events of the leg that applies the whole load. The fraction of this leg that is done is therefore the load factor.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {
@@ -160,7 +160,7 @@ impl fmt::Display for Caught {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // Slips below this fraction of the longest slip of the jump count as rounding. With a larger fraction, contacts that matter would not be
+        // Slips below this fraction of the longest slip of the jump are taken as rounding. With a larger fraction, contacts that matter would not be
         // named.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));

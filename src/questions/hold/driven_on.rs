@@ -1,7 +1,8 @@
-//! Whether forces drive an object on along a motion that nothing resists. A part that two fingertips pinch below its centre of mass turns over, though
-//! every contact sticks; one that is pinched above it hangs.
+//! Whether forces drive an object on along a motion that nothing resists. A part that two fingertips pinch below its centre of mass turns over,
+//! although every contact sticks; a part that is pinched above its centre of mass hangs.
 //!
-//! Along a free motion the springs store no energy, so the potential of contact forces and loads alone decides: see `left_out`.
+//! Along a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability: see
+//! `left_out`.
 
 use nalgebra::{DMatrix, SVector};
 
@@ -15,8 +16,8 @@ impl Engine {
     /// The motion that nothing resists and along which the forces of the equilibrium `there` and its `load` drive the bodies on: the potential of the
     /// forces falls as the bodies turn. It is a combination of the free motions of `there`.
     ///
-    /// `None` if there is no such motion, if a free motion moves a joint or shears a closed contact, whose potential would have to count, and if the
-    /// point of action of a load is not known.
+    /// `None` if there is no such motion, if the point of action of a load is not known, or if a free motion moves a joint or shears a closed
+    /// contact. In the last case the potential of the joint or contact would have to be included.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
         let free = &there.free_motions;
         if free.is_empty()
@@ -40,7 +41,7 @@ impl Engine {
             }
         }
         let (values, vectors) = symmetric_eigen(&falls);
-        // A potential that falls by less than this is constant up to the rounding of arms and forces.
+        // A decrease of the potential by less than this fraction is rounding of arms and forces.
         (*values.last()? < -NEGLIGIBLE * scale).then(|| {
             let parts = vectors.column(free.len() - 1);
             combined(free, parts.as_slice())

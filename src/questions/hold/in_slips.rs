@@ -1,5 +1,5 @@
-//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). The contact states are not
-//! searched event by event.
+//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). Contact states are not
+//! searched for at each event.
 
 use super::applied_load::OfThePath;
 use super::verdict::{FirstSlip, Holding, Verdict};

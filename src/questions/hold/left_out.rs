@@ -2,14 +2,14 @@
 //!
 //! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
 //! the elastic part and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
-//! plane `Σ F·r θ²`. Fingers that press against each other make it negative. This second part is compared with the work `W·q` of the load along the
-//! motion, which equals `q·Kq` with the secant stiffness K of the grasp.
+//! plane `Σ F·r θ²`. Fingers that press against each other make it negative. It is compared with the work `W·q` of the load W along the motion, which
+//! equals `q·Kq` with the secant stiffness K of the grasp.
 //!
-//! Loads count like contact forces, at their points of action; a load of which only the line is known counts as acting at the point of its line nearest
-//! to the centroid of the contacts.
+//! Loads are treated like contact forces, at their points of action. If only the line of a load is known, the load is taken to act at the point of
+//! its line nearest to the centroid of the contacts.
 //!
-//! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. So the second
-//! part is compared with the elastic part in every motion, too, for one object and for several bodies.
+//! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. Therefore the
+//! second part is compared with the elastic part in every motion, too, for one object and for several bodies.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -23,7 +23,7 @@ impl Engine {
     /// `there`, with the same commands: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces in `rest`, and r their arms about the origin
     /// of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change of the load.
     ///
-    /// The fraction is negative if the forces lower the resistance. The base load counts as acting at the point of its line nearest to the centroid.
+    /// The fraction is negative if the forces lower the resistance. The base load is taken to act at the point of its line nearest to the centroid.
     /// `None` if the size of the fraction is at most a tenth, for several bodies, and if `ΔW·q` is not positive.
     pub(super) fn left_out_by_small_motions(
         &self,
@@ -46,11 +46,11 @@ impl Engine {
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 
-    /// Minus the largest fraction of the resistance of the springs that the forces of an equilibrium take away in any motion. It is -1/t for the
-    /// least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
+    /// Minus the largest fraction of the springs' resistance that the forces of an equilibrium take away in any motion. It is -1/t for the least t
+    /// for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
     ///
-    /// `None` if the fraction is below a half, if nothing resists some motion, and for many coordinates. Struts between two points count as if they
-    /// were infinitely long.
+    /// `None` if the size of the fraction is below a half, if nothing resists some motion, and for many coordinates. Struts between two points are
+    /// treated as if they were infinitely long.
     pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let size = size_of(self.sites());
         if uses_band(size) {
@@ -125,8 +125,8 @@ impl Engine {
     }
 }
 
-/// The least fraction of the resistance to any motion that [`Engine::taken_by_forces`] returns. A smaller fraction would add a caution to ordinary
-/// squeezes of soft fingers; a larger fraction would leave too little before the grasp buckles.
+/// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
+/// a larger value would leave too little reserve before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
 
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.

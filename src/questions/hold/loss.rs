@@ -73,8 +73,8 @@ impl Engine {
     }
 }
 
-/// Gross slip within this fraction of the load at which motions cease to be small counts as the same event. A larger fraction would hide how far the
-/// object is held after gross slip.
+/// If gross slip begins within this fraction of the load at which motions cease to be small, both are reported as one event. A larger fraction would
+/// hide how far the object is held after gross slip.
 const SAME_EVENT: f64 = 0.01;
 
 impl<const C: usize> Lost<C> {

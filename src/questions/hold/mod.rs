@@ -14,16 +14,16 @@
 //! ([`NothingNear`]): a proof that holds whatever contacts have slipped before.
 //!
 //! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. The balance of the load W
-//! and the contact forces F_i gives `W·v = -Σ F_i·u_i`. The work of a contact against v is at most the work of its normal force and of the friction
-//! that this force allows. The normal force is known at every motion q of the object, so that an equilibrium at the motion q needs
+//! and the contact forces F_i gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most that of its normal force and of the
+//! friction that this normal force allows. The normal force is known at every motion q of the object, so that an equilibrium at the motion q needs
 //!
 //! ```text
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. So `h` bounds the work of all contacts. Let v be
-//! the motion of the loss. As q grows from the motion at the loss, the terms of opposed contacts in h change in opposite senses, until one contact
-//! opens. The neighbourhood has the radius at which h could reach `W·v` first.
+//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. Thus `h` is an upper bound of the negative work
+//! of all contacts. Let v be the motion of the loss. As q grows from the motion at the loss, the terms of opposed contacts in h change in opposite
+//! senses, until one contact opens. The neighbourhood has the radius at which h could first reach `W·v`.
 
 mod applied_load;
 mod caught;

@@ -24,7 +24,7 @@ pub struct ShortVerdict {
     /// Largest load factor that is reached with the load held and motions small; see [`Verdict::held_to`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Load factor from which on every contact slides: gross slip. `None` as in [`Verdict::everything_slides`].
+    /// Load factor from which on every contact slides: gross slip. [`Verdict::everything_slides`] says when it is `None`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub everything_slides: Option<f64>,
     /// The verb for the loss, also for a loss beyond the whole load; `None` if the load is held as far as it was followed.
@@ -49,7 +49,7 @@ pub enum How {
     Loose,
     /// Equilibrium is lost, or motions cease to be small, before the whole load is applied; see [`Holding::Lost`].
     Lost,
-    /// The base load has no equilibrium, as a proof shows; see [`Holding::NoRest`].
+    /// The base load has no equilibrium, and a proof shows this; see [`Holding::NoRest`].
     NoRest,
     /// On a path on which the base load grows from zero, the grasp loses it; see [`Holding::LostAtRest`].
     LostAtRest,
@@ -126,7 +126,7 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
 }
 
 impl<const C: usize> Lost<C> {
-    /// The verb for this loss; `words` has the space, plane or three-dimensional, for the vertical direction.
+    /// The verb for this loss. `words` tells the plane from space, on which the vertical direction depends.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
             _ if self.too_far.is_some() => {

@@ -1,4 +1,4 @@
-//! The verdict on a load that grows from zero beside the base load.
+//! The verdict on a load that grows from zero in addition to the base load.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
@@ -21,7 +21,7 @@ use crate::prelude::*;
 pub struct Verdict<const C: usize> {
     /// The base load, N and N m: it acts at load factor 0 already, before `load` grows.
     pub base: Wrench<C>,
-    /// The load that grows from 0 beside `base`, N and N m.
+    /// The load that grows from 0 in addition to `base`, N and N m.
     pub load: Wrench<C>,
     /// The conclusion: whether and how the whole load, factor 1, is held.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -41,19 +41,19 @@ pub struct Verdict<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
     /// Load factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at
-    /// factor 1, or the path ends before it, the range is up to the end of the path instead. Beyond this factor friction is exhausted, and normal
-    /// forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
+    /// factor 1, or the path ends before it, the contacts slide up to the end of the path instead. At larger factors friction is exhausted, and
+    /// normal forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub everything_slides: Option<f64>,
-    /// Geometric stiffness, which small motions neglect, divided by the resistance to the motion from the base load to the whole load, or to the
-    /// loss.
+    /// Geometric stiffness, which small motions neglect, divided by the resistance to the motion from the equilibrium under the base load to the
+    /// equilibrium under the whole load, or at the loss.
     ///
     /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
-    /// of the change of load along the motion q. Below 0 the squeeze lowers the resistance as its arms turn with the object; at -1 or less no
-    /// resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
+    /// of the change ΔW of the load along the motion q. Below 0 the squeeze lowers the resistance, because its arms turn with the object; at -1 or
+    /// less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
     ///
     /// A second number replaces this fraction if it is lower and at most -1/2. It is minus the largest fraction of the springs' resistance to any
     /// motion that the forces under the whole load take away. Near -1 a strut buckles. `None` if the fraction is between -0.1 and 0.1 and the second
@@ -64,7 +64,7 @@ pub struct Verdict<const C: usize> {
     )]
     pub left_out: Option<f64>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
-    /// if neither comes before the load factor at which following ended.
+    /// if neither comes before the load factor up to which the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lost: Option<Lost<C>>,
     /// The equilibrium under the whole load, with the slips up to it; `None` if the whole load is not reached with small motions.
@@ -94,7 +94,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// The conclusion of a verdict. The load counts as held only while motions are [small](crate::Settings::small_motions).
+/// The conclusion of a verdict. A load is held only while motions are [small](crate::Settings::small_motions).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -131,7 +131,7 @@ pub enum Holding<const C: usize> {
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         at_rest: Option<Box<Lost<C>>>,
     },
-    /// The grasp loses the base load as this load grows from zero together with the commands. A load path shows this loss; it is no proof as in
+    /// The grasp loses the base load as the base load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].
     LostAtRest {
         /// The loss; its factor is a multiple of the base load and the commands.
@@ -144,7 +144,7 @@ pub enum Holding<const C: usize> {
     },
 }
 
-/// The first contacts and drives that leave their state as the load grows, and their load factor.
+/// The first contacts and drives whose states end as the load grows, and the load factor at which they end.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -186,8 +186,8 @@ pub struct Lost<const C: usize> {
     /// Contacts that slide at the loss; in a grasp of several bodies only contacts whose two surfaces move relative to each other.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is within a hundredth of
-    /// this load and no link carries a force.
+    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is within a hundredth
+    /// of the load factor `factor` and no link carries a force.
     pub is_gross_slip: bool,
     /// Whether the object is lost at the first slip, because some contact has a lower [kinetic friction](crate::grasp::Contact::kinetic).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]

@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// Speed, relative to the fastest contact, body or rotation, below which a contact counts as fixed and a rotation as zero. It only chooses the name
-/// of a motion. A larger fraction calls slow contacts fixed; a smaller fraction finds no contact to tip over.
+/// A contact whose speed relative to the fastest contact, body or rotation is below this fraction is taken as fixed, and a rotation as zero. The
+/// fraction only chooses the name of a motion. A larger one calls slow contacts fixed; a smaller one finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves at a loss, in everyday words.
@@ -43,7 +43,7 @@ pub enum WayOut<const C: usize> {
         /// The contacts that open, including contacts that were open already and move away.
         opens: Vec<WholeContact>,
     },
-    /// The object turns about contacts that stay in place; no other contact opens, so that the others slide or stay.
+    /// The object turns about contacts that stay in place, and no other contact opens: the other contacts slide or stay.
     TurnsAbout {
         /// The contacts that stay in place; in space two of them define the axis.
         about: Vec<WholeContact>,
@@ -56,8 +56,8 @@ pub enum WayOut<const C: usize> {
         /// Unit vector along the axis of rotation; zero in the plane.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         axis: SVector<f64, C>,
-        /// Displacement along the axis for one radian of rotation, m: the motion is a screw. Zero in the plane, and if this displacement is at most
-        /// a twentieth of that of the farthest contact due to the rotation.
+        /// Displacement along the axis for one radian of rotation, m: the motion is a screw. Zero in the plane, and if this displacement is at most a
+        /// twentieth of the displacement of the farthest contact due to the rotation.
         #[cfg_attr(feature = "serde", serde(default, with = "AsComputed::<f64>"))]
         advance: f64,
     },
@@ -106,8 +106,8 @@ fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch: only they can lift off or be tipped
-/// over.
+/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch: only these can lift off, and only
+/// about these can the object tip over.
 pub(super) fn way_out(
     engine: &Engine,
     motion: Option<&Motion<3>>,
@@ -127,8 +127,8 @@ pub(super) fn way_out(
         other.speed() <= STANDS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
-        // The moving bodies move as one, so contacts between two of them do not matter. Only their contacts with the ground, fingers and bodies at
-        // rest determine the name of the motion.
+        // The moving bodies move as one rigid body, so contacts between two of them do not matter. Only their contacts with the ground, fingers and
+        // bodies at rest determine the name of the motion.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
@@ -216,11 +216,11 @@ fn seen_from(
         }
         return turns(twist, (&centre, &along), reach);
     }
-    // Contacts that do not touch but move away from their finger count as opening, too.
+    // Contacts that do not touch but move away from their finger are listed as opening, too.
     let mut opening = parts.with(&|i| sign(i) != 0.0);
     opening.retain(opens);
     let opens = opening;
-    // Only an opening contact that is no link makes a motion tip: a door whose cable goes slack turns about its hinge.
+    // Only an opening contact that is no link makes a motion a tip over: a door whose cable goes slack turns about its hinge.
     let tips = opens.iter().any(|part| part.link.is_none());
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
@@ -242,7 +242,7 @@ impl<const C: usize> WayOut<C> {
     /// Whether the object falls: it moves within 25° of the negative last axis, which is down, and no contact slides.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // A direction with a last component below -0.9 is within 25° of the vertical and counts as a fall.
+        // A direction with a last component below -0.9 is within 25° of the vertical and is called a fall.
         slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

@@ -37,7 +37,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // A contact that closes and slides only later is no first slip, but this sentence names it, too.
+                    // A contact that closes and slides only later is not part of the first slip, but this sentence names it, too.
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;

@@ -30,8 +30,8 @@ pub struct Identified {
     /// wrong, or the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Number of observations minus the number of independent combinations of unknowns that they determine. Observations are the observed slips, and
-    /// the sums of unknowns that the question gives as known from other measurements.
+    /// Number of observations minus the number of independent combinations of unknowns that the observations determine. Observations are the observed
+    /// slips, and the sums of unknowns that the question gives as known from other measurements.
     pub degrees_of_freedom: usize,
     /// Combinations of unknowns along which no predicted slip changes, so that the slips do not determine them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -62,10 +62,11 @@ pub struct Estimate {
     pub name: String,
     /// The kind of the unknown: a coefficient of friction, a force in N, or a factor on the given value.
     pub kind: UnknownKind,
-    /// The estimate; if the slips do not determine the unknown, one of many values that fit as well.
+    /// The estimate; if the slips do not determine the unknown, one of many values that fit the slips equally well.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub value: f64,
-    /// Whether the slips determine the unknown: closely enough for an error to be given, and with the same value in all [`Identified::assignments`].
+    /// Whether the slips determine the unknown: accurately enough for an error to be given, and with the same value in all
+    /// [`Identified::assignments`].
     pub is_fixed: bool,
     /// The standard error of the estimate, in its unit; `None` if the slips do not determine the unknown, or if their scatter is not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -126,8 +127,8 @@ impl Identified {
     }
 
     /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
-    /// errors of friction, squeeze and stiffness are the largest among all unknowns of that kind. Carried forces count as squeeze. `seed` is the seed
-    /// of the samples.
+    /// errors of friction, squeeze and stiffness are the largest among all unknowns of that kind. Carried forces are treated as squeezes. `seed` is
+    /// the seed of the samples.
     #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {

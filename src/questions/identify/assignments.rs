@@ -1,8 +1,8 @@
 //! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
 //!
-//! If several contacts may slip first, the predicted load of a slip has a kink in the unknowns: on each side it depends on the data of one contact
-//! alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find others, two unknowns
-//! exchange their values and the search starts anew.
+//! If several contacts may slip first, the predicted load of a slip has a kink as a function of the unknowns: on each side it depends on the data of
+//! one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find other
+//! assignments, two unknowns exchange their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -28,8 +28,8 @@ const MOST_FITS: usize = 12;
 /// Upper limit of the number of points at which all slips are predicted to find other assignments, which limits the work.
 const MOST_LOOKS: usize = 240;
 
-/// At equal friction, for example, two contacts slip at once. The predictions then have a kink and no derivatives. To evaluate them next to this
-/// kink, the logarithm of one unknown is changed by this step.
+/// If two contacts slip at once, for example at equal friction, the predictions have a kink and no derivatives. To evaluate them next to this kink,
+/// the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments of slips to unknowns. Each fit found is a starting point for further exchanges.
@@ -178,9 +178,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. Either some slip depends on one unknown of the pair alone,
-/// and no slip on both. A slip that depends on both would distinguish the two, unless the slips leave some unknown undetermined. Or the fit ended on
-/// the kink between the two.
+/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair either some slip depends on one unknown of
+/// the pair alone, and no slip on both, or the fit ended on the kink between the two. A slip that depends on both unknowns would distinguish them,
+/// unless the slips leave some unknown undetermined.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -226,8 +226,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Each of these slips may change at
-/// its own point in between.
+/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Each of these slips may change its
+/// unknowns at its own point between the two.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };
@@ -246,7 +246,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// The answer `answer` with the estimates of the fits `others`, which fit as well. An unknown on which the fits disagree counts as not determined.
+/// The answer `answer` with the estimates of the fits `others`, which fit equally well. An unknown on which the fits disagree becomes undetermined.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;

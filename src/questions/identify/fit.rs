@@ -1,4 +1,4 @@
-//! The search for the unknowns with the least loss: damped Gauss-Newton steps in the logarithms of the unknowns.
+//! The search for the unknowns with the least Huber loss (see `robust`): damped Gauss-Newton steps in the logarithms of the unknowns.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -132,7 +132,7 @@ impl Fitted {
 /// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
-    // Levenberg's damping, as a fraction of the largest singular value squared.
+    // Levenberg's damping, as a fraction of the square of the largest singular value.
     let mut damping = 1e-3;
     loop {
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
@@ -210,8 +210,8 @@ impl Steps {
         Self { values, directions, along }
     }
 
-    /// The step with this damping, a fraction of the largest singular value squared; zero along combinations of unknowns that the slips do not
-    /// determine.
+    /// The step for the damping `damping`, a fraction of the square of the largest singular value. Zero along combinations of unknowns that the slips
+    /// do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());

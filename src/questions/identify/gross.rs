@@ -1,7 +1,7 @@
 //! Prediction of gross slip, the loss of the object.
 //!
-//! The observer sees an object slip as soon as it leaves, even if a gap closes on its way and its load path continues afterwards. The model's gross
-//! slip is therefore the first event at which the object leaves.
+//! The observer sees an object slip as soon as it leaves, even if a gap closes afterwards and its load path continues. The gross slip that the model
+//! predicts is therefore the first event at which the object leaves.
 
 use core::f64::consts::TAU;
 

@@ -167,7 +167,7 @@ mod tests {
         assert!((found.degrees / degrees - 1.0).abs() < 1e-9, "{} {degrees}", found.degrees);
     }
 
-    /// A direction that one group determines alone gets no error from the others.
+    /// A direction that one group alone determines gets no error from the other groups.
     #[test]
     fn what_one_group_tells_alone() {
         let rows = DMatrix::from_fn(4, 2, |k, j| if k / 2 == j { 0.5_f64.sqrt() } else { 0.0 });

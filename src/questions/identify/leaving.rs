@@ -73,7 +73,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
         self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
-        // The start is near the root and convergence is quadratic, so that five steps suffice.
+        // The start is near the root and convergence is quadratic, so that five steps are enough.
         for _ in 0..5 {
             if self.is_root() {
                 break;

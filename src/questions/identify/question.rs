@@ -43,14 +43,14 @@ pub struct Identify<const C: usize> {
     /// Sums of unknowns that are known from other measurements.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(super) known: Vec<KnownSum>,
-    /// Slips with residuals of more than this number of standard deviations count less; 2 if left out.
+    /// Slips with residuals of more than this number of standard deviations get less weight; 2 if not given.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) outliers: Option<f64>,
-    /// Upper limit of the number of steps of the search; 100 if left out.
+    /// Upper limit of the number of steps of the search; 100 if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) iterations: Option<usize>,
     /// Grasps of other layouts in which slips were observed.
@@ -129,8 +129,8 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// Sets the number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to this number, and linear
-    /// beyond. Infinity gives least squares.
+    /// Sets the number of standard deviations beyond which slips get less weight (default 2). The loss is Huber's: quadratic up to this number, and
+    /// linear beyond. Infinity gives least squares.
     #[doc(alias = "Huber")]
     #[must_use]
     pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
@@ -193,7 +193,7 @@ impl Identify<3> {
         asked
     }
 
-    /// The number of standard deviations beyond which slips count less. For the default of two, one in twenty normally distributed residuals is
+    /// The number of standard deviations beyond which slips get less weight. For the default of two, one in twenty normally distributed residuals is
     /// beyond, and the standard errors are 1 % larger than those of least squares.
     pub(super) fn outliers(&self) -> f64 {
         self.outliers.unwrap_or(2.0)

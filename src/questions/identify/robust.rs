@@ -16,7 +16,7 @@ impl Huber {
         if size <= self.0 { 0.5 * u * u } else { self.0 * (size - 0.5 * self.0) }
     }
 
-    /// The weight of a residual `u` in least squares: 1 where the loss is quadratic, less beyond.
+    /// The weight of a residual `u` in least squares: 1 if the loss is quadratic at `u`, less if it is linear.
     pub(super) fn weight(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 1.0 } else { self.0 / size }
@@ -83,7 +83,7 @@ mod tests {
         }
     }
 
-    /// A tenth of all numbers with ten times the scatter hardly changes the scale.
+    /// A tenth of all numbers with thirty times the scatter hardly changes the scale.
     #[test]
     fn a_few_far_off_hardly_count() {
         let far = |k: u64| if k.is_multiple_of(10) { 30.0 } else { 1.0 };

@@ -1,28 +1,28 @@
-//! Limits below which the identification of unknowns from observed slips counts a value as zero or stops.
+//! Limits of the identification of unknowns from observed slips: a value below one of them is taken as zero, or the search stops.
 //!
 //! All of them are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of the same kind.
 
-/// Forces, velocities, singular values and derivatives below this fraction of the largest count as zero.
+/// Forces, velocities, singular values and derivatives below this fraction of the largest are taken as zero.
 ///
-/// Difference quotients are accurate to about 1e-8. If this were smaller, combinations that no slip determines would get values whose errors are due
-/// to rounding. If larger, combinations that slips determine weakly would count as undetermined.
+/// Difference quotients are accurate to about 1e-8. If this fraction were smaller, combinations that no slip determines would get values whose errors
+/// are due to rounding. If larger, combinations that slips determine weakly would be taken as undetermined.
 pub(super) const INDISTINCT: f64 = 1e-6;
 
-/// Components below this fraction of the largest count as zero in a combination of unknowns that slips do not determine. The answer then names fewer
-/// unknowns.
+/// Components below this fraction of the largest are taken as zero in a combination of unknowns that slips do not determine. The answer then names
+/// fewer unknowns.
 ///
 /// If smaller, unknowns appear with powers due to rounding. If larger, some unknowns of the combination are not named.
 pub(super) const NO_COMPONENT: f64 = 1e-4;
 
-/// The search for the unknowns has converged once a step changes the logarithm of each unknown by at most this.
+/// The search for the unknowns has converged once a step changes the logarithm of each unknown by at most this number.
 ///
-/// If smaller, the search does not end where predictions are accurate to 1e-9 only, because directions of slip turn along the load path. If larger,
+/// If smaller, the search does not end if predictions are accurate to 1e-9 only, because directions of slip turn along the load path. If larger,
 /// digits of the unknowns are lost.
 pub(super) const CONVERGED_STEP: f64 = 1e-10;
 
 /// The search has converged once a step is predicted to decrease the loss by at most this fraction. With n slips such a step is √n 1e-4 standard
 /// errors long.
 ///
-/// If smaller, the last steps follow the errors of predictions, 1e-9 where directions of slip turn along the load path. If larger, the search ends
-/// early.
+/// If smaller, the last steps follow the errors of predictions, which are 1e-9 if directions of slip turn along the load path. If larger, the search
+/// ends early.
 pub(super) const CONVERGED_GAIN: f64 = 1e-8;

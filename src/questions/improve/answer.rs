@@ -36,9 +36,9 @@ pub struct Improved<const C: usize> {
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
     /// Residual of first-order optimality: the largest component of the sum of the gradients of sticking conditions and limits, weighted by their
-    /// multipliers, or their complementarity if that is larger. It is relative to the load factor of first slip, or for a reserve to the greatest
-    /// force under the base load. Places are in units of the grasp's size, squeezes in units of the greatest allowed force. `None` if no
-    /// multipliers were found.
+    /// multipliers. If it is larger, the complementarity residual of the multipliers is given instead. The residual is relative to the load factor of
+    /// first slip, or for a reserve to the greatest force under the base load. Places are in units of the grasp's size, squeezes in units of the
+    /// greatest allowed force. `None` if no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starting grasps (the given grasp and random grasps) in which all contacts stick under the base load.
@@ -136,7 +136,7 @@ pub enum Binds {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// The command of the contact has the force zero ([`Placed::pressed_with`]): it does not press at all.
+    /// The command of the contact would cause no force ([`Placed::pressed_with`] is zero): the contact does not press at all.
     NotPressed {
         /// Gain of the goal for each newton with which the command could pull instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -162,15 +162,15 @@ pub enum Binds {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// To first order nothing nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a millionth.
+    /// To first order no placing nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a millionth.
     Optimum,
     /// No step gains more than rounding, but the weighted gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to
     /// being broken.
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,
-    /// With some contact at another place nothing would balance the loads. An example is two point contacts in space, which resist no moment about
-    /// the line that joins them.
+    /// With some contact at another place nothing would balance the loads. An example is a grasp by two point contacts in space, which resist no
+    /// moment about the line that joins them.
     Unbalanced,
     /// No contact slides, however large the loads are: the load factor of first slip is infinite.
     NothingSlides,

@@ -127,7 +127,8 @@ impl Climb<'_> {
                 let Some(factor) = factor else { return Ok(None) };
                 (factor, factor)
             }
-            // A negative reserve means that a contact slides under a load. It is kept, because its gradient leads to a better place.
+            // A negative reserve means that a contact slides under a load. Such a design is kept, because the gradient of its reserve leads to a
+            // better place.
             ImproveGoal::Reserve => {
                 let least = least(&events, &|event| event.value);
                 (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
@@ -168,8 +169,8 @@ impl Climb<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.choice.question.steps() {
-                    // The learnt curvature may be wrong here, so that no step gains although a direction of ascent exists. Before the ascent ends
-                    // without an optimum, the curvature is reset and steps are tried again.
+                    // The learnt curvature may be wrong at these places, so that no step gains although a direction of ascent exists. Before the
+                    // ascent ends without an optimum, the curvature is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
@@ -245,8 +246,8 @@ impl Climb<'_> {
     }
 }
 
-/// The decrease, over the last step, of the gradient of the Lagrangian with respect to the variables, with the multipliers of that step. It includes
-/// sticking conditions under loads and limits of normal forces, but not sticking under the base load.
+/// The decrease, over the last step, of the gradient of the Lagrangian with respect to the variables, for the multipliers of the last step. The
+/// Lagrangian includes sticking conditions under loads and limits of normal forces, but not sticking under the base load.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
@@ -256,7 +257,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may have the same sticking condition. The event whose value is nearest counts as the same event after the step.
+        // Several events may have the same sticking condition. The one with the nearest value is taken as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

@@ -69,7 +69,7 @@ impl StickingForces {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
 
-    /// The number of sources that are loads; a force of any direction counts as one load per axis.
+    /// The number of sources that are loads; a force of any direction has one source per axis.
     pub(super) fn loads(&self) -> usize {
         self.sources.len() - LOADS
     }

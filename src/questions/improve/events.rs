@@ -139,8 +139,8 @@ impl Pressed<'_> {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
-        // The margin is linear in the force of any direction. The worst direction reduces the margin by the norm of its gradient with respect to this
-        // force.
+        // The margin is linear in the force of any direction. The force in the worst direction reduces the margin by the norm of the margin's
+        // gradient with respect to this force.
         let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));

@@ -65,11 +65,11 @@ impl Improve<3> {
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = climb.before(&given)?;
-        // For each random start that the question asks for, 24 random placings are drawn. The best of all of them become starts, in addition to the
-        // given grasp.
+        // For each random start that the question asks for, 24 random placings are drawn. The best of all drawn placings become starts, in addition
+        // to the given grasp.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            // The last number, 48, keeps these random numbers apart from those drawn elsewhere with the same seed.
+            // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
             let drawn = choice.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only the value and the placing are kept: the forces of thousands of placings would take much memory.
             Ok::<_, Error>(climb.evaluate(drawn)?.map(|design| (design.value, design.placing)))

@@ -1,8 +1,8 @@
 //! Ascent across the edges between triangles of a mesh and the corners between segments of a polyline.
 //!
-//! Normals jump at edges and corners, so derivatives on one side say nothing about the other. Fingers that ended at the edge of their part (a
-//! triangle or segment) are moved to an adjacent part, each alone and all at once. An ascent starts from each of these placings and is kept if it
-//! ends at a larger value.
+//! Normals jump at edges and corners, so derivatives on one side of an edge say nothing about the other side. Fingers that ended at the edge of their
+//! part (a triangle or segment) are moved to an adjacent part, each alone and all at once. An ascent starts from each of these placings and is kept
+//! if it ends at a larger value.
 
 use super::ascent::{Ascent, Climb, Design};
 use super::placing::Placing;
@@ -22,8 +22,8 @@ impl Climb<'_> {
         Ok(best)
     }
 
-    /// The first ascent found that starts on an adjacent triangle or segment and ends at a larger value than `ended`. `None` if no ascent does, or no
-    /// steps are left.
+    /// The first ascent found that starts on an adjacent triangle or segment and ends at a larger value than `ended`. `None` if no such ascent ends
+    /// at a larger value, or no steps are left.
     fn ascend_from_adjacent(&self, ended: &Ascent, steps: &mut usize) -> Result<Option<Ascent>, Error> {
         let best = &ended.design;
         for placing in self.adjacent(&best.placing) {

@@ -22,7 +22,7 @@ pub(super) struct SurfacePoint {
     /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive on a convex shape.
     pub(super) bends: Vec<f64>,
     /// Linear limits of a step from the point, one for each edge or end of its part of the shape, as pairs (row, room). A step with the components s,
-    /// m, in the directions `along` stays on the part if `row·s <= room` for all.
+    /// m, in the directions `along` stays on the part if `row·s <= room` for every pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -55,7 +55,7 @@ fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint
     let (along, normal) = (vec![x, y], perpendicular(&[x, y]));
     let room = |k: usize| {
         let (from, to) = (corners[k], corners[(k + 1) % 3]);
-        // Corners run counterclockwise in this frame, so the outside is to the right of each side.
+        // The corners are counterclockwise in this frame, so the outside is to the right of each side.
         let out = perpendicular(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
@@ -71,8 +71,8 @@ impl Shape {
         }
     }
 
-    /// The weight of a part in the random choice among parts of a shape: the length of a segment, m, or twice the area of a triangle, m². It is 1 for
-    /// a shape with one part.
+    /// The weight of a part in the random choice among parts of a shape: the length of a segment, m, or twice the area of a triangle, m². The weight
+    /// is 1 for a shape with one part.
     pub(super) fn size(&self, part: usize) -> f64 {
         match self {
             Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),

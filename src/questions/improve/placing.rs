@@ -18,7 +18,7 @@ use crate::prelude::*;
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// The unit of the variable, m or N. The search uses variables divided by it, so that all steps have numbers of like size.
+    /// The unit of the variable, m or N. The search divides each variable by its unit, so that all steps have numbers of similar size.
     pub(super) unit: f64,
 }
 
@@ -114,7 +114,7 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The placing `from` with one contact moved to this spot of its surface.
+    /// The placing `from` with one contact moved to the place `spot` of its surface.
     pub(super) fn with_spot(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
         let mut placing = from.clone();
         placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
@@ -147,8 +147,8 @@ impl<'q> Choice<'q> {
         placing
     }
 
-    /// The first tangent of the contact frame at a spot; `from` if there is no spot. This frame comes from the frame with the tangent `from` by a
-    /// tilt with the normal, without a turn about it.
+    /// The first tangent of the contact frame at the place `spot`; `from` if there is no such place. The frame results from the frame with the
+    /// tangent `from` by a tilt with the normal, without a rotation about the normal.
     fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
         if self.contacts[contact].space == Space::Planar {

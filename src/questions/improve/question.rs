@@ -30,33 +30,33 @@ pub struct Improve<const C: usize> {
     /// Loads that grow, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(crate) loads: Vec<Wrench<C>>,
-    /// The size, N, of a force of any direction that acts at `at` in addition to the constant `load`; this size counts as load factor 1.
+    /// The size, N, of a force of any direction that acts at `at` in addition to the constant `load`. At load factor 1 the force has this size.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) any_force: Option<f64>,
-    /// The point where the force of any direction acts, m; the origin if left out.
+    /// The point where the force of any direction acts, m; the origin if not given.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at: Option<SVector<f64, C>>,
-    /// The upper limit of the normal force with which a contact may press, N; if left out, commands keep their values.
+    /// The upper limit of the normal force with which a contact may press, N; if it is not given, commands keep their values.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at_most: Option<f64>,
-    /// The quantity to maximise; the load at first slip if left out.
+    /// The quantity to maximise; the load at first slip if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) goal: Option<ImproveGoal>,
-    /// Number of random starts in addition to the grasp of the scene; 8 if left out.
+    /// Number of random starts in addition to the grasp of the scene; 8 if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) starts: Option<usize>,
-    /// Upper limit of the number of steps from each start; 200 if left out.
+    /// Upper limit of the number of steps from each start; 200 if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) steps: Option<usize>,
-    /// The seed of the random starts; 0 if left out.
+    /// The seed of the random starts; 0 if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) seed: Option<u64>,
     /// A load that turns. It has a field so that [`Grasp::improve`] can refuse it with an explanation.
@@ -147,8 +147,9 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Lets the search change the normal command of all contacts, up to a force of `force`, N. The limit applies to the force that they are
-    /// [commanded to press with](crate::grasp::Contact::pressed_with) and to the normal force under the base load. Without it commands stay as given.
+    /// Lets the search change the normal command of all contacts, up to a force of `force`, N. The limit applies to the force that contacts are
+    /// [commanded to press with](crate::grasp::Contact::pressed_with) and to the normal force under the base load. Without this limit commands stay
+    /// as given.
     #[must_use]
     pub fn pressing_at_most(mut self, force: f64) -> Self {
         self.at_most = Some(force);

@@ -24,7 +24,7 @@ pub(super) struct Spot {
     /// Change of `normal` along each direction of `along` per metre in that direction, 1/m.
     pub(super) bends: Vec<f64>,
     /// Linear limits of a step, one for each edge or end of the part, as pairs (row, room). A step with the components s, m, in the directions
-    /// `along` stays on the part if `row·s <= room` for all.
+    /// `along` stays on the part if `row·s <= room` for every pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -35,15 +35,15 @@ impl Spot {
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
 
-    /// The place on the surface nearest to a point. Its normal is on that side of the surface to which `normal` points.
+    /// The place on the surface nearest to a point. The normal there points to the same side of the surface as `normal`.
     pub(super) fn nearest(surface: &Shape, point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
             let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where segments or triangles meet, several places are equally near; the place with the least angle between its normal and `normal` is
-        // chosen.
+        // At a point where segments or triangles meet, several places are equally near. The place with the least angle between its normal and
+        // `normal` is chosen.
         let distance = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
@@ -92,8 +92,8 @@ impl Spot {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt a curvature of its goal along these two directions. So these directions are carried along to the new place, not
-            // chosen anew.
+            // The search has learnt a curvature of its goal along these two directions. Therefore these directions are carried along to the new
+            // place, rather than chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -126,7 +126,7 @@ impl Spot {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // All triangles have their corners in one order, and all segments their ends, so the inside is on the same side of every part.
+        // All triangles have their corners in the same order, and all segments their ends, so the inside is on the same side of every part.
         Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Here d is the step, B the Hessian, τ_k the value of event k with gradient g_k, and h_b·d + left_b >= 0 constraint b. `top` is a constant above
-//! every reachable value, so that t is positive and a minimum exists. At the present values (d = 0) the weighted gradients of events and constraints
-//! add up to a residual: the multipliers of the box, and B d.
+//! every value that the least of the events can have in the box, so that t is positive and a minimum exists. At the present values (d = 0) the
+//! weighted gradients of events and constraints do not cancel: what remains are the multipliers of the box, and B d.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -62,8 +62,8 @@ impl StepProgram {
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
         let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
-        // The sum of the weighted gradients of events and constraints: for a variable at an end of `reach` the multiplier of this end, for others a
-        // residual.
+        // The sum of the weighted gradients of events and constraints. For a variable at an end of `reach` it is the multiplier of this end, for
+        // other variables a residual.
         let mut left = DVector::zeros(n);
         events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
         bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
@@ -115,8 +115,8 @@ impl StepProgram {
         if near.is_empty() {
             near.push(0);
         }
-        // Now `top` is above every value that the least of the events can have in the box. So t stays positive, and the multipliers of events add up
-        // to one.
+        // Now `top` is above every value that the least of the events can have in the box. Thus t stays positive, and the multipliers of events add
+        // up to one.
         let top = top + 0.5;
         // The unknowns are d - low, and t. The rows of the matrix are events, linear constraints, and the upper ends of the box.
         let (m, b) = (near.len(), self.bounds.len());

@@ -82,8 +82,8 @@ impl Surface<2> {
         Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })
     }
 
-    /// A cubic spline through points, m, parametrised by the distances between them. A closed spline returns to its first point; an open one has no
-    /// curvature at its ends.
+    /// A cubic spline through points, m, parametrised by the distances between them. A closed spline returns to its first point; an open spline has
+    /// no curvature at its ends.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
         Self(Shape::spline(points.into_iter().map(in_space).list(), closed))
@@ -114,8 +114,8 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as those of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one triangle
-    /// to the next if that increases the value of its goal.
+    /// Triangles, such as the triangles of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one
+    /// triangle to the next if that increases the value of its goal.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))

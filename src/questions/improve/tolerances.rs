@@ -1,33 +1,33 @@
-//! Limits at which an ascent of the search for finger places has reached an optimum, and below which a gain is rounding.
+//! Limits of the search for finger places: at which an ascent has reached an optimum, and below which a gain is rounding.
 //!
 //! Places and squeezes are divided by the unit of their variable. Gains are divided by the load factor of first slip, or for a reserve by the
 //! greatest contact force under the base load.
 
-/// A placing of the fingers is called an optimum to first order if its residual of first-order optimality is at most this.
+/// A placing of the fingers is called an optimum to first order if its residual of first-order optimality is at most this number.
 ///
 /// If smaller, the search ends as stalled at optima where two sticking conditions of one contact are active. If larger, a placing that could still be
 /// improved is called an optimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
 
-/// The ascent stops once the residual of first-order optimality is at most this.
+/// The ascent stops once the residual of first-order optimality is at most this number.
 ///
 /// If smaller, the last steps gain rounding only. If larger, places of contacts lose digits.
 pub(super) const ARRIVED_AT_TOP: f64 = 1e-10;
 
-/// A predicted gain below this is due to rounding. It is a fraction of the load factor of first slip, or for a reserve of the greatest contact force
-/// under the base load.
+/// A predicted gain below this fraction of the load factor of first slip, or for a reserve of the greatest contact force under the base load, is due
+/// to rounding.
 ///
-/// If this were smaller, an ascent would continue until its steps are used up. If larger, it would end where the gradient is small.
+/// If smaller, an ascent would continue until its steps are used up. If larger, it would end at places where the gradient is small.
 pub(super) const ROUNDED_GAIN: f64 = 1e-14;
 
 /// A multiplier of the quadratic program (in its scaled numbers) below this is due to rounding, so its sticking condition or limit is not reported.
 ///
-/// If smaller, inactive limits are named. If larger, limits with small multipliers are not.
+/// If smaller, inactive limits are named. If larger, limits with small multipliers are not named.
 pub(super) const ROUNDED_MULTIPLIER: f64 = 1e-7;
 
 /// Largest distance of a contact from its surface, relative to the grasp's size plus the contact's distance from the origin. Also the largest angle
 /// between their normals, rad.
 ///
-/// Beyond it the search refuses the contact. If smaller, contacts with the six digits of a file are refused. If larger, a contact jumps to the
-/// surface.
+/// The search refuses a contact beyond these limits. If smaller, contacts with the six digits of a file are refused. If larger, a contact jumps to
+/// the surface.
 pub(super) const OFF_THE_SURFACE: f64 = 1e-6;

@@ -23,8 +23,8 @@ pub struct Needed {
     /// The amount with which nothing slides; `None` unless the demand is that the object is held.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sticks: Option<Amount>,
-    /// The amount that meets the demand with friction and squeeze reduced by `lower` and loads multiplied by `safety`; `None` if nothing is reduced
-    /// or multiplied.
+    /// The amount that meets the demand if friction and squeeze are reduced by `lower` and loads are multiplied by `safety`; `None` if nothing is
+    /// reduced or multiplied.
     pub safe: Option<Amount>,
     /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. If no command presses, the reduction of
     /// the squeeze is 0.
@@ -83,7 +83,8 @@ pub struct PressedBy {
     pub part: Option<String>,
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
-    /// Whether the force is that of a contact's command, `pressed_with`. Where the commands of other contacts press it, too, its normal force differs.
+    /// Whether the force is that of a contact's command, `pressed_with`. If the commands of other contacts press this contact, too, its normal force
+    /// differs.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_command: bool,
     /// Size of the given force, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
@@ -100,11 +101,11 @@ pub struct PressedBy {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Quantity {
-    /// The squeeze, as a multiple of the one given.
+    /// The squeeze, as a multiple of the given squeeze.
     Squeeze,
     /// A coefficient of friction.
     Friction,
-    /// The loads, as a multiple of those given.
+    /// The loads, as a multiple of the given loads.
     Load,
     /// The arm of a force: its displacement, m.
     Arm,
@@ -123,7 +124,7 @@ impl Quantity {
 }
 
 /// The least or greatest sufficient amount (the bound), in the unit of its [`Quantity`]. An amount is sufficient if the grasp meets the demand with
-/// it.
+/// this amount.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -135,9 +136,9 @@ pub enum Amount {
         /// The sufficient amount at the bound, for which a verdict was computed.
         does: f64,
         /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
-        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
-        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an
-        /// enumeration of contact states shows that an amount is insufficient.
+        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any direction, the
+        /// fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of contact states
+        /// shows that an amount is insufficient.
         does_not: f64,
         /// The verdict on the grasp with `does_not`, in a sentence.
         otherwise: String,
@@ -148,11 +149,11 @@ pub enum Amount {
         /// An amount between `does` and `does_not` for which the verdict is undecided; `None` if all verdicts were decided.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         unknown: Option<f64>,
-        /// Number of changes between sufficient and insufficient among the amounts tried around the bound. The bound itself counts, so that the
-        /// number is 1 as a rule.
+        /// Number of changes between sufficient and insufficient among the amounts tried around the bound, including the change at the bound. As a
+        /// rule the number is 1.
         changes: usize,
-        /// Far end of the interval of sufficient amounts that begins at `does`; for instance, a still larger squeeze pushes the object out. `None` if
-        /// all amounts tried beyond `does` suffice.
+        /// Far end of the interval of sufficient amounts that begins at `does`. For instance, a still larger squeeze pushes the object out. `None` if
+        /// all amounts tried on the far side of `does` are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
         /// Further intervals of sufficient amounts, in ascending order.
@@ -164,8 +165,8 @@ pub enum Amount {
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
-        /// The amounts that were tried. `None` if no other amount can meet the demand: a proof excludes all others, or a larger load is never
-        /// easier to carry.
+        /// The amounts that were tried. `None` if no other amount can meet the demand, because a proof excludes all others, or because a larger load
+        /// is never easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
     },
@@ -178,12 +179,12 @@ pub enum Amount {
         /// longer with a very short one. `None` if all amounts tried on that side are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// The amounts that were tried. `None` if no other amount can meet the demand: a proof excludes all others, or a larger load is never
-        /// easier to carry.
+        /// The amounts that were tried. `None` if no other amount can meet the demand, because a proof excludes all others, or because a larger load
+        /// is never easier to carry.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         tried: Option<TriedAmounts>,
     },
-    /// No amount suffices: a proof excludes all amounts between `from` and `to`, or all that were tried are insufficient.
+    /// No amount is sufficient: a proof excludes all amounts between `from` and `to`, or all amounts that were tried are insufficient.
     #[non_exhaustive]
     None {
         /// The least amount that was tried, or that the proof covers.
@@ -193,7 +194,7 @@ pub enum Amount {
         /// Number of amounts that were tried.
         #[cfg_attr(feature = "serde", serde(default))]
         tried: usize,
-        /// Whether a proof excludes all amounts from `from` to `to`: with none of these amounts can contact forces balance the loads.
+        /// Whether a proof excludes all amounts from `from` to `to`: for each of these amounts contact forces cannot balance the loads.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
         /// Whether this proof is about the load at rest alone, which acts before any of the other loads.
@@ -215,7 +216,7 @@ pub enum Amount {
 }
 
 impl Amount {
-    /// The least or greatest sufficient amount; `None` if it is not known, or if there is none.
+    /// The least or greatest sufficient amount; `None` if it is not known, or if there is no sufficient amount.
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
         if let Self::Bound { does, .. } = self { Some(*does) } else { None }

@@ -77,7 +77,7 @@ impl Loading {
 
     /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which less is carried than in
     /// its neighbours the weakest direction is sought. Neighbours may have different numbers of jumps on their load paths. The direction between them
-    /// at which this number changes is then sought, because the carried part of the load jumps there as well.
+    /// at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
     pub(super) fn between_directions(
         &self,
         (all, found): (&[[f64; 3]], &[Carried]),
@@ -158,7 +158,7 @@ impl Loading {
     }
 
     /// Improves on `weakest`, the trial for the evenly spread direction in which least of the load is carried. From this `direction` the search moves
-    /// to neighbours in which less is carried. Its step is halved if there are none.
+    /// to neighbours in which less is carried. If no neighbour carries less, its step is halved.
     fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -207,12 +207,12 @@ impl Carried {
 /// The least angle between directions that are tried, rad. The carried parts of the load within this angle differ by less than 1e-6, unless they jump.
 const LAST_STEP: f64 = 1e-3;
 
-/// The least angle between directions at a jump of the carried part, rad, where less than 1 % more than the load is carried. If larger, directions
-/// that are lost stay unseen within this angle.
+/// The least angle between directions at a jump of the carried part, rad. It is used if less than 1 % more than the load is carried. If larger,
+/// directions in which the load is lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
-/// At most this many directions in which less is carried than in their neighbours are improved on. If fewer, the weakest direction is missed if
-/// nearly the same is carried in two directions.
+/// At most this many directions in which less is carried than in their neighbours are improved on. If fewer, the weakest direction is missed if two
+/// directions carry nearly the same.
 const MOST_MINIMA: usize = 3;
 
 /// At most this many pairs of neighbouring directions with different numbers of jumps are searched, the weakest pairs first. If fewer, narrow cones
@@ -247,7 +247,7 @@ fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
 pub(super) fn directions(space: Space) -> Vec<[f64; 3]> {
-    // The load at a loss has no closed form in the direction. With fewer directions the weakest one could be missed.
+    // The load at a loss is no closed function of the direction. With fewer directions the weakest one could be missed.
     let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {

@@ -12,7 +12,7 @@ use crate::prelude::*;
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct Around {
-    /// Number of changes between sufficient and insufficient among the amounts of the scan, the bound included.
+    /// Number of changes between sufficient and insufficient among the amounts of the scan, including the change at the bound.
     pub(super) changes: usize,
     /// The other end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour.
     /// `None` if all amounts tried beyond the bound are sufficient.
@@ -23,10 +23,10 @@ pub(super) struct Around {
 
 impl SearchPlan {
     /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it. If `coarse`, there is one more amount, 16 times as
-    /// large or small as `from`. Amounts outside the range of the plan are left out.
+    /// large or small as `from`. Amounts outside the range of the plan are not tried.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
-        // a larger ratio than 4 they would lie farther apart.
+        // a larger ratio than 4 they would be farther apart.
         let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         let coarse = (coarse && count > 0).then_some(16.0);
@@ -38,7 +38,7 @@ impl SearchPlan {
     /// end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
-            // If this offset were smaller than the error of the proved end, both amounts could fall on the same side of the true end.
+            // If this relative offset were smaller than the error of the proved end, both amounts could be on the same side of the true end.
             let off = 1e-8;
             [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
         };
@@ -105,7 +105,8 @@ impl Around {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // If every easier amount is known to suffice up to small motions, one amount far away is enough: it shows whether the part moves too far.
+        // If every easier amount is known to be sufficient up to small motions, one amount far away is enough: it shows whether the part moves too
+        // far.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -136,7 +137,7 @@ impl Around {
             }
             if did != does {
                 self.changes += 1;
-                // Narrowing a bracket costs many trials, so from the ninth change on changes are only counted.
+                // Narrowing a bracket costs many trials. Therefore, from the ninth change on, changes are only counted.
                 if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
@@ -162,7 +163,7 @@ impl Around {
 
 /// Tries at most [`BETWEEN`] further amounts, each in the middle of two neighbouring `known` amounts. The neighbours have the same verdict, but
 /// different contact states at rest; the pair with the largest ratio comes first. If contact states at rest change with the amount, the carried part
-/// of the load may jump. Returns whether the verdict on one of the further amounts differs from that on its neighbours.
+/// of the load may jump. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
 pub(super) fn between_states(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,

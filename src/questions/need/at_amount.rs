@@ -51,7 +51,7 @@ impl Need<3> {
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
                 // `most` is the size of the force that makes a contact slide in the weakest direction. Multiplied by the factor `part`, that force
-                // has the size asked about.
+                // has the size of the question.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {
@@ -69,8 +69,7 @@ impl Need<3> {
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }
-                // Fewer parts of a turn can miss the angle that uses most friction; each costs an
-                // equilibrium.
+                // With fewer parts of a turn the angle that uses most friction could be missed; each part costs an equilibrium.
                 let on_the_way = (0..180_u32).map(|k| path.state_at(0, f64::from(k) / 180.0));
                 on_the_way.chain([path.state()]).collect()
             }

@@ -1,8 +1,8 @@
 //! Needed amounts of many grasps, on all cores.
 //!
 //! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
-//! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at the loss
-//! takes its place; one load path finds it. For all other grasps the amount is searched as by [`Grasp::need`].
+//! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at the loss is
+//! used instead of first slip; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`].
 
 use core::ops::Range;
 
@@ -27,16 +27,16 @@ use crate::sweep::caught;
 pub enum ShortAmount {
     /// The least or greatest sufficient amount, as [`Amount::Bound`].
     Bound(f64),
-    /// All amounts that were tried suffice, as [`Amount::Any`].
+    /// All amounts that were tried are sufficient, as [`Amount::Any`].
     Any,
-    /// No amount suffices, as [`Amount::None`].
+    /// No amount is sufficient, as [`Amount::None`].
     None,
     /// The verdict for an amount is undecided, as in [`Amount::Undecided`].
     Undecided,
 }
 
 impl ShortAmount {
-    /// The least or greatest sufficient amount; `None` if it is not known, or if there is none.
+    /// The least or greatest sufficient amount; `None` if it is not known, or if there is no sufficient amount.
     #[must_use]
     pub fn bound(self) -> Option<f64> {
         if let Self::Bound(does) = self { Some(does) } else { None }
@@ -55,15 +55,15 @@ impl From<&Amount> for ShortAmount {
 }
 
 impl<const C: usize> Grasp<C> {
-    /// How much squeeze do many grasps need, each for its own load, or how much load do they carry? On all cores; the amounts are those of
-    /// [`Self::need`], without sentences, windows and safe amounts.
+    /// The squeeze that each of many grasps needs for its own load, or the multiple of its load that it carries, on all cores. The amounts are those
+    /// of [`Self::need`], without sentences, windows and safe amounts.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
     /// [held](Demand::Held). A row is one grasp with its load. If everything must stick, a row takes a few microseconds; if the object must be held,
     /// one load path up to the loss. Any other row takes as long as [`Self::need`]. The amounts agree with those of [`Self::need`] up to the step
     /// error along parts of load paths on which directions of slip turn.
     ///
-    /// The amounts come in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the others.
+    /// The amounts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -105,8 +105,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// Whether the answer follows from the greatest multiple of the load that the grasp bears: it is this multiple, or for a squeeze its inverse. For
-    /// a squeeze everything else that acts must be proportional to the squeeze.
+    /// Whether the answer follows from the greatest multiple of the load that the grasp bears: the answer is this multiple, or for a squeeze its
+    /// inverse. For a squeeze everything else that acts must be proportional to the squeeze.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
         let held = |contact: &Contact<C>| {
             contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0
@@ -150,8 +150,8 @@ impl Asked {
         amounts
     }
 
-    /// Fills in missing answers if the load is sought. The rotation under the given load may not bound the rotation under the sought multiple of the
-    /// load. So the rotation is computed again under that multiple.
+    /// Fills in missing answers if the load is sought. The rotation under the given load may be smaller than under the sought multiple of the load.
+    /// Therefore the rotation is computed again under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,
@@ -227,8 +227,8 @@ impl Asked {
             let lost = lost_at(&grasp.hold_briefly(&ramp)?.0);
             return Ok(lost.and_then(|(multiple, _)| self.amount(multiple)));
         }
-        // Motions may be too large at the given squeeze, but small at the sought squeeze. So the path to the loss is followed without limits on
-        // motions.
+        // Motions may be too large at the given squeeze, but small at the sought squeeze. Therefore the path to the loss is followed without limits
+        // on motions.
         let (mut unlimited, small) = (self.settings, &self.settings.small_motions);
         let wider = ANY_MOTION.min(MOST_LIMIT / small.rotation.max(small.slip));
         unlimited.small_motions.rotation *= wider;
@@ -249,8 +249,8 @@ impl Asked {
 const ANY_MOTION: f64 = 1e40;
 /// The largest allowed value of the limits of small motions.
 const MOST_LIMIT: f64 = 1e50;
-/// The squeeze that is tried exceeds the computed one by this fraction. It is more than the step error of load paths on which directions of slip turn
-/// (1e-9 by default), but too little to matter for motions.
+/// The squeeze that is tried exceeds the computed squeeze by this fraction. The fraction is larger than the step error of load paths on which
+/// directions of slip turn (1e-9 by default), but too small to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
 /// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small. `None` if the object is not held at

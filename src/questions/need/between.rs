@@ -19,7 +19,7 @@ pub(super) fn refined(
         return Ok(Some(does));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts stay undetected.
+    // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts are missed.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
         amounts.sort_by(f64::total_cmp);
@@ -36,7 +36,8 @@ pub(super) fn refined(
 }
 
 /// A golden-section search for the amount that carries the largest fraction of the load, around the best amount so far. While contacts and drives
-/// keep their states, this fraction is a concave function of the squeeze. So the search ends once chords of the function bound its maximum below 1.
+/// keep their states, this fraction is a concave function of the squeeze. Thus the search can end once chords of the function prove that its maximum
+/// is below 1.
 fn where_most_is_carried(
     tries: Tries<'_>,
     vain: &mut Vec<(f64, Trial)>,
@@ -71,7 +72,7 @@ fn where_most_is_carried(
         }
         let [(low, at_low), (high, at_high)] = ends;
         let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
-        // A concave function lies below the extensions of its chords, so `most` bounds its maximum.
+        // A concave function lies below the extensions of its chords, so `most` is an upper bound of its maximum.
         let gap = inner[1] - inner[0];
         let slope = (other - one) / gap;
         let before = one + (-slope).max(0.0) * (inner[0] - low);

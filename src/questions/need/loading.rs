@@ -82,8 +82,8 @@ impl Loading {
         Ok(Self { grasp, loads, base, times, words: need.words, followed, extent: Extent::Measured, refused })
     }
 
-    /// The loads that contact forces must balance if the amount is to suffice: the load at rest, and its sum with each load. A force of any direction
-    /// is taken along both senses of each axis, a turning load at nine angles.
+    /// The loads that contact forces must balance if the amount is to be sufficient: the load at rest, and its sum with each load. A force of any
+    /// direction is taken along both senses of each axis, a turning load at nine angles.
     pub(super) fn to_balance(&self) -> Vec<Wrench<3>> {
         let mut list = vec![self.base];
         match &self.loads {
@@ -146,7 +146,8 @@ impl Loading {
                     (Demand::Held, Some(Trial::Does { .. } | Trial::DoesNot { .. }))
                     | (Demand::Sticks, _) => Trials::only(demand, trial.unwrap_or_else(Trial::always)),
                     _ => {
-                        // The first ramp is without the force of any direction: only the constant load beside it is added to the load at rest.
+                        // In the first ramp the force of any direction is missing: only the constant load of the question is added to the load at
+                        // rest.
                         let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
@@ -165,7 +166,7 @@ impl Loading {
                         };
                         let mut trials =
                             Trials { sticks: None, ..self.all(&ramps, demand, refuting, &mut note)? };
-                        // The evenly spread direction in which the load is not carried, or is carried least, is tried first from then on.
+                        // From now on the evenly spread direction in which the load is not carried, or is carried least, is tried first.
                         refuting.first.get().checked_sub(1).into_iter().for_each(|k| refuting.add(all[k]));
                         if let Some(held) = trials.held.take_if(|held| held.does()) {
                             trials.held =
@@ -296,8 +297,8 @@ impl Loading {
                 let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
                 let carried = match &verdict.holding {
                     Holding::NoRest { .. } => NOT_AT_REST,
-                    // The load at rest is lost at a fraction of it. The carried part is then negative, but above `NOT_AT_REST`, the value for a proof
-                    // that no equilibrium at rest exists.
+                    // The load at rest is lost at a fraction of its size. The carried part is then negative, but above `NOT_AT_REST`, the value for a
+                    // proof that no equilibrium at rest exists.
                     Holding::LostAtRest { at_rest } => {
                         (at_rest.factor - 1.0).clamp(NOT_AT_REST + f64::EPSILON, -f64::EPSILON)
                     }

@@ -1,18 +1,18 @@
-//! How much does it need? The least squeeze or friction, or the greatest load, arm or angle, with which nothing slides, or with which the object is
-//! held.
+//! The amount of a quantity that a grasp needs: the least squeeze or friction, or the greatest load, arm or angle, with which nothing slides, or with
+//! which the object is held.
 //!
 //! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. Its sentence has the units
 //! of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
 //!
 //! | sought | bound | unit of [`Amount`] |
 //! |---|---|---|
-//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the squeeze given; the sentence has N at each contact, of suction cups kPa |
+//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the given squeeze; the sentence has N at each contact, of suction cups kPa |
 //! | [`Need::friction`] | least, of all contacts or of some | coefficient |
-//! | [`Need::load`] | greatest | multiple of the loads given |
+//! | [`Need::load`] | greatest | multiple of the given loads |
 //! | [`Need::arm`] | greatest displacement of a force | m |
 //! | [`Need::angle`] | greatest angle of a load that turns | rad; the sentence has degrees |
-//! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the one given; in the sentence N or N m |
-//! | [`Need::load_at_rest`] | least | multiple of the load at rest given |
+//! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the given one; in the sentence N or N m |
+//! | [`Need::load_at_rest`] | least | multiple of the given load at rest |
 //!
 //! There are four [`Demand`]s. [`Held`](Demand::Held): the object is held; the answer then adds the amount with which nothing slides.
 //! [`Sticks`](Demand::Sticks): nothing slides at all. [`Rests`](Demand::Rests): under loads that repeat, the object comes to rest.
@@ -20,21 +20,21 @@
 //!
 //! For every amount that is tried, [`Grasp::hold`](crate::ask::Grasp::hold) gives the verdict. The answer names two neighbouring amounts that were
 //! tried: one is sufficient, the other is insufficient. This bracket is narrowed with secants of the carried fraction of the load, in the plane to
-//! the last digits. That fraction may jump at the bound. Then secants of a second margin are used: the distance to the limit of small motions, or the
+//! the last digits. If that fraction jumps at the bound, secants of a second margin are used: the distance to the limit of small motions, or the
 //! margin of sticking at rest. If no equilibrium at rest exists beyond the bound, the margins of the contacts at rest are used instead. While the
-//! bracket is narrowed, verdicts leave out the enumeration of many contact states, which is slowest near a bound, and the reason why no equilibrium
+//! bracket is narrowed, verdicts omit the enumeration of many contact states, which is slowest near a bound, and the reason why no equilibrium
 //! exists. The verdicts for the two amounts of the answer include both.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
-//! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
-//! both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts around the
-//! bound finds how far the sufficient amounts extend ([`FarEnd`]), and which others are sufficient ([`AmountWindow`]). If contact states at rest
-//! differ between neighbouring amounts, amounts between these are tried, too. The scan can still miss a narrow interval between two amounts. The
-//! answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. If only loads and squeeze act, twice the
-//! squeeze carries twice the load. The scan is then omitted, unless a much larger squeeze moves the part too far.
+//! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. Therefore the
+//! search goes both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts
+//! around the bound finds how far the sufficient amounts extend ([`FarEnd`]), and which others are sufficient ([`AmountWindow`]). If contact states
+//! at rest differ between neighbouring amounts, amounts between these are tried, too. The scan can still miss a narrow interval between two amounts.
+//! The answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. If only loads and squeeze act, twice
+//! the squeeze carries twice the load. The scan is then omitted, unless a much larger squeeze moves the part too far.
 //!
-//! If no command presses there is no squeeze to scale. Then the force of the only loaded body is sought in its place, or the load at rest, and the
-//! answer says so.
+//! If no command presses, there is no squeeze to scale. In that case the force of the only loaded body is sought, or the load at rest, and the answer
+//! says so.
 
 mod amount_words;
 mod answer;

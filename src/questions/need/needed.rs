@@ -21,7 +21,7 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
-    /// How much does it need? The least squeeze, friction or force, the greatest load, arm or angle; see [`Need`].
+    /// The amount that a grasp needs: the least squeeze, friction or force, the greatest load, arm or angle; see [`Need`].
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -161,8 +161,8 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             None => found.any(&plan, to),
         },
         Searched::Nothing(mut vain) => {
-            // With `Look::Towards` an amount that holds the object is known already. If the verdict on sticking is decided for some amounts, the
-            // undecided ones are dropped.
+            // `vain` are the amounts tried, none of which is sufficient. With `Look::Towards` an amount that holds the object is known already. If
+            // the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -224,8 +224,8 @@ impl Found<'_, '_> {
     fn bound(&self, mut plan: SearchPlan, bound: Threshold, look: Look) -> Result<Amount, Error> {
         let (does, does_not) = (bound.does, bound.does_not.0);
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
-        // A larger squeeze always carries more here, but it may move the part too far. A squeeze is tried that is much larger than the least one and
-        // than the one given; if it is insufficient, the whole range is scanned.
+        // A larger squeeze always carries more in this case, but it may move the part too far. A squeeze is tried that is much larger than the least
+        // squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
         let ample = FAR_FROM_START * does.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
@@ -271,7 +271,7 @@ impl Found<'_, '_> {
     }
 }
 
-/// Among the amounts tried beyond the bound `does`, where amounts are easier: the last one that suffices, and the first one that does not.
+/// Among the amounts tried on the easier side of the bound `does`: the last sufficient amount, and the first insufficient one.
 fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / does } else { does / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
@@ -281,8 +281,8 @@ fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> 
     Some([last, beyond[first].0])
 }
 
-/// The far end of the sufficient amounts that begin at `does`. Without reduced friction or larger loads this end lies between the two amounts `far`,
-/// so these are tried first.
+/// The far end of the sufficient amounts that begin at `does`. With friction and loads as given, this end lies between the two amounts `far`. These
+/// are therefore tried first.
 fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
     let mut inner = does;
     for amount in far {
@@ -299,8 +299,8 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
     Ok(None)
 }
 
-/// The answer if no amount suffices. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the amounts
-/// with which most of the load is carried.
+/// The answer if no amount is sufficient. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the
+/// amounts with which most of the load is carried.
 pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);

@@ -1,4 +1,4 @@
-//! The data of a [`Need`] after it has been checked, with defaults for all data that were left out.
+//! The data of a [`Need`] after it has been checked, with defaults for all data that were not given.
 
 use alloc::borrow::Cow;
 
@@ -85,7 +85,7 @@ pub(super) enum Sought {
     },
 }
 
-/// Deviations from the given data to the unfavourable side, which a safe amount allows for.
+/// Deviations from the given data to the unfavourable side, which the safe amount takes into account.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Safety {
     /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
@@ -318,7 +318,7 @@ impl Need<3> {
     }
 }
 
-/// The fault of a factor of safety where only a load at rest acts.
+/// The fault of a factor of safety if only a load at rest acts.
 const NOTHING_TO_MULTIPLY: &str = "multiplies the load asked about, and none is given; the load at rest and the weights of bodies stay as they are";
 
 /// The error of a question without a load if nothing acts at rest.

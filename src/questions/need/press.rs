@@ -17,7 +17,7 @@ pub struct Press {
     pub part: WholeContact,
     /// Normal force of the contact, N; for a soft fingertip the sum over its points.
     pub force: f64,
-    /// Whether a command, force or vacuum of the contact itself presses it; otherwise only the reaction to other contacts does. `false` for all
+    /// Whether a command, force or vacuum of the contact itself presses it. If not, only the reaction to other contacts presses it. `false` for all
     /// contacts if joints or tendons press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
@@ -71,7 +71,7 @@ impl Press {
         }
     }
 
-    /// Whether the force in words is a number that is set: a pressure, an overlap, or the force that is set.
+    /// Whether the force in words is a number that the user sets: a pressure, an overlap, or the force that is set.
     fn names_itself(&self) -> bool {
         let is_set = |set: f64| (set - self.force).abs() <= ALIKE_IN_WORDS * set;
         self.pressure.is_some() || self.overlap.is_some() || self.pressed_with.is_some_and(is_set)

@@ -13,8 +13,8 @@ use crate::prelude::*;
 /// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Also the names of the joints and tendons whose drives are at
 /// their limit.
 ///
-/// If without a load the contacts that are pressed by commands carry no force beyond rounding, their forces under the load at rest are returned. A
-/// contact held by a given force presses with it even if no equilibrium is known.
+/// If the contacts that are pressed by commands carry no force beyond rounding without a load, their forces under the load at rest are returned. A
+/// contact held by a given force presses with this force even if no equilibrium is known.
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The answer if proofs exclude all amounts, or all but one that suffices; `None` otherwise.
+/// The answer if proofs exclude all amounts, or all but one that is sufficient; `None` otherwise.
 pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
     let only = only_amount(plan, tries)?;
     if only.is_some() || !plan.range.is_empty {
@@ -19,8 +19,8 @@ pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amo
     Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
 }
 
-/// The answer if proofs exclude all amounts but one, and this one suffices; `None` otherwise. If this amount is 1 up to rounding, the given multiple
-/// 1 is tried in its place.
+/// The answer if proofs exclude all amounts but one, and this one is sufficient; `None` otherwise. If this amount is 1 up to rounding, the given
+/// multiple 1 is tried instead.
 fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
     let Some(only) = plan.range.point() else { return Ok(None) };
     let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
@@ -46,7 +46,7 @@ fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Er
     }))
 }
 
-/// The bracket at the proved end of the range, where `to` is the last amount tried and all tried amounts suffice. Beyond the proved end no contact
+/// The bracket at the proved end of the range, if all tried amounts are sufficient; `to` is the last amount tried. Beyond the proved end no contact
 /// forces balance the loads.
 pub(super) fn at_proved_end(
     to: f64,

@@ -45,10 +45,10 @@ impl Demand {
 pub struct Need<const C: usize> {
     /// The sought quantity.
     pub(crate) quantity: Quantity,
-    /// The demand that the amount has to meet: by default that the object is held. Then the answer adds the amount with which nothing slides.
+    /// The demand that the amount has to meet: by default that the object is held. The answer then adds the amount with which nothing slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(super) demand: Demand,
-    /// The load at rest; none if left out. It is constant, except if a force without `of` is sought: then amounts multiply it.
+    /// The load at rest; none if not given. It is constant, unless a force without `of` is sought: amounts then multiply the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
     /// One load. For an arm: the wrench of the force at displacement 0.
@@ -57,10 +57,10 @@ pub struct Need<const C: usize> {
     /// Several loads, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(super) loads: Vec<Wrench<C>>,
-    /// Size of a force of any direction, N, which acts at the point `at` beside `load`.
+    /// Size of a force of any direction, N, which acts at the point `at` in addition to `load`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) any_force: Option<f64>,
-    /// Point at which the force of any direction acts, m; the origin if left out.
+    /// Point at which the force of any direction acts, m; the origin if not given.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")
@@ -73,20 +73,20 @@ pub struct Need<const C: usize> {
     /// For an arm: the change of the load per metre of displacement.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) per_metre: Option<Wrench<C>>,
-    /// For friction: the index, from 0, of the contact whose coefficient is sought. If left out, one coefficient for all contacts is sought.
+    /// For friction: the index, from 0, of the contact whose coefficient is sought. If not given, one coefficient for all contacts is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) contact: Option<usize>,
     /// For friction: indices of several contacts with one coefficient, instead of `contact`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) contacts: Option<Vec<usize>>,
     /// For a force: the name of the part whose force is sought. This is the load of a body, or the command or force of a contact, link or joint. If
-    /// left out, the load at rest, `base`, is sought.
+    /// not given, the load at rest, `base`, is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) of: Option<String>,
-    /// Loads of further bodies, by name, which grow together with `load`; `base` must be left out then.
+    /// Loads of further bodies, by name, which grow together with `load`. If they are given, `base` must not be given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
     pub(crate) together_with: BTreeMap<String, Wrench<C>>,
-    /// For the safe amount: factor by which the loads are multiplied; 1 if left out.
+    /// For the safe amount: factor by which the loads are multiplied; 1 if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) safety: Option<f64>,
     /// For the safe amount: relative reduction of friction, from 0 to less than 1. The default is 0.1, or 0 if `safety` is given.
@@ -132,10 +132,10 @@ impl<const C: usize> Need<C> {
         }
     }
 
-    /// The least squeeze for these loads, as a multiple of the one given.
+    /// The least squeeze for these loads, as a multiple of the given squeeze.
     ///
-    /// It scales all commands in proportion, as [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does, including the commands of joints and the
-    /// torques that hold joints.
+    /// The squeeze consists of all commands, scaled in proportion as [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does, including the commands of
+    /// joints and the torques that hold joints.
     #[doc(alias = "grip force")]
     #[doc(alias = "clamping force")]
     #[must_use]
@@ -150,8 +150,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Friction, loads)
     }
 
-    /// The least coefficient of friction for these loads, one value for all the given contacts (indices from 0; a soft fingertip counts as one
-    /// contact). Other contacts keep their coefficients.
+    /// The least coefficient of friction for these loads, one value for all the given contacts (indices from 0; a soft fingertip is one contact).
+    /// Other contacts keep their coefficients.
     #[must_use]
     pub fn friction_of(contacts: impl IntoIterator<Item = usize>, loads: impl Into<Loads<C>>) -> Self {
         let contacts: Vec<_> = contacts.into_iter().collect();
@@ -189,7 +189,7 @@ impl<const C: usize> Need<C> {
     /// The least force of the named part for these loads, as a multiple of its given force.
     ///
     /// The force of a part is the load of a body, a lever or a screw. For a contact, a cable or a joint it is the command or force. All other parts
-    /// keep their forces. If still larger multiples are insufficient again, [`Amount::Bound`](super::Amount::Bound) contains that limit as `until`.
+    /// keep their forces. If still larger multiples are insufficient again, [`Amount::Bound`](super::Amount::Bound) contains this limit in `until`.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -226,8 +226,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Angle, Loads::Turn(turn))
     }
 
-    /// This need with a load at rest (N, N m), which acts before the other loads and stays constant. If a push is sought, it may be the weight of the
-    /// object. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
+    /// This need with a load at rest (N, N m), which acts before the other loads and stays constant. If a push is sought, the load at rest may be the
+    /// weight of the object. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -309,7 +309,7 @@ impl<const C: usize> Need<C> {
 
     /// This need with a safe amount for friction `(1 - friction) μ` and `1 - squeeze` times the squeeze. Both reductions are from 0 to less than 1.
     ///
-    /// The default is 0.1 and 0.05. With two zeros, and loads not enlarged, there is no safe amount.
+    /// The defaults are 0.1 and 0.05. With two zeros, and loads not enlarged, there is no safe amount.
     #[must_use]
     pub fn if_lower_by(self, friction: f64, squeeze: f64) -> Self {
         self.if_friction_lower_by(friction).if_squeeze_lower_by(squeeze)
@@ -330,7 +330,7 @@ impl<const C: usize> Need<C> {
     }
 
     /// This need with a safe amount for loads multiplied by `factor`, in place of reduced friction and squeeze. After a later [`Self::if_lower_by`]
-    /// the safe amount allows for both. The load at rest keeps its size.
+    /// the safe amount takes both into account. The load at rest keeps its size.
     #[doc(alias = "factor of safety")]
     #[must_use]
     pub fn with_safety(mut self, factor: f64) -> Self {
@@ -361,7 +361,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// The single load, or the constant load beside a force of any direction.
+    /// The single load, or the constant load that acts together with a force of any direction.
     #[must_use]
     pub fn given_load(&self) -> Option<Wrench<C>> {
         self.load

@@ -2,8 +2,8 @@
 //! held.
 //!
 //! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v may prove
-//! that W(x) is unbalanced. It then proves this for every other amount y with W(y)·v > 0, so the range ends at the latest where this work vanishes.
-//! For friction there is a least coefficient, because friction widens the cones.
+//! that W(x) is unbalanced. Then v proves the same for every other amount y with W(y)·v > 0, so the range ends at the latest where this work
+//! vanishes. For friction there is a least coefficient, because friction widens the cones.
 
 use super::loading::Loading;
 use super::posed::{Posed, Safety, Sought};
@@ -85,7 +85,7 @@ impl Range {
         let (low, high) = (self.low.unwrap_or(least), self.high.unwrap_or(most));
         let (mut at, end) = if up { (low, high) } else { (high, low) };
         // On round cones each step of this loop shortens the distance to the true end by a constant factor. With fewer steps the end would be less
-        // tight, though still proved.
+        // accurate, though still proved.
         for _ in 0..60 {
             let here = loading(at)?;
             let load = here.to_balance()[which];
@@ -114,9 +114,9 @@ impl Range {
         Ok(())
     }
 
-    /// The least coefficient of friction with which contact forces balance all loads. Below it, a proof consists of a motion along which a load does
-    /// positive work. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than a bisection on
-    /// whether a proof exists.
+    /// The least coefficient of friction with which contact forces balance all loads. For a smaller coefficient, a motion along which a load does
+    /// positive work is a proof. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than a
+    /// bisection on whether a proof exists.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
@@ -140,7 +140,8 @@ impl Range {
         }
         let (Some(mut last), mut low, mut high) = (left(least)?, least, most) else { return Ok(()) };
         let mut secant = None;
-        // For limits at a ratio of 2⁴⁰ about 40 halvings are needed, the first ones in logarithms. With fewer the end would be loose.
+        // For limits with a ratio of 2⁴⁰ about 40 halvings are needed, the first ones in logarithms. With fewer, the end of the range would be less
+        // accurate.
         for _ in 0..80 {
             if high - low <= SAME_COEFFICIENT * high {
                 break;

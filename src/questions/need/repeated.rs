@@ -60,10 +60,10 @@ impl Loading {
     }
 }
 
-/// For an insufficient amount, a number below 1 that takes the place of the carried part of the load. It grows the later the object is lost, or the
-/// less the object moves per period.
+/// For an insufficient amount, a number below 1 that is used instead of the carried part of the load. It is larger the later the object is lost, or
+/// the less the object moves per period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
-    // A loss gives less than one half; walking and sliding to and fro give more. So an increasing number leads the search from loss to walking to
+    // A loss gives less than one half; walking and sliding to and fro give more. Thus an increasing number leads the search from loss to walking to
     // rest.
     let held = 0.5;
     match &shaken.repeats {

@@ -1,7 +1,7 @@
 //! The search for a sufficient amount, and then for a neighbouring insufficient amount: together a bracket of the bound, which `threshold` narrows.
 //!
-//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts lie above if the least amount is sought, and
-//! below if the greatest is sought.
+//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, and
+//! smaller if the greatest is sought.
 
 use super::between::refined;
 use super::range::Range;
@@ -18,8 +18,8 @@ pub(super) struct Tries<'t> {
     pub(super) whole: TrialOf<'t>,
     /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
     pub(super) short: TrialOf<'t>,
-    /// Quick trials leave out the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide,
-    /// the trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
+    /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
+    /// trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states at rest differ between two amounts with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
@@ -45,20 +45,18 @@ impl Tries<'_> {
 pub(super) enum Searched {
     /// The bracket of the bound.
     Threshold(Threshold),
-    /// All amounts that were tried suffice; this is the last amount tried.
+    /// All amounts that were tried are sufficient; this is the last amount tried.
     All(f64),
-    /// None of these amounts suffices. Amounts known before the search come first, then the first amount of the search.
+    /// No amount is sufficient. The list has the amounts known before the search, then the amounts of the search from the first one on.
     Nothing(Vec<(f64, Trial)>),
 }
 
 /// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
-    /// The bound of the sufficient amounts is about `x c`, because the load itself is the sought quantity. Here x is the tried amount and c the
-    /// carried part of the load.
+    /// The bound is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the sought quantity.
     Times,
-    /// The bound of the sufficient amounts is about `x / c`, as if c were proportional to x. Here x is the tried amount and c the carried part of the
-    /// load.
+    /// The bound is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to x.
     Divided,
     /// No estimate.
     Nothing,
@@ -77,13 +75,13 @@ pub(super) struct SearchPlan {
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: Guess,
-    /// Whether it is known that all easier amounts suffice if one amount does. Easier amounts are larger if the least amount is sought, and smaller
-    /// if the greatest is sought.
+    /// Whether it is known that all easier amounts are sufficient if one amount is. Easier amounts are larger if the least amount is sought, and
+    /// smaller if the greatest is sought.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.
     pub(super) everywhere: bool,
-    /// The width of the bracket at which the search ends, by number of steps.
+    /// The relative width of the bracket at which the search ends, as a function of the number of steps made.
     pub(super) enough: Enough,
 }
 
@@ -133,8 +131,8 @@ impl SearchPlan {
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
-    /// Guesses of the bound, in the order in which they are tried. First come those from the carried part at both ends of a bracket, then those
-    /// beside the proved end and the likely bound.
+    /// Guesses of the bound, in the order in which they are tried. First come guesses from the carried part at both ends of a bracket, then amounts
+    /// next to the proved end and to the likely bound.
     fn guesses(
         &self,
         (does, trial): (f64, &Trial),
@@ -147,8 +145,8 @@ impl SearchPlan {
         let from_beyond = |part: f64| does_not.and_then(|(at, trial)| beyond(*at, trial, part));
         let [nearest, near_enough, nearby] = NEAR_AN_END;
         let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
-        // Offset of the trials beside the estimate of least friction. If smaller than the error of that estimate, both trials would fall on one side
-        // of the bound.
+        // Relative offset of the trials on both sides of the estimate of least friction. If smaller than the error of that estimate, both trials
+        // would be on one side of the bound.
         let off = 3e-12;
         let near = |part: f64| self.beside_the_end(does, part);
         let guesses = [
@@ -166,8 +164,8 @@ impl SearchPlan {
         guesses.into_iter().flatten()
     }
 
-    /// The first amount tried: the start if forces can balance the loads with it, or else an amount inside the range. Between two ends this is the
-    /// middle.
+    /// The first amount tried: the start if forces can balance the loads with it, or else an amount inside the range. If the range has two ends, this
+    /// amount is its middle.
     pub(super) fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
@@ -179,8 +177,8 @@ impl SearchPlan {
 }
 
 /// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient first amount towards easier
-/// amounts. If no amount in that direction suffices, the other direction is tried, then the intervals between the amounts tried. Trials in `known`
-/// are not repeated.
+/// amounts. If no amount in that direction is sufficient, the other direction is tried, then the intervals between the amounts tried. Trials in
+/// `known` are not repeated.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -217,8 +215,8 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     // With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
-    // If the start fails because its squeeze moves the part too far, a smaller squeeze may suffice. So smaller amounts are tried, too, if the least
-    // is sought.
+    // If the start is insufficient because its squeeze moves the part too far, a smaller squeeze may be sufficient. Therefore smaller amounts are
+    // tried, too, if the least is sought.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {
@@ -240,8 +238,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Neighbours keep one undecided amount from ending the search. If they were closer than 1e-9, the cause, two events at the same load, might
-        // occur again. In a narrow bracket two neighbours are enough.
+        // Trying neighbours keeps one undecided amount from ending the search. If they were closer than 1e-9, the cause, two events at the same load,
+        // might occur again. In a narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -291,7 +289,8 @@ fn walk(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
-        // Far from the start, an interval of sufficient amounts is usually as wide as its distance from the start. So larger steps find it, too.
+        // Far from the start, an interval of sufficient amounts is usually as wide as its distance from the start. Therefore larger steps find it,
+        // too.
         let is_far = at > FAR_FROM_START * begin || at * FAR_FROM_START < begin;
         let factor = if is_far { factor.max(FAR_FROM_START) } else { factor };
         at *= if up { factor } else { factor.recip() };
@@ -306,7 +305,7 @@ fn walk(
     }
 }
 
-/// The bracket of the bound. From a sufficient amount the search goes towards harder amounts (less squeeze, more load) until one does not suffice.
+/// The bracket of the bound. From a sufficient amount the search goes towards harder amounts (less squeeze, more load) until one is insufficient.
 /// Then it narrows the bracket.
 fn edge_from(
     tries: Tries<'_>,
@@ -333,7 +332,7 @@ fn edge_from(
             now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The amount just inside the proved end does not suffice, so the bound is elsewhere.
+        // The amount just inside the proved end is insufficient, so the bound is elsewhere.
         if Some(amount) == inside && does != amount {
             break;
         }

@@ -1,5 +1,4 @@
-//! The bracket of the least or greatest sufficient amount (the bound): one amount that suffices and one that does not, and how the bracket is
-//! narrowed.
+//! The bracket of the least or greatest sufficient amount (the bound): one sufficient and one insufficient amount, and how the bracket is narrowed.
 
 use super::search::{Tries, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
@@ -8,11 +7,10 @@ use crate::error::Error;
 use crate::prelude::*;
 
 /// The relative widths at which a bracket is narrow enough, as pairs: a number of steps, and the width that is enough from this step on. Widths grow
-/// with the steps, since rounding or a jump of the carried part of the load can keep the two amounts apart.
+/// with the number of steps, because rounding or a jump of the carried part of the load can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
 
-/// A bracket of the bound of the sufficient amounts: an amount that suffices, and a neighbouring one that does not, with the trial of the
-/// insufficient amount.
+/// A bracket of the bound of the sufficient amounts: a sufficient amount, and a neighbouring insufficient one with its trial.
 #[derive(Debug, Clone)]
 pub(super) struct Threshold {
     pub(super) does: f64,
@@ -39,8 +37,8 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (does, enough))?;
         let mut here = tries.at(presumed.does)?;
-        // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later differ less and less. So an
-        // amount that is easier by 1e-6 is tried, too.
+        // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later differ less and less.
+        // Therefore an amount that is easier by 1e-6 is tried, too.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::DoesNot { .. }) {
@@ -64,8 +62,9 @@ impl Threshold {
             return self.by(tries, false, (does, enough));
         }
         self.does = presumed.does;
-        // In space, some amounts are shown to be insufficient only by the enumeration of contact states. This takes the longer, the nearer the amount
-        // is to the bound, and right beside the bound it does not end. So the insufficient amount of the answer then keeps a distance to the bound.
+        // In space, some amounts are shown to be insufficient only by the enumeration of contact states. The enumeration takes the longer, the nearer
+        // the amount is to the bound, and right at the bound it does not end. Therefore the insufficient amount of the answer keeps a distance to the
+        // bound.
         let is_hard = presumed.does_not.1.needs_enumeration();
         let far = self.does_not.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
@@ -97,8 +96,8 @@ impl Threshold {
         }
     }
 
-    /// Narrows the bracket. If `presumes`, trials are quick and undecided amounts count as insufficient. Otherwise trials are full, and an undecided
-    /// trial ends the narrowing.
+    /// Narrows the bracket. If `presumes`, trials are quick and undecided amounts are taken as insufficient. Otherwise trials are full, and an
+    /// undecided trial ends the narrowing.
     fn by(
         self,
         tries: Tries<'_>,
@@ -106,7 +105,7 @@ impl Threshold {
         (does, enough): ([Option<f64>; 2], Enough),
     ) -> Result<Self, Error> {
         let mut bracket = Narrowing::of(self, tries.is_planar, does, enough);
-        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; steps past 120 only follow rounding.
+        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; more than 120 steps would only follow rounding.
         for step in 0..120 {
             let close =
                 enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
@@ -116,7 +115,7 @@ impl Threshold {
             let is_slow = bracket.is_slow(step);
             let halves = bracket.choose_measure();
             // At a jump no measure guides the search. In space, moreover, load paths have step errors larger than rounding, so verdicts on amounts
-            // this close to the jump may be wrong. So a wider bracket is enough.
+            // this close to the jump may be wrong. Therefore a wider bracket is accepted.
             let is_blind = halves || bracket.fall().is_none();
             if !tries.is_planar && is_blind && bracket.is_within(AT_A_JUMP) {
                 break;
@@ -125,7 +124,7 @@ impl Threshold {
             if at == bracket.edge.does || at == bracket.edge.does_not.0 {
                 break;
             }
-            // The load beyond which a sufficient amount fails is only sought if it may guide the next trial.
+            // The load at which the grasp fails with a sufficient amount is only sought if it may guide the next trial.
             let short = halves || bracket.which == 1 || bracket.edge.does_not.1.carried().is_none();
             let (at, now) = if presumes {
                 (at, (tries.quick)(at, short)?)
@@ -152,7 +151,7 @@ struct Narrowing {
     sides: [Side; 2],
     /// Index of the measure in use.
     which: usize,
-    /// The width of the bracket and the fall of the measure across it when the measure began to be watched for a jump.
+    /// The width of the bracket, and the decrease of the measure across it, when the measure began to be watched for a jump.
     at_first: (f64, Option<f64>),
     /// Index in `sides` of the end that the last step moved. `None` before the first step, and after some steps of a slow search.
     kept: Option<usize>,
@@ -198,7 +197,7 @@ impl Narrowing {
         width > 0.125 * core::mem::replace(&mut self.widths[step % 3], width)
     }
 
-    /// The fall of the measure in use from one end of the bracket to the other; `None` unless its signs at the two ends differ.
+    /// The decrease of the measure in use from one end of the bracket to the other; `None` unless its signs at the two ends differ.
     fn fall(&self) -> Option<f64> {
         signs_differ(&self.sides, self.which).map(|[over, under]| over - under)
     }
@@ -219,8 +218,8 @@ impl Narrowing {
         if self.width() > self.at_first.0 / 16.0 {
             return false;
         }
-        // As the bracket shrinks to 1/16 of its width, the change of a smooth measure across it falls to 1/16, too. If more than a quarter is left, the
-        // measure jumps at the bound.
+        // As the bracket shrinks to 1/16 of its width, the change of a smooth measure across the bracket decreases to 1/16, too. If more than a
+        // quarter of the change is left, the measure jumps at the bound.
         let jumps = self.fall().zip(self.at_first.1).is_some_and(|(now, first)| now > 0.25 * first);
         let has_other = self.which == 0 && is_known(&self.sides, 1);
         if !jumps || has_other {
@@ -229,7 +228,7 @@ impl Narrowing {
         jumps && !has_other
     }
 
-    /// The next amount to try: beside the root of the measure, or where contacts at rest probably leave their states, or in the middle.
+    /// The next amount to try: next to the root of the measure, or where contacts at rest probably leave their states, or in the middle.
     fn next(&mut self, tries: &Tries<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.does, self.edge.does_not.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -268,8 +267,8 @@ impl Narrowing {
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
         let new = (tries.rest_ends)(from, to);
         let next = new.or(last);
-        // The difference between this prediction and the last one exceeds the error. While it is large, the trial lies on the sufficient side of the
-        // prediction, afterwards on the insufficient side.
+        // The difference between this prediction and the last one exceeds the error of this prediction. While the difference is large, the trial is
+        // on the sufficient side of the prediction, afterwards on the insufficient side.
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
@@ -305,16 +304,16 @@ impl Side {
         (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end. On the other side of the bound of the
-    /// sufficient amounts the measure may have another slope.
+    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end of the bracket. On the other side of
+    /// the bound the measure may have another slope.
     fn root(&self, which: usize) -> Option<f64> {
         let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
         where_it_vanishes(points)
     }
 }
 
-/// The amount at which a margin vanishes, extrapolated from the nearest two or three amounts, the nearest first, each with its margin. `None` unless the
-/// margin falls towards zero.
+/// The amount at which a margin vanishes, extrapolated from two or three amounts, each with its margin, the nearest amount first. `None` unless the
+/// margin decreases towards zero.
 ///
 /// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root: the
 /// function then has its extreme value at the fold, before the margin vanishes.
@@ -332,14 +331,15 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
     Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
-/// A measure at both ends of the bracket, the sufficient end first; `None` unless its signs at the two ends differ by more than rounding.
+/// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless its signs at the two ends differ by more
+/// than rounding.
 fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Relative distances from the bound at which full trials are made if quick trials leave amounts beside the bound undecided. The next distance is
+/// Relative distances from the bound at which full trials are made if quick trials leave amounts next to the bound undecided. The next distance is
 /// used if the trial at the previous distance is undecided.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
@@ -350,8 +350,8 @@ const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 /// not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: Enough = &[(0, AT_A_JUMP)];
 
-/// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials are decided beside the
-/// bound.
+/// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials next to the bound are
+/// decided.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
 /// Differences of a measure between two amounts below this are due to rounding.

@@ -6,20 +6,20 @@ use super::threshold::Enough;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
-/// An estimate of the bound of the sufficient amounts is moved by this distance, across the bound. So trials on both sides leave a bracket within
-/// [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding decides on which side the trial is. From 5e-13 on, the bracket
-/// needs more trials.
+/// An estimate of the bound of the sufficient amounts is moved by this distance, across the bound. Thus trials on both sides leave a bracket within
+/// [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding determines on which side the trial is. From 5e-13 on, the
+/// bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
 ///
-/// If smaller, rounding decides whether a proof exists. If larger, the end of the range is looser, though still proved.
+/// If smaller, rounding determines whether a proof exists. If larger, the end of the range is less accurate, though still proved.
 pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 
 /// Distances from a proved end of the range, relative to it, at which amounts inside and outside are tried.
 ///
 /// If the end is exact, the first distance gives a bracket within [`EXACT`]. The other distances exceed the error of the proved end. Without them
-/// both trials beside an inaccurate end would lie on the same side of the bound of the sufficient amounts.
+/// both trials next to an inaccurate end would be on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
 /// Ratio of successive amounts in a search that tries only a few easier amounts, and in the first steps from a sufficient amount to an insufficient
@@ -28,8 +28,8 @@ pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 /// A bracket whose ends have a larger ratio is halved in logarithms, since arithmetic means approach the smaller end slowly.
 pub(super) const FAR_APART: f64 = 4.0;
 
-/// While the ratio of the tried amount to the first amount is below this, the search takes small steps. Beyond it, each step multiplies the amount by
-/// this ratio.
+/// While the ratio of the tried amount to the first amount is below this number, the search takes small steps. From this ratio on, each step
+/// multiplies the amount by this number.
 ///
 /// If smaller, intervals of sufficient amounts a little away from the start are missed. If larger, a search without a sufficient amount takes longer.
 pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
@@ -37,10 +37,10 @@ pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 /// The small steps of the search end after this many doublings, at [`FAR_FROM_START`].
 pub(super) const NEAR_DOUBLINGS: u32 = 4;
 
-/// Two tried amounts that are nearer to each other than this relative distance count as one amount in the number of tried amounts that an answer
-/// contains.
+/// Two tried amounts that are nearer to each other than this relative distance are counted as one amount in the number of tried amounts that an
+/// answer contains.
 ///
-/// If smaller, amounts that only narrow a bracket count as well, and the scan seems denser than it was.
+/// If smaller, amounts that only narrow a bracket are counted as well, and the scan seems denser than it was.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
 /// The relative widths at which the bracket of the sought amount is narrow enough. They leave only digits that are due to rounding.
@@ -75,7 +75,7 @@ pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 /// If smaller, rounding drops a prediction that is right. If larger, a wrong prediction costs more trials.
 pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
-/// Between two neighbouring amounts with different contact states at rest a further amount is tried only if their ratio exceeds this.
+/// Between two neighbouring amounts with different contact states at rest, a further amount is tried only if their ratio exceeds this number.
 ///
 /// If smaller, narrow intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
@@ -86,7 +86,7 @@ pub(super) const BETWEEN_STATES: f64 = 1.05;
 pub(super) const BETWEEN: usize = 5;
 
 /// If the first amount tried is easier than the bound by more than this ratio, amounts easier than the first one are tried as well. The scan around
-/// the bound does not reach that far.
+/// the bound does not extend that far.
 ///
 /// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just on the easier side of the first one is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;

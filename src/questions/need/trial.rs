@@ -6,8 +6,8 @@ use super::question::Demand;
 use crate::hold::AtRest;
 use crate::prelude::*;
 
-/// The value of the carried part if the load at rest has no equilibrium at all. A negative carried part means that not even the load at rest is
-/// carried in full.
+/// The value of the carried part if the load at rest has no equilibrium at all. If the carried part is negative, not even the load at rest is carried
+/// in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
 /// The result of the trial of an amount.
@@ -25,7 +25,7 @@ pub(super) enum Trial {
         says: String,
         /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
-        /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still fall below 0
+        /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still decrease below 0
         /// continuously.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
@@ -51,7 +51,7 @@ impl Trial {
         Self::Does { carried, other: f64::INFINITY }
     }
 
-    /// The result for an amount that suffices however large the load is.
+    /// The result for an amount that is sufficient however large the load is.
     pub(super) const fn always() -> Self {
         Self::carries(f64::INFINITY)
     }
@@ -74,8 +74,8 @@ impl Trial {
         }
     }
 
-    /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure vanishes
-    /// at the bound, unless it jumps at the bound. `None` if a measure is not known.
+    /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure is zero at
+    /// the bound, unless it jumps at the bound. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {
@@ -89,8 +89,8 @@ impl Trial {
         self.measures()[1].unwrap_or(f64::INFINITY)
     }
 
-    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Among equals the result with less carried
-    /// load is worse.
+    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Of two equal results the one with less
+    /// carried load is worse.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
             Self::DoesNot { .. } => 0,

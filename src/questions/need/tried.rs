@@ -41,7 +41,7 @@ pub(super) struct Tried<'q> {
     /// The first amount of the search.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
-    /// Results of quick trials, which leave out the enumeration of many contact states.
+    /// Results of quick trials, which omit the enumeration of many contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
     refuting: Refuting,
     /// The range of amounts outside which proofs exclude all amounts; computed by the first search and shared by all.
@@ -67,8 +67,8 @@ impl<'q> Tried<'q> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // A sufficient quick trial has the verdict of a full trial. Exceptions: its search for an equilibrium at rest began elsewhere, or it leaves
-        // out directions between those of a force of any direction.
+        // A sufficient quick trial has the verdict of a full trial. Two cases are excepted: its search for an equilibrium at rest began elsewhere, or
+        // it omits some directions of a force of any direction.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
@@ -166,7 +166,7 @@ impl<'q> Tried<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The range and number of amounts tried. Amounts that only narrow a bracket count as one amount.
+    /// The range and number of amounts tried. Amounts that only narrow a bracket are counted as one amount.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         amounts.sort_by(f64::total_cmp);

@@ -73,7 +73,7 @@ impl Needed {
         }
     }
 
-    /// Writes the bound, the amounts beside it, what happens beyond it, and how it was found.
+    /// Writes the bound, the amounts next to it, what happens beyond it, and how it was found.
     fn bound(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Amount::Bound {
             does,
@@ -92,7 +92,7 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
-        // A bound that was searched for has the amounts that were tried beside it. A single amount that proofs leave has no such neighbours.
+        // A bound that was searched for has tried amounts next to it. A single amount that proofs leave has no such neighbours.
         if tried.is_none() && until.as_ref().is_some_and(|end| end.does == *does) {
             return self.only(f, *does, otherwise);
         }
@@ -126,7 +126,7 @@ impl Needed {
         self.amounts_tried(f, *tried)
     }
 
-    /// Writes that all amounts that were tried suffice, `to` being the last, up to the far end `until`.
+    /// Writes that all amounts that were tried are sufficient, `to` being the last, up to the far end `until`.
     fn any(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -151,7 +151,7 @@ impl Needed {
         self.amounts_tried(f, tried)
     }
 
-    /// Writes that one amount suffices, and no other.
+    /// Writes that one amount is sufficient, and no other.
     fn only(&self, f: &mut fmt::Formatter<'_>, does: f64, otherwise: &str) -> fmt::Result {
         let much = self.much(Words::of(f), does, &[]);
         write!(f, "ONLY {} does", much.trim_end_matches(','))?;
@@ -165,7 +165,7 @@ impl Needed {
         self.safe_amount(f, (does, &[]), false)
     }
 
-    /// Writes that no amount suffices, with the proof or the range of amounts tried.
+    /// Writes that no amount is sufficient, with the proof or the range of amounts tried.
     fn none(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, what) = (Words::of(f), self.quantity);
         let Amount::None { from, to, tried, is_proved, at_rest, .. } = &self.amount else {
@@ -284,7 +284,7 @@ impl Needed {
         format!("from {from} on (small motions: up to {to})")
     }
 
-    /// Writes the safe amount, which allows for reduced friction and squeeze or for larger loads.
+    /// Writes the safe amount, which takes into account reduced friction and squeeze or larger loads.
     fn safe_amount(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -330,7 +330,8 @@ impl Needed {
                         None => self.short(words, *safe, safe_presses),
                     },
                 };
-                // The safe amount suffices with lower friction and squeeze or larger loads. With the data as given it may be too large or too small.
+                // The safe amount is sufficient with lower friction and squeeze or larger loads. With the data as given it may be too large or too
+                // small.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
                 } else {
@@ -365,7 +366,7 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. Without a bound the result is true.
+    /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. If there is no bound, true.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { does, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));

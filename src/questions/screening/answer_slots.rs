@@ -7,7 +7,7 @@ use super::lanes::Packed;
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// All answers of the block to all questions, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, whether the forces of the grasp in it are found by the present [`Method`](super::method::Method).
+    /// For each lane, whether the present [`Method`](super::method::Method) finds the forces of the grasp in this lane.
     these: X::Each<bool>,
     question: usize,
     questions: usize,
@@ -35,7 +35,7 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         if self.these.as_ref()[scene] { self.answers.get_mut(first..first + self.each) } else { None }
     }
 
-    /// Stores the answer of each lane in the first entry for its grasp; lanes without a grasp of this method are passed over.
+    /// Stores the answer of each lane in the first entry for its grasp. Lanes without a grasp of this method are skipped.
     #[inline(always)]
     pub(super) fn each(&mut self, answers: X::Each<T>) {
         for (scene, &answer) in answers.as_ref().iter().enumerate() {

@@ -98,8 +98,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The force and moment that `forces` leave of the load, about the centroid, and the relative size of this rest. The size is the largest force
-    /// component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
+    /// The part of the load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is the largest
+    /// force component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,
@@ -136,7 +136,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         // Without forces and loads the quotients would be 0 / 0; adding the smallest normal number to the denominators makes them 0.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
-        // `max` ignores NaN. Adding zero times the first entry of `left` makes the size NaN if that entry is.
+        // `max` ignores NaN. Adding zero times the first entry of `left` makes the size NaN if that entry is NaN.
         (left, part + X::all(0.0) * left[0])
     }
 }

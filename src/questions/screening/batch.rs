@@ -16,8 +16,8 @@ use crate::prelude::*;
 
 /// Many grasps of `N` contacts each, N from two to five, to be screened under common loads. `C` is 2 in the plane and 3 in space.
 ///
-/// Numbers of several grasps lie side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A grasp gets
-/// the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
+/// Numbers of several grasps are stored side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A
+/// grasp gets the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
 ///
 /// ```
 /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -76,7 +76,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     /// The load factor at first slip of every grasp under each of the growing loads, on one thread;
     /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores. The earlier content of `answers` is replaced: the answer of grasp g
     /// to pull p is at `g * pulls.len() + p`. Work that does not depend on the load is done once per grasp. Nothing is allocated if `answers` has the
-    /// capacity.
+    /// capacity for all answers.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};

@@ -6,7 +6,7 @@ use super::lanes::Packed;
 pub(super) const MOST_SCREENED: usize = 5;
 /// Upper limit of the number of contact points of a grasp in a [`PointBatch`](super::PointBatch).
 pub(super) const MOST_POINTS: usize = 64;
-/// The number of contacts, limited to the length [`MOST_POINTS`] of the arrays, so that no index exceeds their length.
+/// The number of contacts, limited to the length [`MOST_POINTS`] of the arrays, so that no index exceeds this length.
 #[inline(always)]
 pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
@@ -44,7 +44,7 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of the terms of contact forces, which bound the rounding of these forces. They are zero with
+/// Sums of the absolute values of the terms of contact forces; the rounding of these forces is proportional to them. They are zero with
 /// [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
@@ -75,12 +75,12 @@ impl<const C: usize> Layout<C> {
     /// The number of components of loads and of motions of the object.
     pub(super) const COORDINATES: usize = 3 * (C - 1);
 
-    /// How many entries `numbers` of a [`Block`] has for grasps of this many contacts.
+    /// The number of entries that `numbers` of a [`Block`] has for grasps of this many contacts.
     pub(super) const fn numbers(contacts: usize) -> usize {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// How many numbers [`OneScene`] has: those of a [`Block`], then commands and clearances one by one.
+    /// The number of entries of [`OneScene`]: the numbers of a [`Block`], then commands and clearances separately.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }

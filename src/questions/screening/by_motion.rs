@@ -2,9 +2,9 @@
 //! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
 //!
 //! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, with the stiffness
-//! matrix T and the wrench w that was not balanced. If stiffnesses differ much, T loses the contribution of the soft contacts. The balance of
-//! forces shows the loss, and the step is repeated for the residual. Forces that obey both the balance and the springs are right, however inaccurate
-//! T is.
+//! matrix T and the wrench w that was not balanced. If stiffnesses differ much, T loses the contribution of the soft contacts. The balance of forces
+//! shows the loss, and the step is repeated for the residual. Forces that satisfy both the balance and the spring law are right, however inaccurate T
+//! is.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout, MOST_SCREENED, entries};
@@ -26,8 +26,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         );
     }
 
-    /// Computes the contact forces due to commands and a load about the centroid; without commands, those due to a load about the origin with the
-    /// fingers at rest.
+    /// Computes the contact forces that commands and a load about the centroid cause. Without commands, the load is about the origin and the fingers
+    /// are at rest.
     #[inline(never)]
     pub(super) fn sticking<V: Vectors>(
         &self,
@@ -99,7 +99,7 @@ fn let_go<const C: usize, X: Packed>(
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(block, contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
-    // One refinement suffices unless stiffnesses differ very much. Forces still unbalanced after three refinements make the verdict unclear.
+    // One refinement is enough unless stiffnesses differ very much. If forces are still unbalanced after three refinements, the verdict is unclear.
     let most_times = 3;
     for time in 0..=most_times {
         let q = body.motion(&left);
@@ -120,7 +120,7 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // For grasps whose forces are accurate enough already, the residual is set to zero. So their answers do not depend on the grasps in
+        // For grasps whose forces are accurate enough already, the residual is set to zero. Thus their answers do not depend on the grasps in
         // neighbouring lanes.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
@@ -152,8 +152,8 @@ fn move_object<const C: usize, X: Packed>(
 }
 
 /// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of its
-/// spring if stretched by the command and the whole motion of the object. The second term is limited by the sum of all forces and of the second
-/// largest such spring force. Errors of displacements cause forces that balance each other, so at least two contacts carry them.
+/// spring if it is stretched by the command and the whole motion of the object. The second term is limited by the sum of all forces and of the second
+/// largest such spring force. The reason is that errors of displacements cause forces that balance each other, which takes at least two contacts.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -38,18 +38,18 @@ impl<X: Packed> StickingCone<X> {
     }
 }
 
-/// The contact force `F + τ F'` as a line in τ, and a round friction cone. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]. The line
-/// crosses the cone, or its mirror image at the apex, at the roots of
+/// The contact force `F + τ F'` as a line in the load factor τ, and a round friction cone. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`].
+/// The line crosses the cone, or its mirror image at the apex, at the roots of
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
 /// ```
 ///
-/// The second form of Δ does not lose digits where the line passes close to the apex.
+/// The second form of Δ does not lose digits if the line passes close to the apex.
 pub(super) struct Crossing<X: Packed> {
     /// The margin `n - |t|` of the contact, N, at load factor τ = 0: `n = α F_n` is the scaled normal force, `t = β F_t` the friction force.
     pub(super) margin: X,
-    /// The rate `|t'| - n'` at which the margin falls per unit of τ in the limit of large τ, N.
+    /// The rate `|t'| - n'` at which the margin decreases per unit of τ in the limit of large τ, N.
     pub(super) closing: X,
     pub(super) a: X,
     pub(super) b: X,

@@ -18,8 +18,8 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Factorises in place a matrix with `rows` rows whose entries on and below the diagonal are stored. `last_is_free` says that the last pivot is
-    /// known to be zero up to rounding and counts as zero.
+    /// Factorises in place a matrix with `rows` rows whose entries on and below the diagonal are stored. If `last_is_free`, the last pivot is known
+    /// to be zero up to rounding and is set to zero.
     #[inline(always)]
     pub(super) fn factorize(&mut self, rows: usize, last_is_free: bool) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -52,7 +52,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         self.free = free;
     }
 
-    /// The solution `T⁻¹ w` with the factorised matrix T; rows whose pivot vanishes count as a zero of D⁻¹.
+    /// The solution `T⁻¹ w` with the factorised matrix T. For a row whose pivot vanishes, the entry of D⁻¹ is zero.
     #[inline(always)]
     pub(super) fn solve(&self, rows: usize, w: &[X; R]) -> [X; R] {
         let f = &self.entries;

@@ -39,7 +39,7 @@ pub struct Fingers<const C: usize, const N: usize> {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// The grasp with these contacts, checked and prepared for screening. Any other number of contacts than two to five does not compile.
+    /// The grasp with these contacts, checked and prepared for screening. With fewer than two or more than five contacts, the call does not compile.
     ///
     /// # Errors
     /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
@@ -57,7 +57,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 
     /// Derivatives of the load factor at first slip with respect to all data of the grasp and the load. There is one gradient for each contact that
-    /// stops sticking at first slip, in rising order of contacts. There is none if [`Self::onset`] has no load factor.
+    /// stops sticking at first slip, in rising order of contacts. The list is empty if [`Self::onset`] has no load factor.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -87,8 +87,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         ScreenedGradients { contacts: N, numbers: gradients }
     }
 
-    /// Derivatives of the load factor at first slip, written into memory that is reused. Afterwards `gradients` holds the first gradient of
-    /// [`Self::onset_gradients`] alone; it is NaN if there is no load factor. Nothing is allocated if `gradients` held as many numbers before.
+    /// Derivatives of the load factor at first slip, written into memory that is reused. Afterwards `gradients` holds only the first gradient of
+    /// [`Self::onset_gradients`]; it is NaN if there is no load factor. Nothing is allocated if `gradients` held as many numbers before.
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         gradients.numbers.clear();

@@ -27,8 +27,8 @@ struct Exit<X: Packed> {
 /// factor zero must not be negative.
 ///
 /// Let n and t be `α F_n` and `β F_t` with α and β of the [`StickingCone`]. The margin `n - |t|` is concave along the line. For large factors the
-/// margin falls at the rate `|t'| - n'`. The force leaves the cone only if this rate exceeds its rounding. In the plane the margin is the smaller of
-/// two linear functions. In space its first root solves a quadratic equation, see [`Crossing`].
+/// margin decreases at the rate `|t'| - n'`. The force leaves the cone only if this rate exceeds its rounding. In the plane the margin is the smaller
+/// of two linear functions. In space its first root solves a quadratic equation, see [`Crossing`].
 #[inline(always)]
 fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
@@ -64,8 +64,8 @@ fn exit<const C: usize, X: Packed>(
     Exit { factor, margin, rounding: weight * base.of[contact].rounding, lost }
 }
 
-/// Returns `factor`, the load factor at which a margin with the rate of fall `closing` vanishes. Infinite if the margin does not fall, up to the
-/// rounding `noise` of its rate; [`UNCLEAR`] if rounding would show in the factor.
+/// Returns `factor`, the load factor at which a margin that decreases at the rate `closing` vanishes. Infinite if the margin does not decrease by
+/// more than the rounding `noise` of its rate; [`UNCLEAR`] if rounding would show in the factor.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP_MARGIN) * noise, factor, X::all(UNCLEAR));

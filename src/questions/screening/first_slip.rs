@@ -5,12 +5,12 @@ use core::fmt;
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp, or a code if there is none, as two numbers, so that kernels can select among answers without a branch.
+/// The first slip of one grasp, or a code if there is no first slip, as two numbers, so that kernels can select among answers without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
     /// The load factor at first slip, infinite if no contact ever stops sticking, or one of the codes below.
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that stop sticking at this load factor. A soft fingertip counts as one contact.
+    /// Sum of 2^i over the contacts i that stop sticking at this load factor. A soft fingertip is one contact.
     pub(super) leaving: f64,
 }
 
@@ -34,10 +34,11 @@ pub enum ScreeningVerdict {
     NotSticking,
     /// The base load or the growing load does positive work along a motion that no contact resists.
     GivesWay,
-    /// Screening has no answer, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) may have one. The reasons are:
+    /// Screening has no answer, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) may have an answer. The reasons
+    /// are:
     ///
     /// * A contact is within rounding of the edge of its cone at load factor zero.
-    /// * A margin closes so slowly that rounding would show in the load factor.
+    /// * A margin decreases so slowly that rounding would show in the load factor.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
     Unclear,

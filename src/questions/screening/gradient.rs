@@ -2,8 +2,8 @@
 //!
 //! At the load factor τ the margin m of the contact that leaves its cone vanishes, so that `dτ = -dm / m'`, with m' the derivative of m with respect
 //! to τ. Let g = ∂m/∂F be the derivative of m with respect to the force of that contact. The springs are solved once more, with g as the command of
-//! its finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in that solution. With the forces F and
-//! the motion (u, ω) at first slip, the derivatives with respect to the data of each contact are
+//! its finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in that second solution. With the
+//! forces F and the motion (u, ω) of the object at first slip, the derivatives with respect to the data of each contact are
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point

@@ -41,7 +41,7 @@ impl<const C: usize> GradientRow<C> {
     }
 }
 
-/// The number of entries of the longest [`GradientRow`]: that of five contacts in space.
+/// The number of entries of the longest [`GradientRow`], for five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
 /// The data from which the derivatives of a load factor are computed, as products of these forces and motions; see [`super::gradient`].
@@ -68,7 +68,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             self.contact(block, i, scale, &mut row);
             row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
-        // The motion (v, ω̄) of [`super::gradient`] is moved to the origin, to which moments of loads refer.
+        // The motion (v, ω̄) of the second solution (see [`super::gradient`]) is moved to the origin, to which moments of loads refer.
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);
@@ -110,8 +110,8 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if const { C == 2 } && self.method == Method::Edges {
-            // In a pair of which one contact has no friction, commands cause no forces. A normal compliance of zero marks such a pair; then P is
-            // zero, and compliances serve only to compute the motion of the object.
+            // If one contact of a pair has no friction, commands cause no contact forces, and the forces P of the second solution (see `gradient`)
+            // must be zero. Such a pair is marked by a normal compliance of zero. It serves only to compute the motion of the object.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

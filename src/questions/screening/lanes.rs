@@ -26,13 +26,13 @@ pub(super) trait Packed:
     /// A list with one value of type `T` for each lane.
     type Each<T: Copy>: Copy + AsRef<[T]>;
 
-    /// The vector with the same number in every lane.
+    /// The vector that has the number `value` in every lane.
     fn all(value: f64) -> Self;
     /// The list with one value for each lane: `of` computes it from the index of the lane.
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
-    /// The vector of these numbers, one for each lane.
+    /// The vector of the numbers `numbers`, one for each lane.
     fn of(numbers: Self::Each<f64>) -> Self;
-    /// The number in this lane.
+    /// The number in the lane with the index `lane`.
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;

@@ -1,9 +1,9 @@
 //! The least factor of the commands with which all contacts of a grasp stick under each load of a list.
 //!
 //! With the commands times s and a load the force at a contact is `F + s F'`. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin
-//! `n - |t|` is concave in s. So it is not negative in an interval of factors s, perhaps empty: from where the force enters the cone to where it
-//! leaves. The answer is the least s >= 0 in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of
-//! s; in space both ends are roots of one quadratic equation, see [`Crossing`].
+//! `n - |t|` is concave in s. Therefore it is not negative in an interval of factors s, perhaps empty: from the factor at which the force enters the
+//! cone to the factor at which it leaves. The answer is the least s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin
+//! is the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -14,7 +14,8 @@ use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// The code in place of a factor for "no factor suffices". The codes for an unclear answer and a motion without resistance are those of `first_slip`.
+/// The code in place of a factor if no factor is sufficient. The codes for an unclear answer and a motion without resistance are those of
+/// `first_slip`.
 pub(super) const NO_FACTOR: f64 = -1.0;
 
 /// The interval of factors on the commands, from `first` to `last`, with which one contact sticks under one load, with error bounds of both ends.
@@ -25,8 +26,8 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin of sticking as a function of the factor on the commands: its `value` at factor zero, and its `gain` per unit of the factor. `noise`
-/// bounds the rounding of `value`, `gain_noise` that of `gain`.
+/// A margin of sticking as a function of the factor on the commands: its `value` at factor zero, and its `gain` per unit of the factor. `noise` is a
+/// bound of the rounding of `value`, `gain_noise` of the rounding of `gain`.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -60,7 +61,7 @@ impl<X: Packed> Margin<X> {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval of factors in which this margin of a round friction cone is not negative; NaN if it depends on rounding.
+    /// The interval of factors in which this margin of a round friction cone is not negative; NaN if the interval depends on rounding.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -82,8 +83,8 @@ impl<X: Packed> Margin<X> {
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // If the margin falls for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If rounding
-        // determines which case applies, the interval is known only if the commands cause no force.
+        // If the margin decreases for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If
+        // rounding determines which case applies, the interval is known only if the commands cause no force.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -205,8 +206,8 @@ impl<X: Packed> LeastFactor<X> {
     /// Intersects the interval so far with the interval of one more margin; `binding` is the code of its contact and load.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
-        // `noise` bounds the rounding of a margin at factor zero. If a negative margin lies between a quarter of this bound and four times the bound,
-        // the answer is unclear. The true rounding of ordinary sums stays below a quarter.
+        // `noise` bounds the rounding of a margin at factor zero. If a margin is negative by between a quarter of this bound and four times the
+        // bound, the answer is unclear. The true rounding of ordinary sums stays below a quarter of the bound.
         let (short, about) = (-margin.value, X::all(4.0));
         let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
         self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));
@@ -228,8 +229,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// For each lane two numbers. First, the least sufficient factor on the commands, or a code if there is none. Second, the contact and load that
-    /// determine this factor, encoded as in `binding`.
+    /// For each lane two numbers. First, the least sufficient factor on the commands, or a code if there is no such factor. Second, the contact and
+    /// load that determine this factor, encoded as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

@@ -10,7 +10,7 @@ use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 use crate::prelude::*;
 
-/// A list of at least one load for screening. All contacts must stick under each of them, one at a time.
+/// A list of at least one load for screening. All contacts must stick under each of these loads, one at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCases<const C: usize> {
     pub(super) loads: Vec<Wrench<C>>,

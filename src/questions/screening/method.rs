@@ -2,8 +2,8 @@
 //!
 //! In the first method some set of contact forces that balances the load is chosen. Forces along the edges are added so that displacements agree with
 //! the compliances. In a slim triangle the first set is larger than the sum, which costs digits. If compliances differ much, the force of a soft
-//! contact is a small difference of large forces. Such grasps are solved by the motion of the object, and so are contacts without friction, whose
-//! compliance is infinite.
+//! contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also for contacts without friction,
+//! whose compliance is infinite.
 //!
 //! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
 //! neighbouring lanes.
@@ -36,7 +36,7 @@ impl Method {
     }
 }
 
-/// Whether the grasps of this block have two contacts in the plane, whose forces follow from the line through both.
+/// Whether the grasps of this block have two contacts in the plane, whose forces follow from the force along the line through both contacts.
 #[inline(always)]
 pub(super) fn is_a_pair<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 2 && block.contacts == 2
@@ -82,8 +82,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     triangle.ready(scene);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // A bound of the forces along edges that balanced contact forces P of size one cause: `|N| |A⁻¹| |Nᵀ| C P` by absolute values. N, A and C are
-    // defined in [`super::triangle`].
+    // A bound of the forces along edges that contact forces P of size one cause if they balance each other: `|N| |A⁻¹| |Nᵀ| C P` by absolute values.
+    // N, A and C are defined in [`super::triangle`].
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -98,8 +98,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // The limit of the contact forces due to a unit moment, times the longest edge. If larger, margins that fall slowly would be unclear. If smaller,
-    // more grasps would need the other method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
+    // The limit of the contact forces due to a unit moment, times the longest edge. If larger, margins that decrease slowly would be unclear. If
+    // smaller, more grasps would need the other method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {
@@ -146,7 +146,7 @@ mod tests {
         made
     }
 
-    /// The largest difference between a contact force and its counterpart in `others`, relative to `part` times the sum of both rounding bounds.
+    /// The largest difference between a contact force in `forces` and in `others`, relative to `part` times the sum of both rounding bounds.
     fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
@@ -169,7 +169,7 @@ mod tests {
         [loaded, squeezed]
     }
 
-    /// The percentage of a thousand random grasps for which [`Method::Edges`] is chosen. Asserts for these grasps that both methods find the same
+    /// The percentage of a thousand random grasps for which [`Method::Edges`] is chosen. For these grasps it asserts that both methods find the same
     /// forces.
     fn by_edges(narrow: f64, decades: f64) -> u32 {
         let mut draw = Draw::new([3, narrow.to_bits(), decades.to_bits()]);

@@ -14,8 +14,8 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! Derivatives of the load factor at first slip with respect to all data of a grasp are [`ScreenedGradients`]. All together take as long as a few
-//! load factors. One grasp: [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
+//! Derivatives of the load factor at first slip with respect to all data of a grasp are [`ScreenedGradients`]. All derivatives together take as long
+//! as a few load factors. One grasp: [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
 //! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the first slip under a load to come, and the extra
 //! squeeze that this load needs.
@@ -27,7 +27,7 @@
 //! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
 //! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
-//! In the code a *scene* is one grasp, a *lane* its place in a vector register, and a *block* as many scenes as there are lanes. A contact *leaves*
+//! In the code a *scene* is one grasp, a *lane* its index in a vector register, and a *block* as many scenes as there are lanes. A contact *leaves*
 //! (its friction cone) when it stops sticking.
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset

@@ -27,8 +27,8 @@ use crate::numerics::{Each, Vectors};
 /// Replaces the stiffnesses of a pair by compliances.
 ///
 /// A contact without friction has an infinite tangential compliance: the condition on λ becomes `F_t = 0` at this contact, and all its other terms
-/// vanish. Two such contacts hold no load. A pair holds no load either if the normal of a contact without friction is along the line through both.
-/// The object then turns about the other contact. In these cases the compliances are NaN.
+/// vanish. Two such contacts hold no load. A pair also holds no load if the normal of a contact without friction is along the line through both,
+/// since the object then turns about the other contact. In these two cases the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
@@ -58,7 +58,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     scene.measure(&sizes);
 }
 
-/// Sums of absolute values of terms, which bound the rounding of contact forces, for a pair whose springs are compliances.
+/// Sums of absolute values of terms, to which the rounding of contact forces is proportional, for a pair whose springs are stored as compliances.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let pair = Pair::new(scene);
     let [x, y] = [0, 1].each(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
@@ -137,7 +137,7 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; it bounds their rounding.
+    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; their rounding is proportional to it.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -202,7 +202,7 @@ impl<X: Packed> Pair<X> {
     fn loaded<const C: usize>(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let zero = [X::all(0.0); 2];
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
-        // Minus half of the load's force, the share of each contact.
+        // Minus half of the load's force: each contact carries half of it.
         let (x, y) = (X::all(-0.5) * load[0], X::all(-0.5) * load[1]);
         let (mut halves, mut given) = ([zero; 2], zero);
         for i in 0..2 {

@@ -2,7 +2,7 @@
 //! this rotation is the last one when the stiffness matrix is factorised.
 //!
 //! That pivot vanishes up to rounding. If the rotation about the coordinate axis nearest to the line comes last, no other pivot is small. Thus
-//! rounding does not determine which motion counts as without resistance.
+//! rounding does not determine which motion is taken as without resistance.
 
 use super::lanes::Packed;
 use crate::numerics::Each;

@@ -1,4 +1,4 @@
-//! Many grasps with the same number of contact points, up to 64; several lie side by side in each block.
+//! Many grasps with the same number of contact points, up to 64; several grasps are stored side by side in each block.
 
 use super::batch_part::BatchPart;
 use super::block::{AnyScene, Block, Layout, MOST_POINTS, WideScene};
@@ -94,7 +94,7 @@ impl<const C: usize> PointBatch<C> {
         is_written && fits
     }
 
-    /// The load factor at first slip of every grasp under each of the growing loads, on one thread, ordered as in
+    /// The load factor at first slip of every grasp under each of the growing loads, on one thread. The order is that of
     /// [`Batch::onsets_into`](super::Batch::onsets_into).
     pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
         self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);

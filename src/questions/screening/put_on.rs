@@ -82,7 +82,7 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
-            // `max` ignores NaN. Adding zero times `start` makes `turn` NaN if `start` is.
+            // `max` ignores NaN. Adding zero times `start` makes `turn` NaN if `start` is NaN.
             turn = start.max(scenes.turned(&more, base)) + zero * start;
         }
         let first = first.as_ref();

@@ -31,12 +31,12 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
     /// Fills the memory for answers before an answer is written.
     const UNKNOWN: Self::Answer;
-    /// How many entries of type `Answer` answer the question for a grasp with `contacts` contacts; they are stored side by side.
+    /// The number of entries of type `Answer` that answer the question for a grasp with `contacts` contacts; they are stored side by side.
     fn answers(_contacts: usize) -> usize {
         1
     }
-    /// Answers the question for the grasps of a block; the answers are written to the last argument. Implementations must be inlined, or the caller's
-    /// vector instructions would not be used.
+    /// Answers the question for the grasps of a block; the answers are written to the last argument. Implementations must be inlined, since the
+    /// vector instructions of the caller would otherwise not be used.
     fn ask<V: Vectors, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, C, X>,
@@ -69,8 +69,8 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and those that the clearances alone cause. Their rounding bounds are scaled down to
-    /// the smaller bounds for loads.
+    /// Computes the contact forces that the commands alone cause, and those that the clearances alone cause. Their rounding bounds are multiplied by
+    /// a factor below one, to the smaller bounds for loads.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();

@@ -16,7 +16,7 @@ impl Screened {
     }
 
     /// The load factor at which the first contact stops sticking: a positive multiple of the load direction. `None` for every verdict but
-    /// [`ScreeningVerdict::Leaves`], for example for [`ScreeningVerdict::Never`]: then every contact sticks at every factor.
+    /// [`ScreeningVerdict::Leaves`]. For [`ScreeningVerdict::Never`], for example, every contact sticks at every factor.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.factor()
@@ -29,7 +29,7 @@ impl Screened {
     }
 
     /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. There are several if their load factors agree to twelve
-    /// digits, and none unless the verdict is [`ScreeningVerdict::Leaves`].
+    /// digits. There are none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()
     }

@@ -25,7 +25,7 @@ impl<const C: usize> ScreenedGradients<C> {
         self.numbers.len() / GradientRow::<C>::numbers(self.contacts)
     }
 
-    /// How many numbers a gradient has for a grasp with `contacts` contacts.
+    /// The number of entries of a gradient for a grasp with `contacts` contacts.
     #[must_use]
     pub const fn width(contacts: usize) -> usize {
         GradientRow::<C>::numbers(contacts)
@@ -72,9 +72,9 @@ impl<const C: usize> ScreenedGradients<C> {
 /// screening has no load factor.
 ///
 /// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex: the least of the
-/// contacts' load factors has a kink. Derivatives are then those of the load factor at which the margin of [`Self::contact`] vanishes. For the
-/// derivatives of each of these contacts see [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). Along a change of the data,
-/// the derivative of the load factor is the least of the derivatives for these contacts.
+/// contacts' load factors has a kink. The derivatives given here are then derivatives of the load factor at which the margin of [`Self::contact`]
+/// vanishes. For the derivatives of each of these contacts see [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). If the data
+/// change, the derivative of the load factor at first slip is the least of the derivatives for these contacts.
 ///
 /// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN: with other data there may be no
 /// equilibrium. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps,
@@ -149,8 +149,8 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         self.row[GradientRow::<C>::friction(self.contacts)..GradientRow::<C>::load(self.contacts)][contact]
     }
 
-    /// Derivatives of the load factor with respect to the components of the base load, 1/N and 1/(N m), moments about the origin. Derivatives with
-    /// respect to the load direction are the load factor times these.
+    /// Derivatives of the load factor with respect to the components of the base load, 1/N and 1/(N m), moments about the origin. Multiplied by the
+    /// load factor, they are the derivatives with respect to the load direction.
     #[must_use]
     pub fn base_load(&self) -> &[f64] {
         &self.row[GradientRow::<C>::load(self.contacts)..]

@@ -24,8 +24,8 @@ pub enum SqueezeVerdict {
     NoFactor,
     /// A load does positive work along a motion that no contact resists, however much the fingers press.
     GivesWay,
-    /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have one. The
-    /// reasons are:
+    /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have an
+    /// answer. The reasons are:
     ///
     /// * A factor would have fewer than six digits, because commands hardly change a margin or the line of forces only grazes a cone.
     /// * The least factor for one contact and the largest for another differ by no more than rounding.
@@ -38,7 +38,7 @@ impl ScreenedSqueeze {
     /// Fills the memory for answers before a kernel writes them: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended: with a sufficient factor, with the result that no factor suffices, or without an answer.
+    /// How the screening ended: with a sufficient factor, with the result that no factor is sufficient, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -50,15 +50,15 @@ impl ScreenedSqueeze {
     }
 
     /// The least common factor of all commands with which every contact sticks under every load; zero if no squeeze is needed. `None` for every
-    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances are not scaled, and a contact may be pushed open by
+    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors may be insufficient: clearances are not scaled, and a contact may be pushed open by
     /// other contacts.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the index of the load under which it is at this edge. Both count from 0. If there
-    /// are several such contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
+    /// The contact at the edge of its cone with this factor, and the index of the load under which it is at this edge, both from 0. If there are
+    /// several such contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

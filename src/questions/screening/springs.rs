@@ -40,7 +40,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The method for which these springs are prepared. Answers are stored only for the grasps of a block that use this method.
+    /// The method for which these springs are prepared. Answers are stored only for those grasps of a block that use this method.
     pub(super) fn method(&self) -> Method {
         match self {
             Self::Pair(_) | Self::Triangle(_) => Method::Edges,

@@ -18,14 +18,16 @@ pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 /// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact would lose digits if another contact is stiff.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
-/// The rate at which a margin falls with the load must be at least this multiple of the rounding of the rate.
+/// The rate at which a margin decreases with the load must be at least this multiple of the rounding of the rate.
 ///
-/// A slower margin vanishes at a load factor of fewer than six digits, and the verdict is unclear. If this were larger, more grasps would be unclear.
+/// A margin that decreases more slowly vanishes at a load factor of fewer than six digits, and the verdict is unclear. If this number were larger,
+/// more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;
 
-/// Lower bound of `|F| |F'|`, scaled contact force times its rate, for margins in space. Below it squares underflow and lose digits, and the answer
-/// is unclear.
+/// Lower bound of `|F| |F'|`, scaled contact force times its rate, for margins in space. If the product is smaller, squares underflow and lose
+/// digits, and the answer is unclear.
 pub(super) const LEAST_PRODUCT: f64 = 1e-140;
 
-/// Upper bound of `|F| |F'|`, scaled contact force times its rate, for margins in space. Above it squares overflow, and the answer is unclear.
+/// Upper bound of `|F| |F'|`, scaled contact force times its rate, for margins in space. If the product is larger, squares overflow, and the answer
+/// is unclear.
 pub(super) const MOST_PRODUCT: f64 = 1e150;

@@ -140,7 +140,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
-    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; it bounds their rounding.
+    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; their rounding is proportional to it.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
@@ -223,7 +223,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             }
             forces.of[i].normal = normal;
             forces.of[i].rounding = rounding;
-            // Comparisons ignore NaN. Adding zero times the normal force makes `unbalanced` NaN if this force is.
+            // Comparisons ignore NaN. Adding zero times the normal force makes `unbalanced` NaN if this force is NaN.
             forces.unbalanced += X::all(0.0) * normal;
         }
     }

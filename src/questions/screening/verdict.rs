@@ -6,9 +6,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The margins of the grasp in each lane at load factor zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of all contacts, N, except those whose squared forces over- or underflow.
+    /// The least margin of all contacts, N. Contacts whose squared forces over- or underflow are left out.
     margin: X,
-    /// The least value of a contact's margin less the bound of its rounding, N; contacts whose squared forces over- or underflow do not count.
+    /// The least value of a contact's margin less the bound of its rounding, N. Contacts whose squared forces over- or underflow are left out.
     sure: X,
     /// Minus infinity if squared forces of some contact over- or underflow, so that the verdict is unclear; else zero.
     lost: X,

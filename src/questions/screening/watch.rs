@@ -40,8 +40,8 @@ impl Watched {
     };
 
     /// The least margin over all contacts under the measured forces, N: `μ F_n - |F_t|` if the contact may slide, `F_n` if it can only open. It is
-    /// negative if a measured force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It
-    /// is infinite if no contact can stop sticking.
+    /// negative if a measured force lies outside its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It is
+    /// infinite if no contact can stop sticking.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin
@@ -80,12 +80,12 @@ impl fmt::Debug for Watched {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come on top of the present load. Nothing is
-    /// allocated and no loop depends on the numbers: the steps are always the same, for a control loop with a deadline.
+    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come in addition to the present load. Nothing
+    /// is allocated, and no loop depends on the numbers: the number of operations is always the same, for a control loop with a deadline.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
-    /// give: past slip and model errors are contained in them. Only changes are computed from the springs, as if every contact stuck. These are the
-    /// changes due to the load to come (N and N m, moments about the origin) and those due to more squeeze.
+    /// give: past slip and model errors are contained in them. Only changes of forces are computed from the springs, as if every contact stuck. These
+    /// are the changes due to the load to come (N and N m, moments about the origin) and those due to more squeeze.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Wrench};
@@ -116,7 +116,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     }
 }
 
-/// Measured contact forces along the coordinate axes, N, and the load that is to come on top of the present load.
+/// Measured contact forces along the coordinate axes, N, and the load that is to come in addition to the present load.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,

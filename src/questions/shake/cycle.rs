@@ -45,7 +45,7 @@ impl Cycle {
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        // Without a limit cycle nearby, directions of slip may turn ever faster, so the number of steps is limited.
+        // Without a limit cycle nearby, directions of slip may turn ever faster. Therefore the number of steps is limited.
         let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -53,7 +53,7 @@ impl Cycle {
         Some((cycle, others))
     }
 
-    /// Joins the next cycle to this one, so that both count as one cycle.
+    /// Joins the next cycle to this one, so that both together are treated as one cycle.
     pub(super) fn append(&mut self, next: &Self) {
         self.record.append(&next.record);
         self.scale = Scale {
@@ -64,7 +64,7 @@ impl Cycle {
     }
 
     /// The forces and gaps of a state as numbers, divided by the units of [`Scale`], and which contacts have kinetic friction. Gaps that stay open
-    /// during the whole cycle count as zero.
+    /// during the whole cycle are replaced by zero.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
@@ -79,7 +79,7 @@ impl Cycle {
         self.difference().amax()
     }
 
-    /// The largest [`Self::change`] with which a cycle counts as repeating itself: [`SAME_CYCLE`], or the errors of its steps if larger.
+    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], or the errors of its steps if larger.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
@@ -95,7 +95,7 @@ impl Cycle {
         let nearer = |i: usize| self.from.gaps[i] - self.to.gaps[i];
         let open = self.record.open.iter().enumerate().filter_map(|(i, gap)| gap.map(|gap| (i, gap)));
         let cycles = open.filter(|(i, _)| nearer(*i) > still).map(|(i, gap)| (gap / nearer(i)).floor() - 1.0);
-        // A number of a billion cycles or more counts as never.
+        // If the gap would close after a billion cycles or more, it is taken never to close.
         let first = cycles.min_by(f64::total_cmp).filter(|cycles| *cycles < 1e9);
         first.map(|cycles| cycles.max(0.0) as usize)
     }
@@ -105,7 +105,7 @@ impl Cycle {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch
     }
 
-    /// Whether the object has moved from the beginning of the cycle to its end, beyond rounding, with a contact that slid.
+    /// Whether the object has moved, by more than rounding, from the beginning of the cycle to its end, with a contact that slid.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;

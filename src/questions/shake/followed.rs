@@ -1,4 +1,4 @@
-//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, and extrapolates.
+//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles.
 
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
@@ -76,7 +76,7 @@ struct Shaking<'g, 's> {
     round: Round,
     /// The period of the limit cycle, as a number of load cycles.
     every: usize,
-    /// Number of successive cycles up to now, each with the same events (slipping, sticking, opening, closing) as the cycle before it.
+    /// Number of successive cycles, up to the present one, that each had the same events (slipping, sticking, opening, closing) as the cycle before.
     alike: usize,
     /// Number of cycles whose load path was computed, including trials of extrapolated states.
     followed: usize,
@@ -110,7 +110,7 @@ impl<'g> Shaking<'g, '_> {
                     return self.answer(repeats, (change, 0.0), Some(&cycle.to));
                 };
                 // Forces repeat, but an open gap shrinks in every cycle. Until the gap closes, all cycles (or groups of `many` cycles) have the same
-                // events and forces, so these cycles are skipped.
+                // events and forces. These cycles are skipped.
                 let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
@@ -126,8 +126,8 @@ impl<'g> Shaking<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle.to)));
-                // The object has walked farther than small motions while forces still change. A walk with constant forces would be a better answer,
-                // so a few more cycles are followed.
+                // The object has walked farther than small motions while forces still change. A walk with constant forces would be a better answer.
+                // Therefore a few more cycles are followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -137,7 +137,8 @@ impl<'g> Shaking<'g, '_> {
             }
             self.places.push(cycle.to.clone());
             self.places.drain(..self.places.len().saturating_sub(KEPT_STATES));
-            // Extrapolation is tried once three cycles in succession had the events of the cycle before, and again after every three more.
+            // Extrapolation is tried once three successive cycles had the same events as the cycle before, and again after every three more such
+            // cycles.
             if self.alike > 0 && self.alike.is_multiple_of(3) {
                 match self.extrapolate(&cycle) {
                     Ahead::To { limit, ratio, error } => {
@@ -170,8 +171,8 @@ impl<'g> Shaking<'g, '_> {
     /// all trials fail.
     ///
     /// The states at the beginning of cycles with the same events form a convex set. Extrapolated states lie between the last state and the limit. If
-    /// the events in the cycles at both ends are the same, they are the same in between. Two events that only swap their order do not change the map
-    /// from state to state.
+    /// the events in the cycles from these two states are the same, they are the same for all states in between. Two events that only swap their
+    /// order do not change the map from state to state.
     fn extrapolate(&mut self, last: &Cycle) -> Ahead<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
@@ -179,8 +180,8 @@ impl<'g> Shaking<'g, '_> {
             return Ahead::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // A state counts as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present change,
-        // so that a trial after a failed trial is closer to the limit.
+        // A state is taken as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present
+        // change, so that a trial after a failed trial is closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
@@ -220,8 +221,8 @@ impl<'g> Shaking<'g, '_> {
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, cycles) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
         self.note_how_far(cycles.too_far());
-        // If friction falls once contacts slide, events at the limit may differ from the events just before the limit. The cycle at the limit then
-        // does not show the behaviour of the grasp.
+        // If friction falls once contacts slide, events at the limit may differ from the events just before the limit. In that case the cycle at the
+        // limit does not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)

@@ -1,6 +1,6 @@
 //! Repeated loads: does the grasp come to rest, or does the object walk out of it cycle by cycle?
 //!
-//! A load that is held once may not be held when it is put on a thousand times: each cycle may slide a little further. From rest,
+//! A load that is held once may not be held when it is put on a thousand times: in each cycle contacts may slide a little further. From rest,
 //! [`Grasp::shake`](crate::ask::Grasp::shake) follows a cycle of legs again and again, as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later
 //! cycles depend only on the state e at their beginning,
 //!
@@ -8,9 +8,9 @@
 //! e = (forces F_i of closed contacts, gaps of open ones)
 //! ```
 //!
-//! not on the position of the object, nor on the slip of a contact so far. If a cycle ends with the e of its beginning, all later cycles are like it,
-//! which is the verdict ([`Repeats`]). If nothing slides in such a cycle, the grasp rests. Otherwise contacts slide to and fro, or the object walks
-//! by the same motion in each cycle.
+//! not on the position of the object, nor on the slip of a contact so far. If the state e at the end of a cycle equals the state at its beginning,
+//! all later cycles are like it. This cycle gives the verdict ([`Repeats`]). If nothing slides in it, the grasp rests. Otherwise contacts slide to
+//! and fro, or the object walks by the same motion in each cycle.
 //!
 //! If e converges, a cycle that begins at its limit gives the verdict. In the plane, and on a polygonal cone, e changes from cycle to cycle by an
 //! affine map as long as the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed point of
@@ -20,7 +20,8 @@
 //! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, the behaviour may repeat itself only after several cycles. Such
 //! periods are found, too.
 //!
-//! Forces, slips and motions are computed for small motions, to first order, as everywhere: a walk has a constant motion per cycle, and no end.
+//! Forces, slips and motions are computed for small motions, to first order, as everywhere. Therefore a walk has a constant motion per cycle, and no
+//! end.
 
 mod cycle;
 mod face;

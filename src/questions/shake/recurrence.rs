@@ -24,8 +24,8 @@ pub(super) struct Recurrence<'p> {
 }
 
 impl<'p> Recurrence<'p> {
-    /// The recurrence with the fewest modes that reproduces the last difference of states up to `error`. `None` if up to eight modes do not suffice,
-    /// or if there are too few states.
+    /// The recurrence with the fewest modes that reproduces the last difference of states up to `error`. `None` if up to eight modes do not reproduce
+    /// it, or if there are too few states.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
@@ -64,7 +64,8 @@ impl<'p> Recurrence<'p> {
         if rest.abs() <= SOLVED_ROUNDING {
             return None;
         }
-        // `changes` are differences of two states. A coefficient counts for the later of the two states, so the first state has weight zero.
+        // `changes` are differences of two states. Each coefficient becomes the weight of the later of the two states, so the first state has weight
+        // zero.
         let mut weights = vec![0.0];
         weights.extend(self.coefficients.iter().map(|c| -c / rest));
         weights.push(1.0 / rest);
@@ -96,7 +97,8 @@ impl<'p> Recurrence<'p> {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
-            // The weights add up to one, so the differences from the last state are combined. Thus numbers that all states share are not rounded.
+            // The weights add up to one, so the differences from the last state are combined. Thus numbers that are the same in all states are not
+            // rounded.
             let add = |a: &mut f64, b: f64, base: f64| *a += weight * (b - base);
             for i in 0..sum.forces.len() {
                 for axis in 0..3 {
@@ -128,7 +130,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 
 impl CycleState {
     /// The forces and gaps of this state in units of `scale`, and 1 for each contact with kinetic friction, else 0. Gaps of contacts for which
-    /// `aside` returns true count as zero.
+    /// `aside` returns true are replaced by zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {

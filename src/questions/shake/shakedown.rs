@@ -1,10 +1,10 @@
-//! The static theorem of shakedown. How large may repeated loads be, such that constant slips of the contacts exist with which no contact slides
-//! under any of them?
+//! The static theorem of shakedown. It gives the greatest factor on repeated loads at which constant slips of the contacts exist with which no
+//! contact slides under any of the loads.
 //!
-//! While all contacts are closed and stick with constant slips s, contact forces under the base load W₀ plus λ times load W_k are
-//! `F(W₀) + λ F(W_k) - P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a
-//! cycle, its slips keep all contact forces inside their cones. So the greatest λ for which such an s exists, found by a linear program, is an upper
-//! bound: with a larger λ the grasp never comes to rest. The multipliers of the linear program prove that no other slips allow a larger λ.
+//! While all contacts are closed and stick with constant slips s, contact forces under the base load W₀ plus λ times load W_k are `F(W₀) + λ F(W_k) -
+//! P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its slips keep
+//! all contact forces inside their cones. Hence the greatest λ for which such an s exists, found by a linear program, is an upper bound: with a
+//! larger λ the grasp never comes to rest. The multipliers of the linear program prove that no other slips allow a larger λ.
 //!
 //! If slips change no normal force, the grasp does come to rest for every λ up to this bound (Melan's theorem for friction), unless friction falls as
 //! contacts slide. Otherwise the order of the loads matters, which [`shake`](super) follows.
@@ -31,8 +31,8 @@ use crate::serial::AsComputed;
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
     /// The greatest factor on the loads; infinite if contacts stick even under loads whose forces reach a million times those at rest. With a larger
-    /// factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. This is a proof, by linear programming, up to
-    /// 1e-9.
+    /// factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. Linear programming proves this, up to a relative
+    /// error of 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Slips of the contacts with which no contact slides under the loads times `factor`, m, in contact frames; their normal components are zero.
@@ -41,7 +41,7 @@ pub struct Shakedown<const C: usize> {
     /// The contacts at their limit of friction with these slips, which would slide if the loads grew beyond `factor`, each with its load.
     pub binding: Vec<BindingContact>,
     /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls. If slips change normal
-    /// forces, it may not come to rest.
+    /// forces, the grasp may not come to rest.
     pub slips_change_normal_forces: bool,
     /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips with which
     /// the grasp would be at rest.
@@ -143,8 +143,8 @@ impl Engine {
     }
 }
 
-/// Forces of which those within rounding are zero. Where slips leave no residual forces, as in a pinch, the program would scale rounding up to forces
-/// that balance loads.
+/// These forces, with forces within rounding replaced by zero. If slips leave no residual forces, as in a pinch, the program would otherwise scale
+/// rounding up to forces that balance loads.
 fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
     let size = forces.sizes.iter().copied().fold(0.0, f64::max);
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
@@ -159,7 +159,7 @@ struct Program {
     b: Vec<f64>,
     a: Vec<f64>,
     s: DMatrix<f64>,
-    /// The value of λ, and the value of each slip, m, that count as 1 in the scaled program.
+    /// The value of λ, and the value of each slip, m, that correspond to 1 in the scaled program.
     units: (f64, Vec<f64>),
 }
 
@@ -198,7 +198,7 @@ impl Program {
     /// or because of rounding.
     fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
         let (rows, slips) = self.s.shape();
-        // λ is bounded so that the program has a solution. A scaled λ at this bound counts as infinite.
+        // λ is bounded so that the program has a solution. A scaled λ at this bound is reported as infinite.
         let farthest = 1e6;
         // The unknowns are at least 0: λ, and each slip as the difference of two unknowns. The last row of the matrix bounds λ.
         let columns = 1 + 2 * slips;

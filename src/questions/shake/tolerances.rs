@@ -3,14 +3,15 @@
 //!
 //! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under this force.
 
-/// A cycle repeats itself if the relative difference of forces and gaps between its beginning and end is at most this, which is due to rounding.
+/// A cycle repeats itself if the relative difference of forces and gaps between its beginning and end is at most this number, as it is after
+/// rounding.
 ///
-/// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift counts as repetition.
+/// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift is taken as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
 
 /// Relative change of forces and gaps per cycle below which the limit is near: all further cycles are expected to have the same events.
 ///
-/// If this were smaller, more cycles would be followed before the limit is known. If larger, events between here and the limit would be missed.
+/// If smaller, more cycles would be followed before the limit is known. If larger, events before the limit is reached would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 
 /// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.

@@ -23,9 +23,9 @@ pub struct Shaken<const C: usize> {
     /// begin to slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
-    /// Number of load cycles up to the verdict, including those skipped by extrapolation. The last cycle counts even if the object is lost within it.
+    /// Number of load cycles up to the verdict, including those skipped by extrapolation and a last cycle in which the object is lost.
     pub cycles: usize,
-    /// Number of cycles whose load path was computed, trials included. Of many cycles with the same events a few are enough.
+    /// Number of cycles whose load path was computed, including trials. Of many cycles with the same events, only a few are computed.
     pub followed: usize,
     /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
     /// relative to the stretch of the softest spring under this force. Apart from rounding and step errors it is zero, unless the verdict is
@@ -136,7 +136,7 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known. Motions on the way may be [too large](Self::too_far).
+    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known. Motions before that may be [too large](Self::too_far).
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {
@@ -149,7 +149,7 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp comes to rest, or contacts slide to and fro for ever; `None` if it is not known. Motions on the way may be
+    /// Whether the object stays: the grasp comes to rest, or contacts slide to and fro for ever; `None` if it is not known. Motions meanwhile may be
     /// [too large](Self::too_far).
     #[must_use]
     pub fn stays(&self) -> Option<bool> {

@@ -1,8 +1,8 @@
 //! The direction in which the least force through a point moves the object farther than small motions, while everything sticks.
 //!
-//! A rotation, slip or opening s is affine in the force x, `s = a + B x`. The shortest x with `|s| = L` satisfies `x = λ Bᵀs`. In the singular
-//! value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at 1/σ₁², so that
-//! a bisection finds L.
+//! A rotation, slip or opening s is affine in the force x, `s = a + B x`. The shortest x with `|s| = L`, where L is the limit, satisfies `x = λ Bᵀs`.
+//! In the singular value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at
+//! 1/σ₁², so that a bisection finds the λ with |s| = L.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -85,7 +85,8 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // The first component at the limit, `along_first`, is at least c₁ / part if |s| is less than its limit. Sixty halvings leave rounding.
+    // The first component at the limit, `along_first`, is at least c₁ / part if |s| is less than its limit. Sixty halvings reduce the error to
+    // rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();
@@ -105,7 +106,8 @@ mod tests {
     use super::shortest_to_length;
     use crate::numerics::generic;
 
-    /// The end of the shortest x has the asked length, and no other x of 4 000 of this size, all around, leads to a longer end.
+    /// At the end of the shortest x the motion has the required length, and none of 4 000 other x of this size, in all directions, gives a longer
+    /// motion.
     #[test]
     fn no_other_direction_goes_farther() {
         let mut drawn = 0;
@@ -114,7 +116,7 @@ mod tests {
             2.0 * generic(drawn) - 2.0
         };
         for round in 0..300 {
-            // Flat maps, and a start that is zero, or across the stiffest direction.
+            // Some maps B are singular, and some starts a are zero or perpendicular to the stiffest direction.
             let mut b = SMatrix::<f64, 3, 3>::from_fn(|_, _| number());
             let mut a = Vector3::from_fn(|_, _| 0.5 * number());
             match round % 4 {

@@ -17,12 +17,12 @@ pub enum LeastSqueeze<const C: usize> {
     Factor {
         /// The least factor, at least zero, exact up to rounding.
         factor: f64,
-        /// The contact on the edge of its friction cone at this factor, from 0, and the load that brings it there. `None` if the factor is zero,
-        /// because no squeeze is needed then.
+        /// The contact on the edge of its friction cone at this factor, from 0, and the load that brings it to this edge. `None` if the factor is
+        /// zero, because then no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. With this factor, and with any larger factor, the contact does not stick under this load. With a smaller factor the
-    /// sticking condition of another contact or load fails.
+    /// No factor makes all contacts stick. With the factor `factor` below, and with any larger one, the contact does not stick under this load. With
+    /// a smaller factor the sticking condition of another contact or load fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact that does not stick, counted from 0.

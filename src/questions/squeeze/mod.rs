@@ -10,9 +10,9 @@
 //! ```
 //!
 //! with F⁰ the contact forces without this force and A the map from the force to F. As functions of φ, `a·F⁰` and the square of `|Aᵀa|` are
-//! trigonometric polynomials. Angles with a negative difference are found without losing a root (`numerics/on_a_circle`). Each condition is linear in
-//! the squeeze factor, so a broken condition gives a lower bound of the sufficient factor. This bound is tried next, until no condition is broken.
-//! The last bound is the least sufficient factor, up to rounding.
+//! trigonometric polynomials. Angles at which `a·F⁰ - r |Aᵀa|` is negative are found without losing a root (`numerics/on_a_circle`). Each condition
+//! is linear in the squeeze factor, so a broken condition gives a lower bound of the factor that is needed. This bound is tried next, until no
+//! condition is broken. The last bound is the least factor with which all contacts stick, up to rounding.
 //!
 //! | file | idea |
 //! |---|---|

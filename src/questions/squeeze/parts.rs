@@ -14,7 +14,7 @@ pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
     /// The value of `row·F` under `load`, N.
     pub(super) value: f64,
-    /// Sum of the magnitudes of the forces whose sum is F, N; it bounds the rounding of F.
+    /// Sum of the magnitudes of the forces whose sum is F, N. The rounding error of F is proportional to it.
     size: f64,
     pub(super) load: Wrench<3>,
 }
@@ -25,8 +25,8 @@ pub(super) struct Parts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Contact forces without commands, due to the loads and clearances. A list of loads has an entry for each load. A turning load has three
-    /// entries, for its constant, cosine and sine terms. A force of any direction has one entry for the base load.
+    /// Contact forces without commands, due to the loads and clearances. For a list of loads there is an entry for each load. For a turning load
+    /// there are three entries, for its constant, cosine and sine terms. For a force of any direction there is one entry, for the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }
@@ -84,9 +84,9 @@ impl<'l> Parts<'l> {
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact that have the least margins `row·F` if the commands are multiplied by `factor`. There is one condition
-    /// under each load of a list, or one for each facet under the worst force of any direction. For a turning load there is one condition at each
-    /// angle where a margin is least.
+    /// The sticking conditions of a contact with the least margins `row·F` if the commands are multiplied by `factor`. For a list of loads there is
+    /// one condition under each load, for a force of any direction one for each facet, under the worst force. For a turning load there is one
+    /// condition at each angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

@@ -91,8 +91,8 @@ struct Least {
 }
 
 impl Least {
-    /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. Planes that
-    /// touch the cone, more of them in each round, take the place of a round cone. Returns whether the allowed number of rounds was enough.
+    /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. A round cone is
+    /// replaced by planes that touch it, more of them in each round. Returns whether the allowed number of rounds was enough.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -118,7 +118,7 @@ impl Least {
         // Each round with further planes lowers the force, with quadratic convergence. After this many rounds only rounding could change the force.
         for _ in 0..200 {
             // The margin on the facet at angle φ of the round cone has a gradient a + b cos φ + c sin φ with respect to the force at the point. If
-            // this gradient vanishes at four angles, it vanishes at all of them, and no force makes this contact slide.
+            // this gradient vanishes at four angles, it vanishes at all angles, and no force makes this contact slide.
             if size.is_infinite() {
                 return true;
             }

@@ -5,10 +5,10 @@ use nalgebra::SVector;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Contact;
 
-/// Bounds of the normal forces, and thus of the friction forces, of some contact forces.
+/// Upper limits of the normal forces that contacts may exert, and thus of their friction forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
-    /// Each contact may press with this force, N, independently of the others. The possible wrenches are sums of the contacts' wrenches (L∞).
+    /// Each contact may press with this force, N, independently of the other contacts. The possible wrenches are sums of the contacts' wrenches (L∞).
     Each(f64),
     /// The normal forces of all contacts may add up to this force, N. The possible wrenches are the convex hull of the contacts' wrenches (L1).
     Total(f64),
@@ -25,8 +25,8 @@ impl Budget {
     }
 }
 
-/// The scale in which the size of a wrench is measured: moments about a point, divided by a length, count as forces. The size depends on the point
-/// and the length.
+/// The scale in which the size of a wrench is measured: moments about a point, divided by a length, are treated as forces. The size depends on the
+/// point and the length.
 ///
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +43,7 @@ impl<const C: usize> WrenchScale<C> {
         let points = || contacts.iter().map(Contact::point);
         let about = points().sum::<SVector<f64, C>>() / contacts.len() as f64;
         let length = points().map(|point| (point - about).norm()).fold(0.0, f64::max);
-        // Contacts at one point define no length; any length works then.
+        // Contacts at one point define no length. Thus any length may be used.
         Self { about: about.into(), length: if length > 0.0 { length } else { 1.0 } }
     }
 

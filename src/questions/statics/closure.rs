@@ -5,8 +5,8 @@
 //!
 //! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
 //! `proofs/wrench_cone`). If no such forces exist, the unbalanced remainder is a motion along which no contact force does negative work. Otherwise
-//! the two forces at each contact are added, and the sums are projected onto forces that balance each other to the last digit. These must lie clearly
-//! inside the cones.
+//! the unit force and the force found are added at each contact, and the sums are projected onto forces that balance each other to the last digit.
+//! The projected forces must lie clearly inside the cones.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -31,8 +31,8 @@ pub enum Closure<const C: usize> {
     #[non_exhaustive]
     Closed {
         /// Forces on the object in the contact frames, the largest 1 N, strictly inside their cones, that balance each other. Multiples of them can
-        /// be added to any contact forces until all are inside their cones. For several bodies they act on the body that a normal points into, and
-        /// balance on every body.
+        /// be added to any contact forces until all contact forces are inside their cones. For several bodies each force acts on the body that the
+        /// normal points into, and the forces balance on every body.
         internal: Vec<SVector<f64, C>>,
     },
     /// Contact forces inside their friction cones could not balance every load.
@@ -80,7 +80,7 @@ impl Engine {
     }
 
     /// This closure, or an error if a vacuum might change it. If the contacts alone can balance every load, they can do so with a vacuum, too.
-    /// Otherwise the vacuum may hold loads that the contacts do not, so that neither closure nor its absence is proved here.
+    /// Otherwise the vacuum may hold loads that the contacts do not hold, so that neither closure nor its absence is proved here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<3>,

@@ -1,8 +1,8 @@
 //! The measure of Ferrari and Canny: the size up to which contact forces within a budget can balance loads of every direction.
 //!
 //! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: the measure is the radius of the largest ball about the origin in the set of wrenches
-//! within the budget. On the round cone that set has no facets to list; it is known by its support points, from which two bounds close in on the
-//! radius.
+//! within the budget. On the round cone that set has no facets to list. It is known by its support points, which give a lower and an upper bound of
+//! the radius.
 
 use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
@@ -17,8 +17,8 @@ use crate::search::Settings;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WrenchBall<const C: usize> {
-    /// Lower bound of ε, N: every load of this size, measured in the [scale](WrenchScale), can be balanced. Zero if in some direction no load can be
-    /// balanced.
+    /// Lower bound of ε, N: every load of this size, measured in the [scale](WrenchScale), can be balanced. Zero if loads in some direction cannot be
+    /// balanced, however small they are.
     pub at_least: f64,
     /// Upper bound of ε, N. In the plane, on polygonal friction cones, and for most grasps on round cones, both bounds differ by at most 1e-9 of the
     /// largest wrench. On round cones the search approximates the set of wrenches by a polytope. For symmetric grasps its faces may become too thin

@@ -67,7 +67,7 @@ impl Engine {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// This answer for a load that is `size` times as large, so that the factors are divided by `size`.
+    /// This answer for a load that is `size` times as large as the load for which `self` was computed. The factors are therefore divided by `size`.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {
@@ -81,8 +81,8 @@ impl<const C: usize> LoadLimit<C> {
 /// Bounds of the largest factor λ for which the load `base + λ rate`, with the unit load `rate`, lies in the set of wrenches that can be balanced.
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
-    // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along them so that it has an interior. A load with a
-    // component along them cannot be balanced.
+    // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along these directions so that it has an interior. A
+    // load with a component along one of them cannot be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {

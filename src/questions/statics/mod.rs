@@ -1,8 +1,8 @@
 //! Static questions of grasp planning, from geometry and friction alone: which loads *could* some contact forces balance?
 //!
 //! Springs and commands do not matter here. With [force closure](crate::ask::Statics::force_closure) some contact forces balance any load. The
-//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the size up to which they balance loads of every direction within a
-//! [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether these fingers
+//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the size up to which contact forces balance loads of every direction within
+//! a [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether these fingers
 //! balance a load, with their squeeze, is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
 //! The pull of a vacuum does not depend on the contact forces: it is added to every load. Closure is about loads of any size, so the question is an

@@ -1,8 +1,8 @@
 //! The set of wrenches of contact forces within a budget, known by its support points.
 //!
 //! The support point in the direction v is the sum of the contact forces that do most work along v. At each contact this is the force in the friction
-//! cone that does most work along the displacement `u = G_iᵀv` of the contact. On the round cone this work is `u_n + μ |u_t|` per newton of normal
-//! force. A contact whose force could only do negative work does not press.
+//! cone that does most work along the displacement `u = G_iᵀv` of the contact, with its grasp map G_i. On the round cone this work is `u_n + μ |u_t|`
+//! per newton of normal force. A contact whose force could only do negative work does not press.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -4,8 +4,8 @@ use crate::prelude::*;
 use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze};
 
 /// The load factor at which the first contact stops sticking, for each grasp of a batch and each of the growing loads: [`Batch::onsets_into`] on all
-/// cores. `answers` is overwritten and its memory reused. It then has the answers of the first grasp in the order of the loads, then those of the
-/// next grasp. [`Batch`] has an example.
+/// cores. `answers` is overwritten and its memory reused. It then has the answers for the first grasp in the order of the loads, then the answers for
+/// the next grasp, and so on. [`Batch`] has an example.
 pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     pulls: &[Pull<C>],
@@ -15,7 +15,7 @@ pub fn onsets_of_batch<const C: usize, const N: usize>(
 }
 
 /// Derivatives of the load factor at first slip with respect to points, normals, commands, stiffnesses, friction and load. They are computed for each
-/// grasp of a batch and each of the growing loads. Gradients come in the order of [`onsets_of_batch`].
+/// grasp of a batch and each of the growing loads. Gradients are in the order of [`onsets_of_batch`].
 ///
 /// ```
 /// use grasp_lcp::spatial::{Batch, Contact, Fingers, Pull, Wrench};
@@ -45,9 +45,8 @@ pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
     batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
-/// The least factor of the commands with which each grasp of a batch holds every load of a list, for
-/// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come in the order of
-/// [`onsets_of_batch`].
+/// The least factor of the commands with which each grasp of a batch holds every load of a list, for each of the lists:
+/// [`Batch::least_squeezes_into`] on all cores. Answers are in the order of [`onsets_of_batch`].
 pub fn least_squeezes_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     cases: &[LoadCases<C>],

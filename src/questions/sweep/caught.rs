@@ -5,7 +5,8 @@ use super::in_order::map_in_order;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The results of `ask` for all items, in the order of the items and possibly in parallel. An error or a panic for one item does not stop the others.
+/// The results of `ask` for all items, in the order of the items and possibly in parallel. An error or a panic for one item does not stop the other
+/// items.
 pub(crate) fn each_answered<T: Sync, R: Send>(
     items: &[T],
     ask: &(dyn Fn(&T) -> Result<R, Error> + Sync),

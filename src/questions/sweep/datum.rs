@@ -16,7 +16,7 @@ pub(super) enum UncertainDatum {
     OfJoint(usize, f64),
 }
 
-/// The grasp if each of `data` is in error by its entry of `z`, a number of standard deviations. An error if a datum leaves its allowed range.
+/// The grasp in which each of `data` is in error by its entry of `z`, in standard deviations. An error if a datum leaves its allowed range.
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {
@@ -41,7 +41,7 @@ pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Re
 
 impl Engine {
     /// The uncertain data that change contact forces while contacts stick: stiffness, squeeze, positions and normals with σ other than zero. Friction
-    /// does not change these forces. An uncertain load is treated apart, since one factor multiplies all forces due to the load.
+    /// does not change these forces. An uncertain load is treated separately, because one factor multiplies all forces due to the load.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let none = ContactErrors::default();

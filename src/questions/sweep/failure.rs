@@ -3,7 +3,7 @@
 //! Each facet of the friction cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard
 //! deviations, is the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the
 //! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin with respect to the data, scaled to length one,
-//! turns with θ. The probability that the contact fails at any θ (its margin is negative there) is at most
+//! turns with θ. The probability that the contact fails at any θ (its margin is negative at this θ) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
@@ -24,8 +24,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load: its force leaves the cone. The correlation with other failures is neglected
-/// for failures whose probability is below `rare`. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load, i.e. that its force leaves the cone. For failures whose probability is below
+/// `rare`, the correlation with other failures is neglected. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -46,7 +46,7 @@ pub(super) fn failures(
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
             // If the reliability exceeds `sigmas`, the required reliability, by three, failures are a thousand times rarer than allowed, and the
-            // first-order probability suffices. If it is not positive, the contact counts as sure to fail.
+            // first-order probability is accurate enough. If it is not positive, the contact is taken as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -107,7 +107,7 @@ fn failure_of_round(
     let first_order = here.first_order();
     let roughly = |angle: f64| first_order.reliability(&around.at(angle));
     let narrower = 0.75;
-    // The integral extends to where the normal density has fallen to exp(-9) of its maximum. That range of angles is narrow if β grows steeply
+    // The integral extends to where the normal density has decreased to exp(-9) of its maximum. That range of angles is narrow if β grows steeply
     // with the angle.
     let enough = (least * least + 2.0 * 9.0).sqrt();
     let mut half = PI;

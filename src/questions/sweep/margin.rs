@@ -26,7 +26,7 @@ pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 /// standard deviations, divided by `sigmas`.
 pub(super) type Effect = [SVector<f64, 3>; LOOKED_AT.len()];
 
-/// The polynomial in the error of one datum through the four changes of a contact force at the errors [`LOOKED_AT`] times `sigmas`, in that order.
+/// The polynomial in the error of one datum through the four changes of a contact force at the errors [`LOOKED_AT`] times `sigmas`, in this order.
 pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> Effect {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
@@ -108,7 +108,7 @@ impl UncertainForce<'_> {
     }
 
     /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. These errors and the reliability are stored in
-    /// `margin`. If the margin vanishes nowhere up to the largest distance at which failures count, the reliability is about this distance.
+    /// `margin`. If the margin vanishes nowhere within the distance beyond which failures are negligible, the reliability is about this distance.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -117,7 +117,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // If the reliability exceeds the required reliability, `sigmas`, by five, failures are too rare to count.
+        // If the reliability exceeds the required reliability, `sigmas`, by five, failures are so rare that they are negligible.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, rubs(facet), margin);
         let mut arrived = false;
@@ -146,7 +146,8 @@ impl UncertainForce<'_> {
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
-            // The search has not converged. The smaller of the present distance and the first-order reliability counts, which errs on the safe side.
+            // The search has not converged. The smaller of the present distance and the first-order reliability is taken, which errs on the safe
+            // side.
             margin.start_over(self.changes.len());
             let value = self.linearise(known, rubs(facet), margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
@@ -163,8 +164,8 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// Halves the last step until the merit function `½|z|² + c |m|`, with the margin m, falls enough. Returns the margin at the new point, and
-    /// stores its gradient.
+    /// Halves the last step until the merit function `½|z|² + c |m|`, with the errors z and the margin m, decreases enough. Returns the margin at the
+    /// new point, and stores its gradient.
     fn shortened(
         &self,
         known: [f64; 2],
@@ -270,8 +271,8 @@ fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     [normal, row.dot(force) - normal]
 }
 
-/// Value and first two derivatives of one component of an [`Effect`] at the error x (per `sigmas`). For |x| > 1, where no exact forces are known, it
-/// is continued linearly.
+/// Value and first two derivatives of one component of an [`Effect`] at the error x (in units of `sigmas`). For |x| > 1, where no exact forces are
+/// known, the polynomial is continued linearly.
 pub(super) struct ContinuedEffect {
     value: f64,
     pub(super) slope: f64,
@@ -297,7 +298,7 @@ impl Default for FacetMargin {
 }
 
 impl FacetMargin {
-    /// Lets the next search start from the data as given, z = 0; `data` is the number of uncertain data, friction not counted.
+    /// Lets the next search start from the data as given, z = 0; `data` is the number of uncertain data without friction.
     pub(super) fn start_over(&mut self, data: usize) {
         self.fails_at.clear();
         self.fails_at.resize(data + 1, 0.0);

@@ -7,7 +7,7 @@ use crate::grasp::Contact;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Errors of a contact's data. For friction, stiffness and squeeze they are logarithms of factors; for the point and the normal, additions.
+/// Errors of a contact's data. For friction, stiffness and squeeze they are logarithms of factors; for the point and the normal, numbers to be added.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ContactErrors {
     pub(super) friction: f64,

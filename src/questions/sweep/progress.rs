@@ -17,7 +17,7 @@ pub struct Progress {
 }
 
 /// The results of `f` for all items, in the order of the items. After every result `watch` is called on the thread that computed it, once for each
-/// number of results from 1 on. When `watch` breaks, items that were not begun have the result `None`. Which items have no result depends on the
+/// number of results from 1 on. If `watch` breaks, items that were not begun have the result `None`. Which items have no result depends on the
 /// threads; the results of all other items do not.
 ///
 /// ```

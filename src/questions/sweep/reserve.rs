@@ -38,7 +38,7 @@ impl<const C: usize> Reserve<C> {
     /// Infinite if there is no largest multiple; NaN if the equilibrium under the base load is undecided.
     ///
     /// Zero if a contact slides under the base load, or stops sticking under it with more than the allowed probability. Contacts that are open under
-    /// the base load count as failing as soon as they close, since later events are not computed.
+    /// the base load fail as soon as they close, because later events are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {

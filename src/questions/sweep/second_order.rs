@@ -9,9 +9,9 @@
 //! ```
 //!
 //! H consists of a diagonal D, the row and column of friction, and the interactions C of each pair of other data. Without C, `det(A on the complement
-//! of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order nᵀCn is enough: since C has no diagonal, its
-//! trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ²
-//! |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This includes entries along n, which errs on the safe side.
+//! of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order in C, nᵀCn is enough: since C has no diagonal,
+//! its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ²
+//! |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This sum includes entries along n, which errs on the safe side.
 
 use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
@@ -66,8 +66,8 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1) of a cone, then its first-order value. The polynomials `changes` count errors in units of three
-    /// standard deviations.
+    /// The failure probability of the facet (1/2, -1) of a cone, then its first-order value. In the polynomials `changes` the errors are in units of
+    /// three standard deviations.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();
@@ -75,7 +75,7 @@ mod tests {
         (margin.fails(), normal_tail(margin.reliability()))
     }
 
-    /// `∫ φ(z) P(z) dz` by midpoints: the total probability of failure if it is P(z) once the error of one datum is known to be z.
+    /// `∫ φ(z) P(z) dz` by the midpoint rule: the total probability of failure, if P(z) is the probability given that the error of one datum is z.
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;

@@ -1,11 +1,11 @@
 //! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
 //! full.
 //!
-//! While all contacts stick, forces are linear in the load, and margins are concave functions of it. So if all contacts stick under the base load and
-//! with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops sticking,
-//! under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the uncertain
-//! data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors, see
-//! [`joint_effects`](super::joint_effects).
+//! While all contacts stick, forces are linear in the load, and margins are concave functions of it. Thus, if all contacts stick under the base load
+//! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops
+//! sticking, under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the
+//! uncertain data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors,
+//! see [`joint_effects`](super::joint_effects).
 
 use super::courses::Course;
 use super::failure::{failures, roughly};
@@ -19,8 +19,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// Interactions of errors are computed at points of failure (errors of the data with which a margin vanishes), which depend on interactions in turn.
-/// So both are computed this many times, the first time without interactions.
+/// Interactions of errors are computed at points of failure (errors of the data with which a margin vanishes). These points depend on interactions in
+/// turn. Therefore both are computed this many times, the first time without interactions.
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data in their effect on the force.
@@ -126,8 +126,8 @@ impl StuckGrasp {
         joint
     }
 
-    /// The largest factor on the further load `direction` with at most the allowed failure probability. Zero if nothing resists this load, or the
-    /// base load alone exceeds the probability; infinite without a limit.
+    /// The largest factor on the further load `direction` with at most the allowed failure probability. Zero if nothing resists this load, or if the
+    /// failure probability under the base load alone exceeds the allowed one. Infinite if the factor has no limit.
     pub(super) fn most(&self, direction: &Wrench<3>) -> f64 {
         let size = largest(direction.components(), &|x| x.abs());
         let work = |motion: &Wrench<3>| dot(motion.components(), direction.components());
@@ -147,7 +147,7 @@ impl StuckGrasp {
         }
         let start = here.max(f64::MIN_POSITIVE) / growth;
         let roughly = |factor: f64| allowed - reliability(self.roughly(further(factor)));
-        // If no failure is found up to forces that are this multiple of the forces under the base load, the load factor counts as infinite.
+        // If no failure is found up to forces that are this multiple of the forces under the base load, the load factor is taken as infinite.
         let far = 1e6;
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
@@ -217,7 +217,7 @@ impl StuckGrasp {
 /// An approximate reliability β with about `Φ(-β) = fails`. Only differences of it are used, and they are nearly linear in the load factor, like
 /// differences of β.
 fn reliability(fails: f64) -> f64 {
-    // Smaller probabilities count as 1e-300, so that the logarithm is finite.
+    // Smaller probabilities are taken as 1e-300, so that the logarithm is finite.
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
@@ -243,12 +243,12 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
             slope = (value - before) / (at - from);
         }
         last = Some((at, value));
-        // Secant steps are slow if a function is far from linear, so from the twelfth step on every second step is a bisection.
+        // Secant steps are slow if the function is far from linear. Therefore, from the twelfth step on, every second step is a bisection.
         let halves = step >= 12 && step % 2 == 0;
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
         at = if next.is_finite() {
-            // Each trial stays half the required accuracy away from both ends of the bracket. So when a secant step hits the root, the trial after it
+            // Each trial stays half the required accuracy away from both ends of the bracket. Thus, if a secant step hits the root, the next trial
             // ends the search.
             next.min(high - near).min(4.0 * at).max(low + near).max(0.1 * at)
         } else if high.is_finite() {

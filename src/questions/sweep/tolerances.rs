@@ -7,14 +7,14 @@ pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
 /// Number of directions around a round cone that are compared to find the direction that most probably fails.
 ///
-/// The integral around this direction extends at least to its neighbours on both sides, so that it contains the true worst direction. Fewer
-/// directions can miss it; each further direction costs a search.
+/// The integral around the direction found extends at least to its neighbours on both sides, so that it contains the true worst direction. Fewer
+/// directions can miss the worst direction; each further direction costs a search.
 pub(super) const AROUND_A_CONE: usize = 16;
 
 /// Lower limit of the curvature terms (a diagonal entry, a determinant) by which a failure probability is corrected to second order.
 ///
-/// Below it the expansion about the point of failure no longer describes the margin. If smaller, corrected probabilities may become far too large, so
-/// that no reserve is left. If larger, frequent failures are counted as rare.
+/// For smaller terms the expansion about the point of failure no longer describes the margin. If smaller, corrected probabilities may become far too
+/// large, so that no reserve is left. If larger, frequent failures are taken as rare.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
 /// Fraction of the allowed failure probability that is kept back because effects of the interactions of data errors are neglected.

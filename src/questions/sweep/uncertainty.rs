@@ -11,7 +11,7 @@ use crate::prelude::*;
 
 /// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each contact is multiplied by a factor of its own,
 /// `exp(σ z)` with z normally distributed (mean 0, variance 1). The median of the product is the given value. The value keeps its sign, and zero and
-/// infinity are unchanged. Small σ are relative standard deviations; σ = 0 leaves the value alone. All points of a soft fingertip have the same
+/// infinity are unchanged. A small σ is a relative standard deviation; with σ = 0 the value is exact. All points of a soft fingertip have the same
 /// errors.
 ///
 /// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each
@@ -19,9 +19,8 @@ use crate::prelude::*;
 /// tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns
 /// with the normal.
 ///
-/// The load is multiplied by one factor as a whole, base and direction alike, as for a mass that is not
-/// known exactly. A factor keeps the line in which the load acts, and needs no length to weigh forces
-/// against moments. An uncertainty in newtons would need a point of action.
+/// The load is multiplied by one factor as a whole, base and direction alike, as for a mass that is not known exactly. A factor keeps the line in
+/// which the load acts, and needs no length by which moments are compared with forces. An uncertainty in newtons would need a point of action.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -51,7 +50,7 @@ pub struct Uncertainty {
     pub stiffness: f64,
     /// σ of the logarithm of the normal command, of a force that holds a contact, and of suction.
     pub squeeze: f64,
-    /// σ of the contact points along each coordinate axis, m. Not for hands if other than zero.
+    /// σ of the contact points along each coordinate axis, m. It must be zero for hands.
     pub position: f64,
     /// σ of the angles by which a normal tilts, rad: one in the plane, two in space.
     pub normal: f64,
@@ -138,7 +137,7 @@ impl Engine {
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
                     .each(|sigma| sigma * draw.normal());
-            // Displacements and tilts are drawn last, and also if σ = 0. So the other data of a sample do not depend on these σ.
+            // Displacements and tilts are drawn last, and also if σ = 0. Therefore the other data of a sample do not depend on these σ.
             let mut displaced = |sigma: f64| by_axis(|_| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             ContactErrors { friction, stiffness, squeeze, moved, tilt }

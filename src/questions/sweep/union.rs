@@ -17,7 +17,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Failures {
     frequent: Vec<Failure>,
-    /// Sum of the probabilities of failures whose correlation with other failures is neglected: failures that are too rare, or that happen more often
+    /// Sum of the probabilities of failures whose correlation with other failures is neglected: failures that are rare, or that happen more often
     /// than not.
     rare: f64,
 }
@@ -29,7 +29,7 @@ struct Failure {
     reliability: f64,
     /// The failure probability to first order, `Φ(-β)`.
     first_order: f64,
-    /// The contact, given by the index of its first point. The last entry of the gradient is the derivative with respect to its coefficient of
+    /// The contact, given by the index of its first point. The last entry of `gradient` is the derivative with respect to its coefficient of
     /// friction.
     contact: usize,
     /// Gradient of the margin with respect to the data in standard deviations, friction last, scaled to length one.
@@ -75,9 +75,10 @@ impl Failures {
 }
 
 impl Failure {
-    /// An approximate probability that both failures happen: that to first order, times the smaller of both second-order corrections.
+    /// An approximate probability that both failures happen: the first-order probability that both happen, times the smaller of both second-order
+    /// corrections.
     fn with(&self, other: &Self) -> f64 {
-        // Only points of one contact share their friction; the frictions of different contacts are independent.
+        // Only points of one contact share their friction coefficient; the friction coefficients of different contacts are independent.
         let data = self.gradient.len() - usize::from(self.contact != other.contact);
         let correlation = dot(&self.gradient[..data], &other.gradient[..data]);
         let first_order = normal_tail_of_both([self.reliability, other.reliability], correlation);
@@ -129,7 +130,7 @@ mod tests {
             for rho in [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999] {
                 let all = alike(reliabilities, rho);
                 let (bound, exact) = (all.any(&Failures::default()), exact(reliabilities, rho));
-                // For two failures the bound is exact, but for an error of a few 1e-3 of the smaller probability where ρ is near 1.
+                // For two failures the bound is exact, apart from an error of a few 1e-3 of the smaller probability if ρ is near 1.
                 let most = if reliabilities.len() == 2 { exact } else { sum.min(1.0) };
                 assert!(
                     bound > 0.999 * exact && bound < 1.001 * most,
@@ -138,7 +139,7 @@ mod tests {
                 assert!(bound < 1.001 * last, "{reliabilities:?} {rho}");
                 last = bound;
             }
-            // If all margins depend on one datum alone, the most probable failure contains all others.
+            // If all margins depend on one datum alone, the most probable failure happens whenever any other happens.
             let most = reliabilities.iter().map(|b| normal_tail(*b)).fold(0.0, f64::max);
             assert!(last < 1.1 * most, "{reliabilities:?}: {last} {most}");
         }

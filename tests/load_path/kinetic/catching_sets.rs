@@ -1,7 +1,7 @@
 //! A jump of slip ends in an equilibrium that enumeration of all contact states in exact rational arithmetic also finds.
 //!
 //! No other equilibrium has fewer sliding contacts. Jumps during which a contact opens are only counted, because the motion is then not straight. If
-//! a jump has no end, no combination is an equilibrium, unless the library reports that one exists elsewhere.
+//! a jump has no end, no combination of contact states is an equilibrium, unless the library reports that an equilibrium exists elsewhere.
 
 use grasp_lcp::planar::{Beyond, Change, ContactState, Grasp, Jump, Leg, PathEnd};
 use num_traits::ToPrimitive;
@@ -86,7 +86,7 @@ fn jumps_end_where_rationals_say() {
                     tally.lost += 1;
                     assert!(catches.is_empty(), "{looked}: {catches:?}");
                 }
-                // One combination is an equilibrium, but no quasi-static motion leads to it; the library leaves this open.
+                // Another equilibrium exists, but small quasi-static motions do not lead to it.
                 Some(Beyond::Snap) => tally.elsewhere += 1,
                 other => panic!("{looked}: {other:?}"),
             }

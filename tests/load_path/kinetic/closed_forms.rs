@@ -34,7 +34,7 @@ fn of_two_feet_one_catches_what_the_other_loses() {
         assert!((carried(&event.state, i) - before).abs() < 1e-13);
         assert!((carried(&jump.state, i) - after).abs() < 1e-13);
     }
-    // From 5 to 7 mm at 7.5 N; the stiff foot has slipped all but the 4 mm that its spring keeps.
+    // The object jumps from 5 to 7 mm at 7.5 N. Then the stiff foot has slipped 3 mm, because its spring is still deformed by 4 mm.
     let [slip] = &jump.slips[..] else { panic!("{:?}", jump.slips) };
     assert_eq!(slip.contact.index, 0);
     assert!((slip.slip.norm() - 3e-3).abs() < 1e-15);
@@ -109,7 +109,7 @@ fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
             let events = path.run();
             let [sticks, slides] = &events[..] else { panic!("{period}: {events:?}") };
             assert!(matches!(sticks.changes[0].what, Change::Sticks) && sticks.fraction == 0.0);
-            // From 4 N one way to 5 N the other way: 9 N of a spring of 1000 N/m.
+            // The friction changes from 4 N in one direction to 5 N in the other. These 9 N deform a spring of 1000 N/m by 9 mm.
             assert!((slides.fraction * 0.04 - 9e-3).abs() < 1e-8, "{period}: {}", slides.fraction);
             let jump = slides.jump.as_deref().unwrap();
             let drop = slides.state.contacts[0].force[1].abs() - jump.state.contacts[0].force[1].abs();

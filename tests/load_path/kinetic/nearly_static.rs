@@ -75,7 +75,7 @@ fn paths_converge_in_proportion() {
         }
         count += 1;
         let all = PARTS.map(|part| followed(Some(part)));
-        // Contacts that slide together may stick and slip in turn, in more and smaller jumps.
+        // Contacts that slide together with one coefficient may stick and slip one after another with two, in more and smaller jumps.
         let alike = all[2..].iter().all(|(events, _)| story(events) == story(&plain));
         for (k, (events, state)) in all.iter().enumerate() {
             let Some(state) = state else { continue };

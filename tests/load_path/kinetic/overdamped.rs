@@ -128,7 +128,7 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let load = |w: &SVector<f64, D>| Wrench::<C>::from_components(w.as_slice());
         let mut path = grasp.follow(load(&base), &[Leg::load_by(load(&(more * 4.0)))]).expect("finite");
         let first = path.next();
-        // State at the first slip, and the jump from there.
+        // State at the first slip, and the jump that starts from this state.
         let lost = path.end().and_then(PathEnd::loss).cloned();
         let (state, place, jump) = match (first, lost) {
             (Some(event), _) if event.jump.is_some() => (event.state, event.fraction, event.jump),

@@ -29,7 +29,7 @@ fn contact<const C: usize>(random: &mut Random) -> grasp_lcp::grasp::Contact<C> 
     if kinetic == 1.0 { contact } else { contact.kinetic(rest * kinetic) }
 }
 
-/// Forces below this count as zero, for fingers that press with a few newtons, N.
+/// Forces below this value are treated as zero, for fingers that press with a few newtons (N).
 const NOTHING: f64 = 1e-12;
 
 /// Whether every force is in the cone of static friction and forces balance. Without normal forces the remaining forces are rounding.

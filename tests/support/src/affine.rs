@@ -9,7 +9,7 @@ pub(crate) type Rational = BigRational;
 /// A value is close to zero if it is at least this many bits shorter than its largest term: smaller by about 2^-29 = 1.9e-9.
 const CLOSE_BITS: u64 = 29;
 
-/// `slope·q + constant`; in integers, `slope·N + constant d` for `q = N/d`.
+/// The function `slope·q + constant`. For `q = N/d` it is evaluated in integers as `slope·N + constant d`.
 #[derive(Debug, Clone)]
 pub(crate) struct Affine<T> {
     pub(crate) slope: [T; 3],

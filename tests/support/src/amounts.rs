@@ -62,7 +62,7 @@ impl<const C: usize> Scene<C> {
     }
 }
 
-/// Fingers around a part or anywhere on it, pressed by commands or by forces, or idle; a weight at rest, or none.
+/// Fingers around a part or anywhere on it, pressed by commands or by forces, or idle. The load at rest is a weight or zero.
 pub fn planar(random: &mut Random) -> Result<Scene<2>, Error> {
     let count = 2 + (3.0 * random.uniform()) as usize;
     let is_around = random.uniform() < 0.6;
@@ -161,7 +161,7 @@ pub fn at_rest<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// The load at rest; half of the load the other way where there is none.
+/// The load at rest of the scene. If the scene has none, half of its load in the opposite direction.
 fn rest<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
     if scene.base == Wrench::ZERO { scene.load * -0.5 } else { scene.base }
 }
@@ -182,7 +182,7 @@ fn metre<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
     Wrench::from_components(&moment)
 }
 
-/// The force of the first pressed finger; the squeeze where none is pressed.
+/// The force of the first finger that is pressed by a command or a force. If no finger is pressed, the squeeze.
 pub fn force<const C: usize>() -> Quantity<C> {
     (
         |scene| match scene.presser() {
@@ -193,7 +193,7 @@ pub fn force<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// One answer beside brute force.
+/// One answer compared with brute force.
 pub struct Checked {
     /// A sentence for each claim of the answer that an amount refutes.
     pub wrong: Vec<String>,

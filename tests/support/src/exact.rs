@@ -330,7 +330,7 @@ impl Entry {
         let softest = scene.contacts.iter().flat_map(|c| c.stiffness).fold(f64::INFINITY, f64::min);
         force_size = force_size.max(softest * command).max(f64::MIN_POSITIVE);
         // The library rounds its data (unit normals, arms). A rounded load moves a soft spring by the rounding over its
-        // stiffness; the allowance is 45 roundings of the largest force.
+        // stiffness. The tolerance for this is 45 roundings of the largest force.
         motion_off -= 1e-14 * force_size / softest;
         (force_off / force_size).max(motion_off / motion_size).max(outside)
     }

@@ -46,7 +46,7 @@ impl Exact {
     }
 
     /// Whether the problem has a solution: whether { z_α ≥ 0, (Mz + q)_α = 0, (Mz + q)_ᾱ ≥ 0 } is not empty for some α.
-    /// For a singular block M_αα the simplex method decides.
+    /// For a singular block M_αα the simplex method decides whether a solution exists.
     pub fn is_solvable(&self) -> bool {
         (0..1_u32 << self.len()).any(|alpha| {
             let indices: Vec<usize> = (0..self.len()).filter(|i| alpha >> i & 1 == 1).collect();
@@ -114,7 +114,7 @@ impl Exact {
     }
 }
 
-/// Whether some x ≥ 0 has (A x + b)_i = 0 where `equal[i]`, and (A x + b)_i ≥ 0 elsewhere; by the simplex method.
+/// Whether some x ≥ 0 has (A x + b)_i = 0 for all i with `equal[i]`, and (A x + b)_i ≥ 0 for all other i, by the simplex method.
 pub fn is_feasible(a: &[Vec<BigRational>], b: &[BigRational], equal: &[bool]) -> bool {
     let count = a.first().map_or(0, Vec::len);
     let slacks: Vec<usize> = (0..b.len()).filter(|i| !equal[*i]).collect();

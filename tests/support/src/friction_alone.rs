@@ -16,7 +16,7 @@ pub fn least_unbalance(grasp: &Grasp, load: &Wrench, q: &Vector3<f64>) -> f64 {
         let [n, t] = [0, 1].map(|a| wrench(frame.column(a).into_owned()));
         let normal = contact.series_stiffness_of_axes()[0] * (contact.commanded()[0] - n.dot(q)).max(0.0);
         rest += n * normal;
-        // A moment counts as a force at an arm of 4 cm.
+        // A moment is converted to a force at an arm of 4 cm.
         columns.push(Vector3::new(t[0], t[1], t[2] / 0.04));
         forces.push((0.0, contact.friction_coefficient() * normal));
     }

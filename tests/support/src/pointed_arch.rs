@@ -2,7 +2,7 @@
 
 use super::voussoirs::{Joint, NEVER_FAILS, Voussoirs, bisected};
 
-/// Number of panels of Simpson's rule over the thickness of a stone. It matters for stones beside the apex, whose rings end at different angles.
+/// Number of panels of Simpson's rule over the thickness of a stone. It matters for stones next to the apex, whose rings end at different angles.
 const PANELS: usize = 400;
 
 /// Two arcs of mean radius 1 m that meet at the apex, symmetric, with radial joints and a vertical one at the apex.

@@ -32,7 +32,7 @@ impl<const D: usize, const C: usize> Change<D, C> {
             .with_commands(self.commands.clone())
     }
 
-    /// Whether the change of load works on a motion that no contact resists. Then no equilibrium exists beyond factor 0.
+    /// Whether the change of load does work along a motion that no contact resists. If so, no equilibrium exists beyond factor 0.
     pub fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
         sticking::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
     }
@@ -51,7 +51,7 @@ impl<const D: usize, const C: usize> Change<D, C> {
 /// The friction cone of an oracle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Friction {
-    /// The round cone; in the plane the cone itself.
+    /// The round cone. In the plane this is Coulomb's cone of two edges.
     Round,
     /// The polygon with [`FACETS`] corners on the circle.
     Polygon,
@@ -141,7 +141,7 @@ pub fn ramps<const D: usize, const C: usize>(
         |(mut scene, load, commands, driven)| {
             // All contacts touch at the base.
             scene.contacts.iter_mut().for_each(|datum| datum.clearance = 0.0);
-            // The change of load is as large as the base load, so that neither is negligible beside the other.
+            // The change of load is as large as the base load, so that neither is negligible compared with the other.
             let size = scene.load.norm();
             let (load_part, command_part) = match driven {
                 Driven::Load => (size, 0.0),

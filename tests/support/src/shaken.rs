@@ -10,7 +10,7 @@ use nalgebra::DVector;
 
 /// Rounding of a motion, relative to the displacement of the object.
 const ROUNDING: f64 = 1e-13;
-/// Changes of forces below this part of the largest count as none.
+/// Changes of forces below this fraction of the largest force are treated as no change.
 const STILL: f64 = 1e-8;
 /// The largest number of cycles that are followed.
 const MOST: usize = 400;

@@ -27,8 +27,8 @@ pub fn leash() -> f64 {
     limit() / series(FINGER[1])
 }
 
-/// The grasp of finger and support, and the two legs of the path of the finger, m. The first leg has the length of the leash, so that
-/// sliding begins at the corner; the second leg is at a right angle to it.
+/// The grasp of finger and support, and the two straight legs along which the finger moves, m. The first leg has the length of the leash, so that
+/// sliding begins at its end. The second leg is at a right angle to the first.
 pub fn scene() -> Result<(Grasp, [[f64; 2]; 2]), grasp_lcp::Error> {
     let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0])
         .name("finger")

@@ -28,11 +28,11 @@ const BITS: u64 = 320;
 /// Newton's method ends when its step is below this part of the unknowns.
 const SETTLED: f64 = 1e-40;
 const STEPS: usize = 12;
-/// A value below this part of its terms counts as zero: it is the rounding of a division.
+/// A value below this fraction of its terms is treated as zero, because it is only the rounding of a division.
 const ZERO: f64 = 1e-60;
 /// Scale of forces where no contact carries one, relative to the force of the softest spring under the largest displacement.
 const NO_FORCE: f64 = 1e-20;
-/// Components below this part of the largest force have no relative error of their own.
+/// For components below this fraction of the largest force no relative error is computed.
 const SMALL: f64 = 1e-14;
 
 /// Exact forces and displacements of the contacts in these states.

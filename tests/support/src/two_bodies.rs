@@ -8,11 +8,11 @@ use num_traits::Signed;
 
 use super::stacks::{Stack, Touch};
 
-/// Singular values below this part of the largest count as zero.
+/// Singular values below this fraction of the largest singular value are treated as zero.
 const SINGULAR: f64 = 1e-10;
-/// A condition missed by more than this part of its terms fails; exact arithmetic is not needed.
+/// A condition violated by more than this fraction of its terms fails without a check in exact arithmetic.
 const NEAR: f64 = 1e-6;
-/// A condition met or missed by less than this part of its terms is too close for working precision.
+/// A condition met or violated by less than this fraction of its terms is too close for working precision.
 const NARROW: f64 = 1e-9;
 
 /// State of a contact. The number of `Slides` is +1 or -1, for a slip along +t or -t.

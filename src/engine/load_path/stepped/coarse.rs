@@ -1,9 +1,9 @@
 //! A second path with the same steps, each made at once and not in two halves. The distance between both paths, in contact forces, measures the error
 //! that all steps so far have left.
 //!
-//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up. Directions of slip turn
-//! towards the friction force, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path decay
-//! in the same way, so that
+//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not simply add up. Friction forces turn
+//! towards the directions of slip, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path
+//! decay in the same way, which means that
 //!
 //! ```text
 //! distance = error of the second - error of the first = 3 times the error of the first
@@ -44,8 +44,8 @@ impl Coarse {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
-        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. With a smaller distance
-        // this would happen at each change of contact states, and errors would be added up although they decay.
+        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. A smaller distance would
+        // be exceeded at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
         // If the paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second

@@ -14,7 +14,7 @@ use crate::prelude::*;
 /// The state of the grasp at a place of the path. The twist is about the centroid of the contacts; lists have an entry for each contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
-    /// Fraction of the leg at this place, from 0 to 1.
+    /// Fraction of the leg that is done in this state, from 0 to 1.
     pub(super) fraction: f64,
     pub(super) twist: Vector,
     /// Accumulated slips since the start of the path, m, in the contact frames.
@@ -53,14 +53,14 @@ impl SteppedState {
     }
 }
 
-/// The static problem at the end of a step along the present leg; each step sets its offsets and its load.
+/// The static problem at the end of a step along the present leg; each step writes its offsets and its load into the problem.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
     /// Two lists: for each contact the command minus clearance at the beginning of the leg, m, and its change over the whole leg.
     offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
-    /// Stretches of the contacts at the beginning of a step, m.
+    /// Stretches (spring deformations) of the contacts at the beginning of a step, m.
     before: Vec<SVector<f64, 3>>,
     /// Force and state of each contact at the end of a step.
     answers: Vec<ContactResponse>,
@@ -119,21 +119,21 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance below the rounding of spring forces. This rounding is 1e-15 of the forces which the displacements
-    // would cause in the springs; `newton` multiplies the size given here by [`SOLVED_ROUNDING`].
+    // Newton's method cannot reduce the imbalance below the rounding of spring forces, taken as 1e-15 of the forces that the displacements would
+    // cause in the springs. Since `newton` multiplies the size given here by [`SOLVED_ROUNDING`], the factor here is 1e-3.
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };
-    // Newton's method may leave an imbalance of [`SOLVED_ROUNDING`] relative to the contact forces, which is below the error of any step.
+    // Newton's method may stop at an imbalance of [`SOLVED_ROUNDING`] relative to the contact forces, which is below the error of any step.
     (to.twist, ..) = newton(problem, (near, SOLVED_ROUNDING, rounded), answers, &answer)?;
     to.slips.clone_from(&from.slips);
     cleared_for(&mut to.forces, answers.len());
     cleared_for(&mut to.states, answers.len());
     for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
         let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
-        // The slip of a contact that stuck throughout the step is zero; computed from its springs it would be rounding.
+        // The slip of a contact that stuck throughout the step is exactly zero; computed from its springs it would have a rounding error.
         if !(answer.state.is_sticking() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }

@@ -11,14 +11,14 @@ use crate::numerics::Vector;
 pub(super) struct StepPace {
     /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
     pub(super) rate: Option<Vector>,
-    /// Growing speeds of the object along the leg, each with its place.
+    /// Growing speeds of the object along the leg, each with the fraction of the leg at which it occurred.
     pub(super) speeds: Speeds,
     /// Largest change of a contact force in the last step, divided by the largest change that the object's motion would cause if all contacts stuck.
     pub(super) changed: f64,
-    /// Length of the next step, as a fraction of the leg; at most `longest` of it is made.
+    /// Length of the next step, as a fraction of the leg, before it is limited to `longest`.
     pub(super) step: f64,
-    /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of the load. After a full revolution the load would seem
-    /// unchanged.
+    /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of a load that turns. Over a step of a full revolution the load
+    /// would seem unchanged.
     pub(super) longest: f64,
     /// Whether the last step was refused: the step length then does not grow after the next step.
     pub(super) refused: bool,

@@ -8,11 +8,11 @@
 //! an asymptote               q ~ ln(1/δ),  δ^{-p}         dq/dδ ~ δ^{-1},  δ^{-1-p}
 //! ```
 //!
-//! Near the end the distance is too small to distinguish one power from the other.
+//! Near the end of the path the distance δ is too small to distinguish one power from the other.
 
 use crate::prelude::*;
 
-/// Pairs of a place on a leg, as a fraction of it, and the speed of the object there. Each speed is more than twice the speed before.
+/// Pairs of a fraction of the leg and the speed of the object at this fraction. Each speed is more than twice the speed before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
@@ -35,11 +35,11 @@ impl Speeds {
     pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };
-        // Speeds are compared at two places whose distances from the end of the path differ at least by this factor.
+        // Speeds are compared at two fractions of the leg whose distances from the end of the path differ at least by this factor.
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
         // If the speed grows without bound, the last record is within this fraction of the leg from the end.
         let to_the_end = 1e-8;
-        // If the speed grows by more than this factor between both places, the path does not end at a corner, where the speed is bounded.
+        // If the speed grows by more than this factor between both fractions, the path does not end at a corner, where the speed is bounded.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

@@ -1,4 +1,4 @@
-//! The equilibrium at a place of a path followed in steps, and the contacts there that are on the edge of their cones.
+//! The equilibrium at a place of a path followed in steps, and the contacts that are on the edge of their cones at this place.
 
 use nalgebra::SVector;
 
@@ -27,14 +27,14 @@ impl SteppedState {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The forces of this state, with the complementarity problem for the rates of forces and motion there. Contacts count as on the edge of their
-    /// cones up to a margin of 1e-9 of the largest force, the resolution of the last steps.
+    /// The forces of this state, with the complementarity problem for the rates of forces and motion in this state. A contact is taken as on the edge
+    /// of its cone if its margin is at most 1e-9 of the largest force, the resolution of the last steps.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
         let segment = journey.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // A friction reserve, or the force that would close a gap, counts as zero below this fraction of the largest force. The last steps are 1e-12
-        // of a leg. With a smaller fraction, a contact that such a step would bring to its edge would still count as inside its cone, and the limit
-        // load would not be recognised.
+        // A friction reserve, or the force that would close a gap, is taken as zero below this fraction of the largest force. The last steps are
+        // 1e-12 of a leg. With a smaller fraction, a contact that such a step would bring to its edge would still be taken as inside its cone, and
+        // the limit load would not be recognised.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

@@ -71,19 +71,19 @@ impl<'g> Steps<'g> {
         let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.distance_to(from) / largest;
-        // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. These are the fraction of the
-        // leg, the change of forces, and the change of forces that the motion would cause in sticking springs, both over the largest force. Errors in
-        // the directions of friction decay while the last measure grows to one.
+        // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction of
+        // the leg. The second is the change of forces, and the third the change of forces that the motion would cause in sticking springs, both
+        // divided by the largest force. Errors in the directions of friction decay while the third measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
         // The allowed difference of a contact's force between this path and the second path (see `coarse`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
-        // Below this fraction of the largest force an error is rounding.
+        // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
             // A step may use this fraction of a contact's remaining budget. With a larger fraction, a few steps would use up the budget, and later
-            // steps would have as little as if errors never decayed. With a smaller fraction, steps are shorter than necessary.
+            // steps would have too little of it. With a smaller fraction, steps are shorter than necessary.
             let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
@@ -106,8 +106,8 @@ impl<'g> Steps<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length. The motion must also be
-        // large: in sticking springs it would cause more than a twentieth of the largest force.
+        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length (both measured by the forces
+        // that they would cause in sticking springs). The motion must also be large: it would cause more than a twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }

@@ -1,4 +1,4 @@
-//! The follower that follows a load program in steps: its data, and its start.
+//! The follower (the part of a path that advances) that follows a load program in steps: its data, and its start.
 
 use nalgebra::SVector;
 
@@ -39,7 +39,7 @@ pub(crate) struct Steps<'g> {
     pub(super) coarse: Coarse,
     /// The largest error of a contact force that both paths may have in common in a step so far, divided by the largest contact force of that step.
     pub(super) unseen: f64,
-    /// Sum over all steps so far. Each step adds the largest change of a contact force in it, divided by the largest contact force at its ends.
+    /// Sum over all steps so far of the largest change of a contact force in the step, divided by the largest contact force at its ends.
     pub(super) way: f64,
 }
 

@@ -1,20 +1,21 @@
 //! Errors of contact forces that a step made at once and its two halves share, so that their difference does not reveal them.
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`. Let sticking springs have the stiffness K and the stretch v. At
-//! the end of the step their force differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact that
-//! slides on its cone along p is driven out of the cone at the rate `a = p·K v_t' - μ k_n v_n'`. At the fraction s of the step this rate is a + c s,
-//! with `c = a' h` < 0:
+//! the end of the step their force differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact slides on
+//! its cone along p. The rate at which the motion drives its force out of the cone is `a = p·K v_t' - μ k_n v_n'`. At the fraction s of the step this
+//! rate is a + c s, with `c = a' h` < 0:
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
 //! and so errs by the force a² / 2|c| if that place is nearer than half a straight part, 1/4 of the step
 //! ```
 //!
-//! This is at most c / 32, a quarter of the force that the displacement `off` would cause in the springs. By as much, a sticking contact may have
-//! been beyond the edge of its cone in between, and the force of an opening or closing contact may have been wrong.
+//! This is at most c / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the distance by
+//! which a sticking contact may have been outside its cone within the step, and for the error of the force of an opening or closing contact.
 //!
-//! A contact that begins to slide bends the line, from which the twist then deviates by up to `2 off`. Of this deviation, sliding contacts lose the
-//! part along their slips and keep the part across, as if they had stuck. So only the rotation of their forces on the cones makes a difference.
+//! If a contact begins to slide, the line of twists has a bend, and the twist then deviates by up to `2 off`. Of this deviation, sliding contacts
+//! lose the part along their slips and keep the part across, as if they had stuck. Thus only the rotation of their forces on the cones makes a
+//! difference.
 
 use nalgebra::SVector;
 
@@ -45,8 +46,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the line bends somewhere in a half of the step, it deviates by up to twice the deviation in the middle. A friction force turns no
-            // farther than the direction of slip.
+            // If the line of twists has a bend in a half of the step, the twist deviates by up to twice the deviation in the middle. A friction force
+            // turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -56,7 +57,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The softening of the springs by slip gives the fraction of the half step on which the contact slid; before, it stuck.
+                // The softening of the springs by slip gives the fraction of the half step on which the contact slid. On the part before, the contact
+                // stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }

@@ -77,7 +77,7 @@ pub fn turning<const D: usize, const C: usize>(
 }
 
 /// A scene of contacts around an object, with normals roughly inwards. Stiffnesses span four decades. Friction is zero, small, moderate,
-/// large or infinite; some contacts have clearance, are kept closed or bonded. Forces at rest and loads are about 1 N. Commands squeeze and release.
+/// large or infinite. Some contacts have clearance, are kept closed or bonded. Forces at rest and loads are about 1 N. Commands squeeze and release.
 fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -> Scene<D, C> {
     let n = contacts.len();
     let mut press = Vec::new();
