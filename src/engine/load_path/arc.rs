@@ -272,6 +272,8 @@ impl<'s, 'g> Arc<'s, 'g> {
     ) -> Option<(PieceState, f64)> {
         // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
+        // Near its end the load of a leg may vanish, as the difference of terms that keep their rounding.
+        let from = self.segment.course.at(0.0).norm();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
             let tangents = self.tangents(frictions.iter().copied());
@@ -284,7 +286,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             for _ in 0..6 {
                 let load = self.segment.course.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
-                if left.norm() <= rounding * (load.norm() + carried) {
+                if left.norm() <= rounding * (load.norm().max(from) + carried) {
                     ended = Some(carried);
                     break;
                 }

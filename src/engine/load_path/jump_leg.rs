@@ -25,7 +25,6 @@ use super::pieces::Pieces;
 use super::stretch::{ArcStep, JumpRecord};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
-use crate::equilibrium::ACCURATE;
 use crate::numerics::{IntoList, Vector, chosen, largest};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -222,7 +221,8 @@ impl<'g> Pieces<'g> {
         }
         (problem.slips, problem.cones) = (relaxed.slips, relaxed.cones);
         segment.largest = segment.largest.max(leg.segment.largest);
-        let after_jump = Self { factor: self.factor, ..Self::at_segment_start(segment, leg.node) };
+        let mut after_jump = Self { factor: self.factor, ..Self::at_segment_start(segment, leg.node) };
+        after_jump.let_go_of_rounding();
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_stretch(journey).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
@@ -232,7 +232,7 @@ impl<'g> Pieces<'g> {
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
         let state = after_jump.state_on(&place, self.factor);
-        let state = state.filter(|state| state.residuals.worst() <= ACCURATE).ok_or_else(inaccurate)?;
+        let state = state.filter(|state| after_jump.is_accurate(state)).ok_or_else(inaccurate)?;
         place.jump = Some(Box::new(jump.record));
         self.segment = after_jump.segment;
         let before = core::mem::replace(&mut self.node, after_jump.node).at;

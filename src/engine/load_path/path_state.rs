@@ -22,9 +22,14 @@ use crate::search::Found;
 /// alone would then determine which contacts press, so no contact is treated as pressing. For a rate problem load, forces and motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
-    let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     // Forces are rounding below this fraction of the force that the displacements make in the softest spring: sixteen units of rounding may add up.
-    largest <= ROUNDED_SUM * least_spring_force(problem.sites, spans)
+    largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
+}
+
+/// The force that the displacements make in the softest spring, N. Rounding of contact forces is proportional to it, however small they are.
+pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64 {
+    let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
+    least_spring_force(problem.sites, spans)
 }
 
 impl Node {

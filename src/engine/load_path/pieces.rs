@@ -22,6 +22,7 @@ use super::leg::Leg;
 use super::node::Node;
 use super::pace::Pace;
 use super::path::{LoadPath, Path};
+use super::path_state::softest_spring_force;
 use super::segment::{PathPoint, Segment};
 use super::small_motions::EndOfSmallMotions;
 use super::snapping_over::Snapped;
@@ -269,11 +270,7 @@ impl<'g> Pieces<'g> {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // If all forces vanish together, the remaining forces are rounding, and residuals divided by them mean nothing.
-        let largest = largest(&state.contacts, &|contact| contact.force.norm());
-        let carries = largest > WEIGHTLESS * self.segment.largest
-            && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
-        if carries && state.residuals.worst() > ACCURATE {
+        if !self.is_accurate(&state) {
             return Err(journey.undecided(self.factor, Doubt::Inaccurate));
         }
         Ok(Some(Event {
@@ -287,6 +284,32 @@ impl<'g> Pieces<'g> {
             other_continuations: next.other_continuations,
             jump,
         }))
+    }
+
+    /// Whether the residuals of an equilibrium at the present place are small, or no larger than rounding of displacements. If all forces vanish
+    /// together, the remaining forces are such rounding, and residuals relative to them mean nothing.
+    pub(super) fn is_accurate(&self, state: &Equilibrium<3>) -> bool {
+        let worst = state.residuals.worst();
+        let largest = largest(&state.contacts, &|contact| contact.force.norm());
+        worst <= ACCURATE || largest * worst.min(1.0) <= self.rounding_of_forces()
+    }
+
+    /// The size up to which forces at the present place are rounding, N.
+    fn rounding_of_forces(&self) -> f64 {
+        let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
+        WEIGHTLESS * self.segment.largest.max(springs)
+    }
+
+    /// If all contact forces at the present place are rounding, sets them to zero: rounding would decide which contacts press.
+    pub(super) fn let_go_of_rounding(&mut self) {
+        let most =
+            largest(&self.node.at.forces, &SVector::norm).max(self.segment.course.at(self.factor).norm());
+        if most <= self.rounding_of_forces() {
+            self.node.at.forces.fill(SVector::zeros());
+            for (active, state) in self.node.active_sets.iter_mut().zip(&self.node.states) {
+                active.apex |= !state.is_open();
+            }
+        }
     }
 
     /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if it cannot be

@@ -20,6 +20,7 @@ use super::journey::Journey;
 use super::jump::Jump;
 use super::jump_leg::JumpInProgress;
 use super::node::{Node, directions};
+use super::path_state::softest_spring_force;
 use super::pieces::Pieces;
 use super::segment::Segment;
 use super::tolerances::{
@@ -183,8 +184,9 @@ impl<'g> Pieces<'g> {
         }
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
-        // The force that determines the steps of the load factor is at least the load, since contacts may carry no force at all.
-        let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm());
+        // The largest force includes the load, and the force of displacements, since contacts may carry no force at all.
+        let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
+        let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
         // If an object sticks and snaps over again and again, the steps of the load factor grow each time.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;

@@ -35,6 +35,10 @@ impl<'g> Pieces<'g> {
     /// Tries one step along the arc, which ends early if an event comes first; a refused step only changes the next length. Returns whether the leg
     /// is complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
+        // An object that snaps over may come to rest under the load at the end of the leg.
+        if self.factor >= 1.0 {
+            return Ok(true);
+        }
         let Some(point) = self.point.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
@@ -175,13 +179,7 @@ impl<'g> Pieces<'g> {
     /// which a friction force has no direction yet. It is also made up to the point at which a normal force that is almost zero vanishes.
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
-        let all_but_gone = |(line, state): (&Line, &State)| {
-            let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-            // A falling normal force below this fraction of the size of its terms is extrapolated to zero along the tangent.
-            let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
-            little.then(|| line.force[0] / -line.rate[0])
-        };
-        let last = point.lines.iter().zip(&self.node.states).filter_map(all_but_gone);
+        let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < rest) {
             return Some(way);
         }
@@ -264,11 +262,16 @@ impl<'g> Pieces<'g> {
                 _ => sticks.push(contact),
             }
         }
-        let weightless = |i: usize| {
+        for (i, state) in self.node.states.iter().enumerate() {
             let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
-            self.node.states[i].slides() && ActiveSet::is_weightless(force, size)
-        };
-        stops |= !at_edge.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
+            // Along the tangent the normal force may keep a remainder, in which directions of friction are blurred.
+            let is_gone = end.rule == Rule::Straight
+                && way_to_nothing((&point.lines[i], state)).is_some_and(|way| way <= end.length);
+            if state.slides() && (is_gone || ActiveSet::is_weightless(force, size)) {
+                at_edge.push((i, vec![apex()]));
+            }
+        }
+        stops |= !at_edge.is_empty() || !sticks.is_empty();
         let idle = self.stands_still(point, &sticks);
         if !sticks.is_empty() {
             self.stopped = (to, sticks.clone());
@@ -305,6 +308,15 @@ impl<'g> Pieces<'g> {
         let motion = point.twist_rate.normalize();
         PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.list(), Some(&motion))))
     }
+}
+
+/// Arclength along the tangent to the place where the normal force of a sliding contact vanishes that is almost zero and decreases; `None` for any
+/// other contact.
+fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
+    let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
+    // A falling normal force below this fraction of the size of its terms is followed to zero along the tangent.
+    let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
+    little.then(|| line.force[0] / -line.rate[0])
 }
 
 /// The exit of a contact, at the present place, at which its normal force or its gap vanishes.
