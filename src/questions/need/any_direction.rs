@@ -8,32 +8,62 @@ use super::question::Demand;
 use super::trial::{Refuting, Trial, Trials};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::OfThePath;
+use crate::hold::{OfThePath, Verdict};
 use crate::load_path::Ramp;
 use crate::numerics::{Space, dot, numbered};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// The result at rest, under `load` alone, and with a force of any direction added to `load`, from closed forms that hold while everything
-    /// sticks. `None` if something slides and the demand allows sliding.
+    /// The result for `load` with a force of this size and of any direction beside it, through a point.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,
-        size: f64,
-        point: [f64; 3],
+        (size, point): (f64, [f64; 3]),
         demand: Demand,
+        refuting: &Refuting,
+    ) -> Result<Trials, Error> {
+        let (verdict, path) = self.put_on_up_to(&Ramp::load(self.base, load), None)?;
+        let base = self.base + load;
+        match self.while_all_stick(&verdict, &base, (size, point), (demand, refuting))? {
+            Some(trial) if demand == Demand::Sticks || trial.carried().is_some() => {
+                return Ok(Trials::only(demand, trial));
+            }
+            _ => {}
+        }
+        let alone = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
+        let along = |d: [f64; 3]| Ramp::load(base, force_at(d.map(|x| x * size), point));
+        self.in_every_direction(
+            Trials { at_rest: path.at_rest, ..Trials::only(Demand::Held, alone) },
+            &along,
+            refuting,
+        )
+    }
+
+    /// The result where everything sticks at rest, under the constant load alone (its verdict), and with a force of any direction added to it. `None`
+    /// where something slides and the demand allows sliding.
+    fn while_all_stick(
+        &self,
+        verdict: &Verdict<3>,
+        base: &Wrench<3>,
+        (size, point): (f64, [f64; 3]),
+        (demand, refuting): (Demand, &Refuting),
     ) -> Result<Option<Trial>, Error> {
-        let base = &(self.base + load);
-        let verdict = self.grasp.hold(Ramp::load(self.base, load))?;
-        let at_rest = self.judged((&verdict, f64::INFINITY), Demand::Sticks);
+        let at_rest = self.judged((verdict, f64::INFINITY), Demand::Sticks);
         if !at_rest.does() {
             return Ok((demand == Demand::Sticks).then_some(match at_rest {
                 Trial::DoesNot { says, carried, .. } => Trial::does_not(says, carried - 1.0),
                 other => other,
             }));
         }
-        Ok(Some(match self.grasp.weakest_direction(base, point)? {
+        let weakest = self.grasp.weakest_direction(base, point)?;
+        // The direction that first makes something slide is tried first where things slide.
+        if let WeakestDirection::Force { direction, .. } = &weakest
+            && refuting.directions.borrow().is_empty()
+        {
+            refuting.add(*direction);
+        }
+        Ok(Some(match weakest {
             WeakestDirection::Never => self.farthest(base, size, point)?,
             WeakestDirection::Force { size: most, .. } if most >= size => {
                 self.farthest(base, size, point)?.or_worse(Trial::carries(most / size))
@@ -72,13 +102,54 @@ impl Loading {
             return Ok(Trial::carries(most / size));
         }
         let ramp = Ramp::load(*base, force_at(direction.map(|x| x * size), point));
-        Ok(self.one_direction(&ramp)?.0)
+        Ok(self.one_direction(&ramp, None)?.0)
+    }
+
+    /// The worst result over directions of a force: those that refuted other amounts, then evenly spread ones, and those between. `worst` has the
+    /// result without the force. Quick trials are confined to directions that refuted other amounts, if there are any.
+    fn in_every_direction(
+        &self,
+        mut worst: Trials,
+        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+        refuting: &Refuting,
+    ) -> Result<Trials, Error> {
+        let known = refuting.directions.borrow().clone();
+        let is_confined = self.grasp.settings().is_quick && !known.is_empty();
+        let all = if is_confined { Vec::new() } else { directions(self.grasp.space()) };
+        let (mut held, mut found) = (worst.held.take().unwrap_or_else(Trial::always), Vec::new());
+        let mut weakest = None;
+        for (k, direction) in known.iter().chain(&all).enumerate() {
+            if let Trial::DoesNot { .. } = held {
+                break;
+            }
+            let (trial, path) = self.one_direction(&along(*direction), held.carried())?;
+            if k >= known.len() {
+                if trial.carried() < held.carried() {
+                    weakest = Some((*direction, trial.clone()));
+                }
+                found.push(Carried { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
+            }
+            (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
+        }
+        match weakest {
+            // The weakest direction near one that is refuted is tried first from then on.
+            Some((direction, trial)) if !trial.does() => {
+                let (direction, trial) = self.weakest_near(direction, along, trial)?;
+                refuting.add(direction);
+                held = held.or_worse(trial);
+            }
+            _ if held.does() && !is_confined => {
+                held = self.between_directions((&all, &found), along, held, refuting)?;
+            }
+            _ => {}
+        }
+        Ok(Trials { held: Some(held), ..worst })
     }
 
     /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which less is carried than in
     /// its neighbours the weakest direction is sought. Neighbours may have different numbers of jumps on their load paths. The direction between them
     /// at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
-    pub(super) fn between_directions(
+    fn between_directions(
         &self,
         (all, found): (&[[f64; 3]], &[Carried]),
         along: &dyn Fn([f64; 3]) -> Ramp<3>,
@@ -89,10 +160,10 @@ impl Loading {
         let is_least = |k: &usize| neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part);
         let mut minima: Vec<usize> = (0..all.len()).filter(is_least).collect();
         minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
-        for k in minima.into_iter().take(MOST_MINIMA) {
+        for (rank, k) in minima.into_iter().take(MOST_MINIMA).enumerate() {
             if held.does() {
                 let (direction, weakest) = self.weakest_near(all[k], along, Trial::carries(found[k].part))?;
-                if !weakest.does() {
+                if rank == 0 || !weakest.does() {
                     refuting.add(direction);
                 }
                 held = held.or_worse(weakest);
@@ -116,7 +187,7 @@ impl Loading {
                     break;
                 }
                 let middle = unit([0, 1, 2].map(|axis| ends[0][axis] + ends[1][axis]));
-                let (trial, path) = self.one_direction(&along(middle))?;
+                let (trial, path) = self.one_direction(&along(middle), held.carried())?;
                 let end = usize::from(path.jumps != jumps);
                 (ends[end], parts[end]) = (middle, trial.carried().unwrap_or(0.0));
                 if !trial.does() {
@@ -128,37 +199,16 @@ impl Loading {
         Ok(held)
     }
 
-    /// The worst result over these directions, up to the first one that is not held; `None` without directions.
-    pub(super) fn of_directions(
-        &self,
-        directions: &[[f64; 3]],
-        along: &dyn Fn([f64; 3]) -> Ramp<3>,
-    ) -> Result<Option<Trials>, Error> {
-        let mut worst: Option<Trials> = None;
-        for direction in directions {
-            let (trial, OfThePath { at_rest, .. }) = self.one_direction(&along(*direction))?;
-            let held = Some(match worst.and_then(|worst| worst.held) {
-                Some(held) => held.or_worse(trial),
-                None => trial,
-            });
-            let is_refuted = matches!(held, Some(Trial::DoesNot { .. }));
-            worst = Some(Trials { held, sticks: None, at_rest });
-            if is_refuted {
-                break;
-            }
-        }
-        Ok(worst)
-    }
-
-    /// The result for one direction, with facts about its load path.
-    fn one_direction(&self, ramp: &Ramp<3>) -> Result<(Trial, OfThePath), Error> {
-        let (verdict, path) = self.grasp.hold_to_an_extent(ramp, self.extent)?;
+    /// The result for one direction, with facts about its load path, which is followed up to the multiple `least` that is carried in another direction.
+    fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, OfThePath), Error> {
+        let least = least.map(|carried| carried.max(CLOSE));
+        let (verdict, path) = self.put_on_up_to(ramp, least)?;
         let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
         Ok((self.said_of(1, &ramp.direction, trial), path))
     }
 
-    /// Improves on `weakest`, the trial for the evenly spread direction in which least of the load is carried. From this `direction` the search moves
-    /// to neighbours in which less is carried. If no neighbour carries less, its step is halved.
+    /// The weakest direction near one whose trial is `weakest`, with its trial. The search moves to neighbours that carry less. Its step is halved where
+    /// no neighbour carries less.
     fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -170,16 +220,16 @@ impl Loading {
         let mut step = if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 };
         for _ in 0..50 {
             // If the weakest direction carries far more than the load, so do its neighbours, and the search ends.
-            let Trial::Does { carried, .. } = weakest else { break };
-            if step < LAST_STEP || carried > 1.1 {
+            if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
             let mut best = None;
             for across in tangents(direction, space) {
                 for sign in [1.0, -1.0] {
                     let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
-                    let (trial, _) = self.one_direction(&along(d))?;
-                    if !trial.does() || trial.carried() < weakest.carried() {
+                    let (trial, _) = self.one_direction(&along(d), weakest.carried())?;
+                    let is_known = trial.carried().is_some() || weakest.does();
+                    if is_known && trial.carried() < weakest.carried() {
                         (best, weakest) = (Some(d), weakest.or_worse(trial));
                     }
                 }
@@ -195,14 +245,14 @@ impl Loading {
 
 /// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps while the load is applied.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Carried {
-    pub(super) part: f64,
-    pub(super) jumps: usize,
+struct Carried {
+    part: f64,
+    jumps: usize,
 }
 
-impl Carried {
-    pub(super) const ALL: Self = Self { part: f64::INFINITY, jumps: 0 };
-}
+/// Between directions that carry more than this multiple of the load no weaker one is sought. If smaller, a weakest direction between evenly spread
+/// ones is missed; if larger, load paths are followed farther.
+const CLOSE: f64 = 1.1;
 
 /// The least angle between directions that are tried, rad. The carried parts of the load within this angle differ by less than 1e-6, unless they jump.
 const LAST_STEP: f64 = 1e-3;
@@ -246,7 +296,7 @@ fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
 }
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
-pub(super) fn directions(space: Space) -> Vec<[f64; 3]> {
+fn directions(space: Space) -> Vec<[f64; 3]> {
     // The load at a loss is no closed function of the direction. With fewer directions the weakest one could be missed.
     let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());

@@ -3,7 +3,6 @@
 use alloc::sync::Arc;
 use core::fmt;
 
-use super::any_direction::{Carried, directions};
 use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
 use super::tolerances::MOST_LOADS;
@@ -13,7 +12,7 @@ use crate::contact::State;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{Extent, Holding, Verdict};
+use crate::hold::{Extent, Holding, OfThePath, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -138,43 +137,10 @@ impl Loading {
         Ok(match &self.loads {
             Loads::Each(loads) => {
                 let ramps: Vec<_> = mapped(loads, &|load| Ramp::load(besides, *load * times));
-                self.all(&ramps, demand, refuting, &mut |_, _, _| ())?
+                self.all(&ramps, demand, refuting)?
             }
             Loads::AnyForce { base, size, point } => {
-                let trial = self.any_force(*base * times, *size * times, *point, demand)?;
-                match (demand, &trial) {
-                    (Demand::Held, Some(Trial::Does { .. } | Trial::DoesNot { .. }))
-                    | (Demand::Sticks, _) => Trials::only(demand, trial.unwrap_or_else(Trial::always)),
-                    _ => {
-                        // In the first ramp the force of any direction is missing: only the constant load of the question is added to the load at
-                        // rest.
-                        let force = |d: [f64; 3]| force_at(d.map(|x| x * *size * times), *point);
-                        let loaded = besides + *base * times;
-                        let mut ramps = vec![Ramp::load(besides, *base * times)];
-                        let (all, along) = (directions(self.grasp.space()), |d| Ramp::load(loaded, force(d)));
-                        ramps.extend(mapped(&all, &|d| along(*d)));
-                        let list = refuting.directions.borrow().clone();
-                        if let Some(trials) = self.of_directions(&list, &along)?
-                            && (self.grasp.settings().is_quick
-                                || trials.held.as_ref().is_some_and(|held| !held.does()))
-                        {
-                            return Ok(trials);
-                        }
-                        let mut found = vec![Carried::ALL; ramps.len()];
-                        let mut note = |which: usize, trial: &Trial, jumps| {
-                            found[which] = Carried { part: trial.carried().unwrap_or(0.0), jumps };
-                        };
-                        let mut trials =
-                            Trials { sticks: None, ..self.all(&ramps, demand, refuting, &mut note)? };
-                        // From now on the evenly spread direction in which the load is not carried, or is carried least, is tried first.
-                        refuting.first.get().checked_sub(1).into_iter().for_each(|k| refuting.add(all[k]));
-                        if let Some(held) = trials.held.take_if(|held| held.does()) {
-                            trials.held =
-                                Some(self.between_directions((&all, &found[1..]), &along, held, refuting)?);
-                        }
-                        trials
-                    }
-                }
+                self.any_force(*base * times, (*size * times, *point), demand, refuting)?
             }
             Loads::Turn(turn) => Trials::only(demand, self.turn(&self.so_many(turn), demand)?),
         })
@@ -186,15 +152,8 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried. `note` gets the index of each
-    /// load, the result for it, and the number of jumps on its path.
-    fn all(
-        &self,
-        ramps: &[Ramp<3>],
-        demand: Demand,
-        refuting: &Refuting,
-        note: &mut dyn FnMut(usize, &Trial, usize),
-    ) -> Result<Trials, Error> {
+    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
+    fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
@@ -207,12 +166,10 @@ impl Loading {
                 }
                 continue;
             }
-            let (verdict, path) = self.grasp.hold_to_an_extent(&ramps[which], self.extent)?;
+            let (verdict, path) = self.put_on_up_to(&ramps[which], held.carried())?;
             kinds = path.at_rest;
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
-            let held_by_this = of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held));
-            note(which, &held_by_this, path.jumps);
-            held = held.or_worse(held_by_this);
+            held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
             sticks = sticks.or_worse(of_this(self.judged((&verdict, at_rest), Demand::Sticks)));
             if let Some(carried) = held.carried().filter(|carried| *carried < least) {
@@ -230,6 +187,16 @@ impl Loading {
         let is_held = !(self.grasp.settings().is_quick && demand == Demand::Sticks);
         refuting.first.set(weakest);
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
+    }
+
+    /// The verdict on a ramp, with facts about its load path. Another load is carried up to the multiple `least`, so this one is followed no farther.
+    pub(super) fn put_on_up_to(
+        &self,
+        ramp: &Ramp<3>,
+        least: Option<f64>,
+    ) -> Result<(Verdict<3>, OfThePath), Error> {
+        let most = least.unwrap_or(self.followed).clamp(1.0, self.followed);
+        self.grasp.with(&self.grasp.settings().with_most_load(most)).hold_to_an_extent(ramp, self.extent)
     }
 
     /// Whether everything sticks under this ramp. This follows from the load factor of first slip alone, so no verdict is computed.
