@@ -125,7 +125,7 @@ impl Threshold {
                 break;
             }
             // The load at which the grasp fails with a sufficient amount is only sought if it may guide the next trial.
-            let short = halves || bracket.which == 1 || bracket.edge.does_not.1.carried().is_none();
+            let short = bracket.which == 1 || bracket.edge.does_not.1.carried().is_none();
             let (at, now) = if presumes {
                 (at, (tries.quick)(at, short)?)
             } else {
