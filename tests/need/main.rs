@@ -1,5 +1,6 @@
 //! The amount that is needed: closed forms, and verdicts on both sides of the answer.
 
+mod between_margins;
 mod both_sides;
 mod brute_force;
 mod closed_forms;

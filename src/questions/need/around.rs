@@ -2,10 +2,13 @@
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Tries};
-use super::threshold::Threshold;
-use super::tolerances::{BETWEEN, BETWEEN_STATES, FAR_BEHIND, NEAR_THE_START, TOWARDS_ZERO};
+use super::threshold::{Threshold, where_it_vanishes};
+use super::tolerances::{
+    BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, NEAR_THE_START, TOWARDS_ZERO, WHERE_MARGINS_VANISH,
+};
 use super::trial::Trial;
 use crate::error::Error;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{increasing, mapped, moved};
 use crate::prelude::*;
 
@@ -161,33 +164,60 @@ impl Around {
     }
 }
 
-/// Tries at most [`BETWEEN`] further amounts, each in the middle of two neighbouring `known` amounts. The neighbours have the same verdict, but
-/// different contact states at rest; the pair with the largest ratio comes first. If contact states at rest change with the amount, the carried part
-/// of the load may jump. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
-pub(super) fn between_states(
+/// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change. Such
+/// an amount lies beyond the point at which a margin would [vanish](where_a_margin_vanishes), or in the middle of two amounts with different contact
+/// states at rest. If contact states at rest change with the amount, the carried part of the load may jump; the pair with the largest ratio comes
+/// first. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
+pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
     tries: Tries<'_>,
 ) -> Result<bool, Error> {
     let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
     let mut is_new = false;
-    for _ in 0..BETWEEN {
+    for count in 0..BETWEEN {
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let differ = |pair: &&[(f64, Trial)]| {
-            let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
-            let are_decided = trial.carried().is_some() && next.carried().is_some();
-            let is_same = are_decided && trial.does() == next.does();
-            is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
-        };
-        let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
-        let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)));
-        let Some([(one, trial), (other, _)]) = widest else { break };
-        let (at, did) = ((one * other).sqrt(), trial.does());
+        let vanishes = where_a_margin_vanishes(&list).filter(|_| count < WHERE_MARGINS_VANISH);
+        let next = vanishes.map(|at| (at, true)).or_else(|| states_differ(&list, tries));
+        let Some((at, did)) = next else { break };
         let now = (tries.short)(at)?;
         is_new |= now.carried().is_some() && now.does() != did;
         list.push((at, now));
     }
     Ok(is_new)
+}
+
+/// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether they
+/// suffice.
+fn states_differ(list: &[(f64, Trial)], tries: Tries<'_>) -> Option<(f64, bool)> {
+    let differ = |pair: &&[(f64, Trial)]| {
+        let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
+        let are_decided = trial.carried().is_some() && next.carried().is_some();
+        let is_same = are_decided && trial.does() == next.does();
+        is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
+    };
+    let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
+    let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.does()))
+}
+
+/// An amount between two neighbouring sufficient ones, a little beyond the place where a margin would vanish if it fell on as it does towards the first
+/// of them.
+fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
+    let beyond = |[before, here, next]: [&(f64, Trial); 3]| {
+        let root = |which: usize| {
+            let point = |of: &(f64, Trial)| Some((of.0, of.1.measures()[which]?));
+            let is_zero = point(here)?.1.abs() <= NEGLIGIBLE;
+            if is_zero { Some(here.0) } else { where_it_vanishes([point(here), point(before), None]) }
+        };
+        let mut roots = [0, 1].into_iter().filter_map(root);
+        let root = roots.find(|root| (root - here.0) * (root - next.0) <= 0.0)?;
+        let all_do = before.1.does() && here.1.does() && next.1.does();
+        let is_apart = (next.0 - root).abs() > (BETWEEN_STATES - 1.0) * root;
+        (all_do && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
+    };
+    let both_ways = |of: &[(f64, Trial)]| [[&of[0], &of[1], &of[2]], [&of[2], &of[1], &of[0]]].map(beyond);
+    list.windows(3).flat_map(both_ways).flatten().next()
 }
 
 /// Sorts amounts, in ascending order if `up`, else in descending order.

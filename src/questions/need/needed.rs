@@ -1,7 +1,7 @@
 //! Answers a [`Need`]: the sought amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
-use super::around::{Around, between_states};
+use super::around::{Around, between_known};
 use super::posed::{Posed, Safety, Sought};
 use super::press::Press;
 use super::pressed_at_rest::presses;
@@ -10,7 +10,7 @@ use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{SearchPlan, Searched, Tries, search};
 use super::threshold::Threshold;
-use super::tolerances::FAR_FROM_START;
+use super::tolerances::{FAR_FROM_START, NARROW, STEPPED_OVER};
 use super::trial::Trial;
 use super::tried::{Look, Tried};
 use crate::ask::Grasp;
@@ -202,10 +202,10 @@ impl Found<'_, '_> {
         Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
     }
 
-    /// Whether an amount between those tried has another verdict than its neighbours; see [`between_states`].
+    /// Whether an amount between those tried has another verdict than its neighbours; see [`between_known`].
     fn changes_between(&self, plan: &SearchPlan, is_claimed: &dyn Fn(f64) -> bool) -> Result<bool, Error> {
         let is_asked = !plan.is_monotone && self.scan > 0;
-        if is_asked { between_states(&self.known(), is_claimed, self.tries) } else { Ok(false) }
+        if is_asked { between_known(&self.known(), is_claimed, self.tries) } else { Ok(false) }
     }
 
     /// The answer if all amounts that were tried in the harder direction are sufficient. The last of these amounts is `to`.
@@ -220,9 +220,9 @@ impl Found<'_, '_> {
         Ok(Amount::Any { to, until: self.far_end(until)?, tried })
     }
 
-    /// The answer with a bound, from its bracket and from amounts that are tried around it.
-    fn bound(&self, mut plan: SearchPlan, bound: Threshold, look: Look) -> Result<Amount, Error> {
-        let (does, does_not) = (bound.does, bound.does_not.0);
+    /// The amounts around a bound, after [`Self::changes_between`].
+    fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<Around, Error> {
+        let does = bound.does;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
         // A larger squeeze always carries more in this case, but it may move the part too far. A squeeze is tried that is much larger than the least
         // squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
@@ -232,17 +232,56 @@ impl Found<'_, '_> {
         }
         let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
         plan.is_monotone &= !plan.is_least || !self.known().iter().any(is_too_much);
-        let (otherwise, is_too_far) = match &bound.does_not.1 {
-            Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
-            Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
-            Trial::Does { .. } => (String::new(), false),
-        };
         let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
-        let around = || Around::of(&bound, self.scan, is_far, &plan, &self.known(), self.tries);
-        let mut found = around()?;
-        if self.changes_between(&plan, &|_| true)? {
-            found = around()?;
+        let around = || Around::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
+        let found = around()?;
+        if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
+    }
+
+    /// The bracket at the hardest interval of sufficient amounts that is not [narrow](NARROW); `None` if the bound is its end already, or if all are
+    /// narrow.
+    fn edge_of_a_wide_window(
+        &self,
+        plan: &SearchPlan,
+        bound: &Threshold,
+        found: &Around,
+    ) -> Option<Threshold> {
+        let far = found.until.as_ref().map(|edge| edge.does);
+        let own = if plan.is_least { [Some(bound.does), far] } else { [far, Some(bound.does)] };
+        let all = found.elsewhere.iter().map(|window| [window.from, window.to]).chain([own]);
+        let is_wide = |[from, to]: &[Option<f64>; 2]| {
+            from.is_none_or(|from| to.is_none_or(|to| to > from * (1.0 + NARROW)))
+        };
+        let edges = all.filter(is_wide).filter_map(|[from, to]| if plan.is_least { from } else { to });
+        let does = edges.reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
+        let known = self.known();
+        let harder = known
+            .iter()
+            .filter(|(at, trial)| matches!(trial, Trial::DoesNot { .. }) && plan.is_harder(*at, does));
+        let does_not =
+            harder.reduce(|one, other| if plan.is_harder(one.0, other.0) { other } else { one })?.clone();
+        (does != bound.does).then_some(Threshold { does, does_not, unknown: None })
+    }
+
+    /// The answer with a bound, from its bracket and from amounts that are tried around it.
+    fn bound(mut self, mut plan: SearchPlan, mut bound: Threshold, look: Look) -> Result<Amount, Error> {
+        if is_stepped_over(&plan, bound.does) {
+            self.scan = self.tried.need.scan;
         }
+        if let Trial::Unknown(doubt) = bound.does_not.1 {
+            return Ok(Amount::Undecided { at: bound.does_not.0, doubt });
+        }
+        let mut found = self.around(&mut plan, &bound)?;
+        if let Some(edge) = self.edge_of_a_wide_window(&plan, &bound, &found) {
+            let measures = self.tries.at(edge.does)?.measures();
+            bound = edge.narrowed(self.tries, measures, plan.enough)?;
+            found = self.around(&mut plan, &bound)?;
+        }
+        let (does, does_not) = (bound.does, bound.does_not.0);
+        let (otherwise, is_too_far) = match &bound.does_not.1 {
+            Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
+            Trial::Does { .. } | Trial::Unknown(_) => (String::new(), false),
+        };
         let Around { changes, mut until, elsewhere } = found;
         let far = match look {
             Look::Everywhere(far) => far,
@@ -269,6 +308,13 @@ impl Found<'_, '_> {
             tried,
         })
     }
+}
+
+/// Whether the search for a safe amount stepped over amounts, from the insufficient one where it began to a far easier one.
+fn is_stepped_over(plan: &SearchPlan, does: f64) -> bool {
+    let begin = plan.begin();
+    let ratio = if plan.is_least { does / begin } else { begin / does };
+    plan.everywhere && !plan.is_monotone && ratio > STEPPED_OVER
 }
 
 /// Among the amounts tried on the easier side of the bound `does`: the last sufficient amount, and the first insufficient one.

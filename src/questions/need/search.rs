@@ -120,7 +120,7 @@ impl SearchPlan {
     }
 
     /// Whether the amount `one` demands more of the grasp than `other`: it is smaller if the least amount is sought, else larger.
-    fn is_harder(&self, one: f64, other: f64) -> bool {
+    pub(super) fn is_harder(&self, one: f64, other: f64) -> bool {
         if self.is_least { one < other } else { one > other }
     }
 
