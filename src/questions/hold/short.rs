@@ -43,8 +43,6 @@ pub enum How {
     Sticks,
     /// The load is held, but contacts slide or have slid before; see [`Holding::Slides`].
     Slides,
-    /// Nothing resists a rotation along which the load drives the object on; see [`Holding::TurnsOver`].
-    TurnsOver,
     /// No contact carries a force under the whole load; see [`Holding::Loose`].
     Loose,
     /// Equilibrium is lost, or motions cease to be small, before the whole load is applied; see [`Holding::Lost`].
@@ -55,6 +53,8 @@ pub enum How {
     LostAtRest,
     /// The path could not be followed to the whole load; see [`Holding::Undecided`].
     Undecided,
+    /// Nothing resists a rotation along which the load drives the object on; see [`Holding::TurnsOver`].
+    TurnsOver,
 }
 
 /// The verb that begins the sentence about a lost load: the motion of the object.
