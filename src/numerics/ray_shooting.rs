@@ -14,7 +14,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
-    /// Coefficients β of the vertices, whose weighted sum is the ray; none is negative.
+    /// Coefficients `β_k >= 0` of the vertices p_k with `Σ β_k (p_k - middle) = target - middle`; their sum is `stretch`.
     pub(crate) shares: Vector,
     /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`, with the middle of the simplex from which the ray starts.
     pub(crate) normal: Vector,

@@ -147,8 +147,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof that no equilibrium exists covers all loads up to 1e-2 times `way_beyond` past the end. At a shorter distance rounding might hide
-        // that no equilibrium exists.
+        // The proof covers the loads between the end and the distance of 1e-2 times `way_beyond` past it. If this distance were shorter, rounding might
+        // hide that no equilibrium exists.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },

@@ -160,9 +160,9 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    /// Whether the object moves while the load factor and all contact forces stay constant: the load factor then approaches a limit that it never
-    /// reaches. The faster a friction force turns towards its slip, the more rounding turns it. Therefore the tolerance within which it is taken as
-    /// constant grows with the rate of relaxation. Forces of contacts that do not slide balance all others, and have the largest tolerance.
+    /// Whether the rates of the load factor and of all contact forces are zero within rounding while the object moves. The load factor then tends to a
+    /// limit that it never reaches. Rounding in the rate of a sliding contact's force is proportional to the rate at which its friction turns towards
+    /// its slip, and so is the tolerance. Contacts that do not slide take up the rounding of all others, so their tolerance is the largest one.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;

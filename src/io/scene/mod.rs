@@ -294,7 +294,7 @@
 //!
 //! | question | outcomes | type |
 //! |---|---|---|
-//! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `lost_at_rest`, `undecided` | [`HoldAnswer`] |
+//! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `turns_over`, `loose`, `lost`, `no_rest`, `lost_at_rest`, `undecided` | [`HoldAnswer`] |
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
 //! | `improve` | the sentence `says`, and as `search` one of `optimum`, `stalled`, `out_of_steps`, `unbalanced`, `nothing_slides`, `no_start` | [`ImproveAnswer`] |
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; if that does not decide whether the load is held, `from_rest` has the answer of `hold` | [`SolveAnswer`] |

@@ -48,7 +48,7 @@ struct WrittenTurn<const C: usize> {
     /// The angle of the turn, rad, instead of `angle_deg`.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle_rad: Option<Number<Given>>,
-    /// Whether the load turns in the opposite direction.
+    /// Whether the turn is reversed: from y to x in the plane, against the right-hand rule in space.
     #[serde(default)]
     reversed: bool,
 }

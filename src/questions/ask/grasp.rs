@@ -386,7 +386,8 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Hand<C> {
-    /// The grasp of an object by this hand, with any number of joints. Links with a tension get the commands for it.
+    /// The grasp of an object by this hand, with any number of joints. For each [`Link`](crate::grasp::Link) with a
+    /// given tension, the command of its spring is computed.
     ///
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]

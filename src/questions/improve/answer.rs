@@ -35,8 +35,8 @@ pub struct Improved<const C: usize> {
     pub in_the_way: Vec<InTheWay>,
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
-    /// Residual of first-order optimality: the largest component of the sum of the gradients of sticking conditions and limits, weighted by their
-    /// multipliers. If it is larger, the complementarity residual of the multipliers is given instead. The residual is relative to the load factor of
+    /// The larger of two residuals of first-order optimality. One is the largest component of the sum of the gradients of sticking conditions and
+    /// limits, weighted by their multipliers; the other is that of the multipliers' complementarity. The residual is relative to the load factor of
     /// first slip, or for a reserve to the greatest force under the base load. Places are in units of the grasp's size, squeezes in units of the
     /// greatest allowed force. `None` if no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]

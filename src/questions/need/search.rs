@@ -265,7 +265,7 @@ fn guessed(
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = LAST_DIGITS;
-    // If four estimates are insufficient, the carried part is not proportional to the amount. Then [`walk`] continues.
+    // If four estimates are insufficient, the carried part of the load is not proportional to the amount, and [`walk`] continues the search.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;

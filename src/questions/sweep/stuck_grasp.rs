@@ -19,11 +19,11 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// Interactions of errors are computed at points of failure (errors of the data with which a margin vanishes). These points depend on interactions in
-/// turn. Therefore both are computed this many times, the first time without interactions.
+/// The joint effects of the data's errors (mixed second derivatives) are computed at the errors with which a margin vanishes. These errors depend on
+/// the joint effects in turn. Therefore both are computed this many times, the first time without joint effects.
 const ROUNDS: usize = 2;
 
-/// For each contact or drive and each of its facets, the interaction of the errors of all data in their effect on the force.
+/// For each contact or drive and each of its facets, the mixed second derivatives of the force with respect to the errors of pairs of data.
 type JointEffects = Vec<Vec<JointEffect>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
@@ -113,8 +113,8 @@ impl StuckGrasp {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The interactions of errors at the points of failure under the base load and, if given, a further load. These points are computed with the
-    /// interactions `before`.
+    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with the
+    /// joint effects `before`, those of the last round.
     fn joint(&self, more: Option<Further<'_>>, before: &JointEffects) -> JointEffects {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
