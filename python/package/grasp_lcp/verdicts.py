@@ -37,7 +37,7 @@ class VerdictStatus(IntEnum):
     UNDECIDED = 6
     """The load could not be followed; :attr:`Verdicts.doubt` says why."""
     TURNS_OVER = 7
-    """Nothing resists a rotation along which the load drives the object on. Only loads with a point of action are checked, so not rows of wrenches."""
+    """Nothing resists a rotation along which the load drives the object on. Rows of wrenches have no point of action and are not checked."""
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8
