@@ -91,6 +91,7 @@ impl Threshold {
             self.does_not.1 = now;
         }
         match presumed_in_vain {
+            Some(_) if is_hard => self.beyond(presumed.does, tries, enough),
             Some(measures) => self.by(tries, false, (measures, enough)),
             None => Ok(self),
         }
@@ -98,7 +99,7 @@ impl Threshold {
 
     /// Narrows the bracket. If `presumes`, trials are quick and undecided amounts are taken as insufficient. Otherwise trials are full, and an
     /// undecided trial ends the narrowing.
-    fn by(
+    pub(super) fn by(
         self,
         tries: Tries<'_>,
         presumes: bool,
