@@ -32,6 +32,8 @@ pub(super) struct Loading {
     followed: f64,
     /// How much of a verdict a trial needs.
     pub(super) extent: Extent,
+    /// Whether the amount with which nothing slides is sought only beside the amount that holds the object. A first slip is then reason enough.
+    is_beside: bool,
     /// If a link cannot have its tension at rest, the reason in a sentence. The amount is then insufficient.
     refused: Option<String>,
 }
@@ -78,7 +80,9 @@ impl Loading {
             _ => 2.0,
         };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed, extent: Extent::Measured, refused })
+        let (words, is_beside) = (need.words, need.demand == Demand::Held);
+        let extent = Extent::Measured;
+        Ok(Self { grasp, loads, base, times, words, followed, extent, is_beside, refused })
     }
 
     /// The loads that contact forces must balance if the amount is to be sufficient: the load at rest, and its sum with each load. A force of any
@@ -158,13 +162,20 @@ impl Loading {
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (refuting.first.get() + k) % ramps.len();
-            if self.grasp.settings().is_quick && demand == Demand::Sticks {
-                sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
-                if let Trial::DoesNot { .. } = sticks {
+            if demand == Demand::Sticks {
+                let ramp = &ramps[which];
+                let slip = self.said_of(which, &ramp.direction, self.first_slip(ramp)?);
+                // A grasp that does not hold at rest has no first slip, and its verdict gives the reason.
+                let is_enough = self.is_beside && slip.carried().is_some_and(|part| part >= 0.0);
+                let is_told = self.grasp.settings().is_quick || is_enough;
+                if let (Trial::DoesNot { .. }, true) = (&slip, is_told) {
                     refuting.first.set(which);
-                    return Ok(Trials::only(demand, sticks));
+                    return Ok(Trials::only(demand, sticks.or_worse(slip)));
                 }
-                continue;
+                if self.grasp.settings().is_quick {
+                    sticks = sticks.or_worse(slip);
+                    continue;
+                }
             }
             let (verdict, path) = self.put_on_up_to(&ramps[which], held.carried())?;
             kinds = path.at_rest;
@@ -201,23 +212,26 @@ impl Loading {
 
     /// Whether everything sticks under this ramp. This follows from the load factor of first slip alone, so no verdict is computed.
     fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
-        let factor = match self.grasp.onset(ramp)? {
+        let onset = self.grasp.onset(ramp)?;
+        let factor = match &onset {
             Onset::At(event) => event.factor,
-            Onset::GivesWay { factor, .. } => factor,
+            Onset::GivesWay { factor, .. } => *factor,
             Onset::Never => f64::INFINITY,
             Onset::AlreadySliding(_) => 0.0,
             Onset::NoBase(_) => NOT_AT_REST,
-            Onset::Undecided(undecided) => return Ok(Trial::Unknown(self.said(&undecided))),
+            Onset::Undecided(undecided) => return Ok(Trial::Unknown(self.said(undecided))),
         };
         let other = self.grasp.sticking_margin(&ramp.base).unwrap_or(f64::INFINITY);
         Ok(if factor > 1.0 {
             Trial::Does { carried: factor, other }
         } else {
-            Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
+            let first = self.grasp.engine.first_slip(&onset, &[]);
+            let says = first.map_or_else(|| self.said(&onset), |first| self.said(&first));
+            Trial::DoesNot { says, carried: factor, other, is_too_far: false }
         })
     }
 
-    pub(super) fn said(&self, what: &impl fmt::Display) -> String {
+    pub(super) fn said(&self, what: &dyn fmt::Display) -> String {
         let digits = self.words.precision();
         format!("{what:.digits$}")
     }
