@@ -295,33 +295,36 @@ impl Loading {
     }
 
     fn turn(&self, turn: &Turn<3>, demand: Demand) -> Result<Trial, Error> {
-        let degrees = |angle: f64| self.words.angle(angle);
-        let part_of_it = |says: String, angle: f64| Trial::does_not(says, angle / turn.angle());
+        let engine = &self.grasp.engine;
+        let ends_at = |angle: f64, verb: &dyn fmt::Display, why: &dyn fmt::Display| {
+            let says = format!("{verb} at {}: {}", self.words.angle(angle), self.said(why));
+            Trial::does_not(says, angle / turn.angle())
+        };
         if demand == Demand::Sticks {
-            return Ok(match self.grasp.onset_of_turn(turn)?.onset {
+            let onset = self.grasp.onset_of_turn(turn)?.onset;
+            let first = engine.first_slip(&onset, &[]).map_or_else(String::new, |first| self.said(&first));
+            return Ok(match &onset {
                 Onset::Never => Trial::always(),
-                Onset::Undecided(undecided) => Trial::Unknown(self.said(&undecided)),
+                Onset::Undecided(undecided) => Trial::Unknown(self.said(undecided)),
                 Onset::At(event) => {
-                    part_of_it(format!("something slides at {}", degrees(event.factor)), event.factor)
+                    let says = format!("{first} at {}", self.words.angle(event.factor));
+                    Trial::does_not(says, event.factor / turn.angle())
                 }
-                Onset::GivesWay { factor, .. } => {
-                    part_of_it(format!("it gives way at {}", degrees(factor)), factor)
-                }
-                Onset::AlreadySliding(_) => Trial::nothing("something slides before it turns"),
-                Onset::NoBase(none) => Trial::does_not(self.said(&none), NOT_AT_REST),
+                Onset::GivesWay { factor, reason } => ends_at(*factor, &"GIVES WAY", reason),
+                Onset::AlreadySliding(_) => Trial::nothing(format!("{first} before it turns")),
+                Onset::NoBase(none) => Trial::does_not(self.said(none), NOT_AT_REST),
             });
         }
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
         if let Some(end) = path.end_of_small_motions() {
-            let angle = end.fraction * turn.angle();
-            return Ok(part_of_it(format!("from {} on {}", degrees(angle), end.what), angle));
+            return Ok(ends_at(end.fraction * turn.angle(), &"GOES TOO FAR", &end.what));
         }
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::always(),
             Some(PathEnd::Lost(loss)) => {
-                let angle = loss.fraction * turn.angle();
-                part_of_it(format!("it is lost at {}", degrees(angle)), angle)
+                let lost = engine.lost(loss.fraction, loss, path.state());
+                ends_at(loss.fraction * turn.angle(), &lost.verb(self.words), &lost)
             }
             Some(end @ PathEnd::NoStart(_)) => Trial::does_not(self.said(end), NOT_AT_REST),
             Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),
