@@ -26,10 +26,10 @@ fn a_drawer_jams_from_an_arm_on() -> Tested {
             panic!("{needed}")
         };
         // The bracket of an end other than the bound is at most 1e-4 wide, and holds the limit.
-        let [does, does_not] = [end.does, end.does_not].map(|x| x * 0.6 / length);
+        let [sufficient, insufficient] = [end.sufficient, end.insufficient].map(|x| x * 0.6 / length);
         assert!(
-            does_not < 1.0 + 1e-9 && does > 1.0 - 1e-9 && does - does_not < 1e-4,
-            "{does} {does_not}: {needed}"
+            insufficient < 1.0 + 1e-9 && sufficient > 1.0 - 1e-9 && sufficient - insufficient < 1e-4,
+            "{sufficient} {insufficient}: {needed}"
         );
     }
     Ok(())
@@ -74,8 +74,8 @@ fn a_turn_names_what_slides() -> Tested {
     let turn = Turn::tilting([0.0, -10.0], [0.0, 0.0]);
     let otherwise = |grasp: &Grasp, need: Need<2>| {
         let needed = grasp.need(&need.if_lower_by(0.0, 0.0))?;
-        let Amount::Bound { does, otherwise, .. } = needed.amount else { panic!("{needed}") };
-        Ok::<_, Box<dyn std::error::Error>>((does, otherwise))
+        let Amount::Bound { sufficient, otherwise, .. } = needed.amount else { panic!("{needed}") };
+        Ok::<_, Box<dyn std::error::Error>>((sufficient, otherwise))
     };
     let (angle, why) = otherwise(&feet(0.3, 0.3)?, Need::angle(turn).to_hold())?;
     assert!((angle.tan() - 0.3).abs() < 1e-9, "{angle}");
