@@ -139,9 +139,9 @@ impl Engine {
             let (state, force) = (&found.states[i], &found.forces[i]);
             let stretch = problem.stretch(i, &found.twist);
             own.carried = drive.carried(force).unwrap_or(own.carried);
-            let (does, along) = drive_state(drive, state, &stretch, force, &problem.slips[i]);
-            if does != DriveState::Holds || own.state == DriveState::Absent {
-                own.state = does;
+            let (drive_state, along) = drive_state(drive, state, &stretch, force, &problem.slips[i]);
+            if drive_state != DriveState::Holds || own.state == DriveState::Absent {
+                own.state = drive_state;
             }
             own.yielded += drive.displacement(along);
         }

@@ -71,7 +71,7 @@ impl fmt::Display for TooFar {
             Self::JointTurns { joint, .. } => joint.text().into(),
             Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
         };
-        write!(f, "{name} {}", self.does(Words::of(f)))
+        write!(f, "{name} {}", self.verb_phrase(Words::of(f)))
     }
 }
 
@@ -85,7 +85,7 @@ impl TooFar {
     /// The motion beyond its limit, with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant
     /// digits.
     #[must_use]
-    pub fn does(&self, words: Words) -> String {
+    pub fn verb_phrase(&self, words: Words) -> String {
         let words = words.rounded_to(2);
         match self {
             Self::Turns { limit, .. } | Self::JointTurns { limit, .. } => {

@@ -231,14 +231,14 @@ pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
 fn left_by<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
     let contact = event.changes.iter().find_map(|change| {
         let tip = tips.at(change.contact.index);
-        let does = match (&change.what, tip.is_soft()) {
+        let change_text = match (&change.what, tip.is_soft()) {
             (Change::Slides { .. }, false) => "slides",
             (Change::Opens, false) => opens(change.contact.link),
             (Change::Slides { .. }, true) => "begins to slide",
             (Change::Opens, true) => "begins to open",
             _ => return None,
         };
-        Some(format!("{} {does}", shortened(&tip.text(), CHART.mark_letters)))
+        Some(format!("{} {change_text}", shortened(&tip.text(), CHART.mark_letters)))
     });
     contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
 }

@@ -284,7 +284,7 @@ fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle
 /// Writes the pull of a spring or a cable without load, and its pretension, N. Both are negative for a spring that pushes.
 fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told]: [f64; 2]) -> fmt::Result {
     let [now, nominal] = [force, told].each(|x| words.number(x * told.signum()));
-    let (does, why) = if told < 0.0 {
+    let (verb, why) = if told < 0.0 {
         ("pushes", "`pretension` acts before anything gives way; a larger one pushes with more")
     } else {
         (
@@ -292,7 +292,7 @@ fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told
             "`pretension` is its pull before anything gives way; say `tension` for the pull once it is installed",
         )
     };
-    write!(f, "{} {does} with {now} N at rest, not with {nominal} N: {why}", printable(name))
+    write!(f, "{} {verb} with {now} N at rest, not with {nominal} N: {why}", printable(name))
 }
 
 /// The names of contacts as one text, for messages.

@@ -43,4 +43,4 @@ pub use caught::{Caught, MovesTo, SlippedBy};
 pub use short::{How, LossVerb, ShortVerdict};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;
-pub(crate) use words::does;
+pub(crate) use words::subject_and_verb;

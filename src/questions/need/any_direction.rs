@@ -50,9 +50,9 @@ impl Loading {
         (demand, refuting): (Demand, &Refuting),
     ) -> Result<Option<Trial>, Error> {
         let at_rest = self.judged((verdict, f64::INFINITY), Demand::Sticks);
-        if !at_rest.does() {
+        if !at_rest.is_sufficient() {
             return Ok((demand == Demand::Sticks).then_some(match at_rest {
-                Trial::DoesNot { says, carried, .. } => Trial::does_not(says, carried - 1.0),
+                Trial::Insufficient { says, carried, .. } => Trial::insufficient(says, carried - 1.0),
                 other => other,
             }));
         }
@@ -71,14 +71,14 @@ impl Loading {
             // Even if contacts slide, the object may be held, unless its motions are too large already while all contacts stick.
             WeakestDirection::Force { .. } if demand != Demand::Sticks => {
                 let trial = self.farthest(base, size, point)?;
-                return Ok((!trial.does()).then_some(trial));
+                return Ok((!trial.is_sufficient()).then_some(trial));
             }
             WeakestDirection::GivesWay { .. } if demand != Demand::Sticks => return Ok(None),
             WeakestDirection::Force { load, size: most, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
                 let along = self.words.along(&(load - *base).force_part().normalize());
-                Trial::does_not(format!("{who} under a force along {along}"), most / size)
+                Trial::insufficient(format!("{who} under a force along {along}"), most / size)
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
             // A contact that is open before the force acts may be closed by the force. In that case no closed form compares directions.
@@ -119,7 +119,7 @@ impl Loading {
         let (mut held, mut found) = (worst.held.take().unwrap_or_else(Trial::always), Vec::new());
         let mut weakest = None;
         for (k, direction) in known.iter().chain(&all).enumerate() {
-            if let Trial::DoesNot { .. } = held {
+            if let Trial::Insufficient { .. } = held {
                 break;
             }
             let (trial, path) = self.one_direction(&along(*direction), held.carried())?;
@@ -133,12 +133,12 @@ impl Loading {
         }
         match weakest {
             // The weakest direction near one that is refuted is tried first from then on.
-            Some((direction, trial)) if !trial.does() => {
+            Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) = self.weakest_near(direction, along, trial)?;
                 refuting.add(direction);
                 held = held.or_worse(trial);
             }
-            _ if held.does() && !is_confined => {
+            _ if held.is_sufficient() && !is_confined => {
                 held = self.between_directions((&all, &found), along, held, refuting)?;
             }
             _ => {}
@@ -161,9 +161,9 @@ impl Loading {
         let mut minima: Vec<usize> = (0..all.len()).filter(is_least).collect();
         minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
         for (rank, k) in minima.into_iter().take(MOST_MINIMA).enumerate() {
-            if held.does() {
+            if held.is_sufficient() {
                 let (direction, weakest) = self.weakest_near(all[k], along, Trial::carries(found[k].part))?;
-                if rank == 0 || !weakest.does() {
+                if rank == 0 || !weakest.is_sufficient() {
                     refuting.add(direction);
                 }
                 held = held.or_worse(weakest);
@@ -183,14 +183,14 @@ impl Loading {
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
-                if !held.does() || dot(&apart, &apart) <= last * last {
+                if !held.is_sufficient() || dot(&apart, &apart) <= last * last {
                     break;
                 }
                 let middle = unit([0, 1, 2].map(|axis| ends[0][axis] + ends[1][axis]));
                 let (trial, path) = self.one_direction(&along(middle), held.carried())?;
                 let end = usize::from(path.jumps != jumps);
                 (ends[end], parts[end]) = (middle, trial.carried().unwrap_or(0.0));
-                if !trial.does() {
+                if !trial.is_sufficient() {
                     refuting.add(middle);
                 }
                 held = held.or_worse(trial);
@@ -228,7 +228,7 @@ impl Loading {
                 for sign in [1.0, -1.0] {
                     let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
                     let (trial, _) = self.one_direction(&along(d), weakest.carried())?;
-                    let is_known = trial.carried().is_some() || weakest.does();
+                    let is_known = trial.carried().is_some() || weakest.is_sufficient();
                     if is_known && trial.carried() < weakest.carried() {
                         (best, weakest) = (Some(d), weakest.or_worse(trial));
                     }

@@ -39,14 +39,14 @@ impl ShortAmount {
     /// The least or greatest sufficient amount; `None` if it is not known, or if there is no sufficient amount.
     #[must_use]
     pub fn bound(self) -> Option<f64> {
-        if let Self::Bound(does) = self { Some(does) } else { None }
+        if let Self::Bound(sufficient) = self { Some(sufficient) } else { None }
     }
 }
 
 impl From<&Amount> for ShortAmount {
     fn from(amount: &Amount) -> Self {
         match amount {
-            Amount::Bound { does, .. } => Self::Bound(*does),
+            Amount::Bound { sufficient, .. } => Self::Bound(*sufficient),
             Amount::Any { .. } => Self::Any,
             Amount::None { .. } => Self::None,
             Amount::Undecided { .. } => Self::Undecided,

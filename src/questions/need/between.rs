@@ -15,8 +15,8 @@ pub(super) fn refined(
     begin: f64,
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
-    if let Some(does) = where_most_is_carried(tries, vain)? {
-        return Ok(Some(does));
+    if let Some(sufficient) = where_most_is_carried(tries, vain)? {
+        return Ok(Some(sufficient));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
     // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts are missed.
@@ -27,7 +27,7 @@ pub(super) fn refined(
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };
         let at = (widest[0] * widest[1]).sqrt();
         let trial = tries.at(at)?;
-        if trial.does() {
+        if trial.is_sufficient() {
             return Ok(Some((at, trial)));
         }
         vain.push((at, trial));
@@ -63,7 +63,7 @@ fn where_most_is_carried(
         for k in 0..2 {
             if parts[k].is_none() {
                 let trial = tries.at(inner[k])?;
-                if trial.does() {
+                if trial.is_sufficient() {
                     return Ok(Some((inner[k], trial)));
                 }
                 parts[k] = Some(trial.carried().unwrap_or(f64::NEG_INFINITY));

@@ -128,7 +128,7 @@ impl Loading {
     /// load carried least, is noted in `refuting`.
     pub(super) fn put_on(&self, demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
-            return Ok(Trials::only(demand, Trial::does_not(refused, NOT_AT_REST)));
+            return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));
         }
         if demand.repeats() {
             return Ok(Trials::only(demand, self.again_and_again(demand)?));
@@ -160,7 +160,7 @@ impl Loading {
             let which = (refuting.first.get() + k) % ramps.len();
             if self.grasp.settings().is_quick && demand == Demand::Sticks {
                 sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
-                if let Trial::DoesNot { .. } = sticks {
+                if let Trial::Insufficient { .. } = sticks {
                     refuting.first.set(which);
                     return Ok(Trials::only(demand, sticks));
                 }
@@ -176,11 +176,11 @@ impl Loading {
                 (weakest, least) = (which, carried);
             }
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
-            if let Trial::DoesNot { .. } = wanted {
+            if let Trial::Insufficient { .. } = wanted {
                 refuting.first.set(which);
                 // A load that is not held also makes something slide. If something slides before all loads were applied, it is not known whether all
                 // loads are held.
-                let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
+                let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
         }
@@ -211,9 +211,9 @@ impl Loading {
         };
         let other = self.grasp.sticking_margin(&ramp.base).unwrap_or(f64::INFINITY);
         Ok(if factor > 1.0 {
-            Trial::Does { carried: factor, other }
+            Trial::Sufficient { carried: factor, other }
         } else {
-            Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
+            Trial::Insufficient { says: String::new(), carried: factor, other, is_too_far: false }
         })
     }
 
@@ -225,7 +225,7 @@ impl Loading {
     /// If the question has several loads, adds to the sentence of a trial the number of the load and the load itself. For a force of any direction it
     /// adds the direction.
     pub(super) fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
-        let Trial::DoesNot { says, .. } = &mut trial else { return trial };
+        let Trial::Insufficient { says, .. } = &mut trial else { return trial };
         match &self.loads {
             Loads::Each(list) if list.len() > 1 => {
                 *says = format!("under load {}, {}: {says}", which + 1, self.words.load(load));
@@ -242,11 +242,11 @@ impl Loading {
     /// The result of a trial, from its verdict. `other` is a second margin: the distance to the limit of small motions for [`Demand::Held`], the
     /// margin of sticking at rest for [`Demand::Sticks`].
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
-        let does = match demand {
+        let sufficient = match demand {
             Demand::Sticks => verdict.sticks(),
             _ => verdict.holds(),
         };
-        match does {
+        match sufficient {
             Some(true) => {
                 let lost = verdict.lost.as_ref().map(|lost| lost.factor);
                 // If the path ended before its limit without a loss, the amount carries at least the load that was reached.
@@ -254,7 +254,7 @@ impl Loading {
                 let slides = verdict.first_slip.as_ref().map(|first| first.factor);
                 let carried = if demand == Demand::Sticks { slides.or(held) } else { held };
                 let carried = carried.map_or(f64::INFINITY, |carried| carried.max(1.0));
-                Trial::Does { carried, other }
+                Trial::Sufficient { carried, other }
             }
             Some(false) => {
                 let (says, part) = match (&verdict.first_slip, verdict.holds()) {
@@ -274,7 +274,7 @@ impl Loading {
                 };
                 let is_too_far =
                     verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some() && !lost.is_gross_slip);
-                Trial::DoesNot { says, carried, other, is_too_far }
+                Trial::Insufficient { says, carried, other, is_too_far }
             }
             None => Trial::Unknown(self.said(verdict)),
         }
@@ -282,7 +282,7 @@ impl Loading {
 
     fn turn(&self, turn: &Turn<3>, demand: Demand) -> Result<Trial, Error> {
         let degrees = |angle: f64| self.words.angle(angle);
-        let part_of_it = |says: String, angle: f64| Trial::does_not(says, angle / turn.angle());
+        let part_of_it = |says: String, angle: f64| Trial::insufficient(says, angle / turn.angle());
         if demand == Demand::Sticks {
             return Ok(match self.grasp.onset_of_turn(turn)?.onset {
                 Onset::Never => Trial::always(),
@@ -294,7 +294,7 @@ impl Loading {
                     part_of_it(format!("it gives way at {}", degrees(factor)), factor)
                 }
                 Onset::AlreadySliding(_) => Trial::nothing("something slides before it turns"),
-                Onset::NoBase(none) => Trial::does_not(self.said(&none), NOT_AT_REST),
+                Onset::NoBase(none) => Trial::insufficient(self.said(&none), NOT_AT_REST),
             });
         }
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
@@ -309,7 +309,7 @@ impl Loading {
                 let angle = loss.fraction * turn.angle();
                 part_of_it(format!("it is lost at {}", degrees(angle)), angle)
             }
-            Some(end @ PathEnd::NoStart(_)) => Trial::does_not(self.said(end), NOT_AT_REST),
+            Some(end @ PathEnd::NoStart(_)) => Trial::insufficient(self.said(end), NOT_AT_REST),
             Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),
             None => Trial::Unknown("the path has no end".to_owned()),
         })

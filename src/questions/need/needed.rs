@@ -67,13 +67,13 @@ impl Need<3> {
             _ => None,
         };
         let worse = (1.0 - safety.lower[0]) * (1.0 - safety.lower[1]) / safety.load;
-        let begin = amount.bound().map_or(trials.start, |does| match asked.sought {
+        let begin = amount.bound().map_or(trials.start, |sufficient| match asked.sought {
             Sought::Angle { .. } => trials.start,
-            _ if asked.quantity().is_least() => does / worse,
-            _ => does * worse,
+            _ if asked.quantity().is_least() => sufficient / worse,
+            _ => sufficient * worse,
         });
         let far = match &amount {
-            Amount::Bound { until: Some(end), .. } => Some([end.does, end.does_not]),
+            Amount::Bound { until: Some(end), .. } => Some([end.sufficient, end.insufficient]),
             _ => None,
         };
         let look = Look::Everywhere(far);
@@ -134,7 +134,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     let short = |amount: f64| tried.at(amount, demand, true);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
-    let rest_ends = |does: f64, does_not: f64| tried.rest_ends(does, does_not);
+    let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
     let tries = Tries {
         whole: &whole,
         short: &short,
@@ -149,7 +149,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         return Ok(proved);
     }
     // Angles beyond the given turn are not tried.
-    if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
+    if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.is_sufficient() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
     let scan = if look == Look::Around { need.scan } else { 0 };
@@ -166,7 +166,7 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
-            Ok(nothing_does(vain, plan.limits, None))
+            Ok(nothing_suffices(vain, plan.limits, None))
         }
     }
 }
@@ -186,20 +186,22 @@ impl Found<'_, '_> {
     }
 
     /// The contact forces at rest with this squeeze, and the drives at their limit, see [`presses`]; both empty if another quantity is sought.
-    fn presses(&self, does: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+    fn presses(&self, sufficient: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
         match self.tried.need.sought {
-            Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, does, self.tried.need),
+            Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, sufficient, self.tried.need),
             _ => Ok(Default::default()),
         }
     }
 
     fn far_end(&self, edge: Option<Threshold>) -> Result<Option<FarEnd>, Error> {
-        let Some(Threshold { does, does_not: (does_not, trial), .. }) = edge else { return Ok(None) };
-        let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
+        let Some(Threshold { sufficient, insufficient: (insufficient, trial), .. }) = edge else {
             return Ok(None);
         };
-        let (presses, at_their_limit) = self.presses(does)?;
-        Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
+        let (Trial::Insufficient { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
+            return Ok(None);
+        };
+        let (presses, at_their_limit) = self.presses(sufficient)?;
+        Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
     /// Whether an amount between those tried has another verdict than its neighbours; see [`between_known`].
@@ -212,7 +214,7 @@ impl Found<'_, '_> {
     fn any(&self, plan: &SearchPlan, to: f64) -> Result<Amount, Error> {
         let seek = || Around::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
-        let end = until.as_ref().map(|edge| edge.does);
+        let end = until.as_ref().map(|edge| edge.sufficient);
         if self.changes_between(plan, &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))? {
             until = seek()?;
         }
@@ -222,15 +224,16 @@ impl Found<'_, '_> {
 
     /// The amounts around a bound, after [`Self::changes_between`].
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<Around, Error> {
-        let does = bound.does;
+        let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
         // A larger squeeze always carries more in this case, but it may move the part too far. A squeeze is tried that is much larger than the least
         // squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
-        let ample = FAR_FROM_START * does.max(plan.start);
+        let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
         }
-        let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
+        let is_too_much =
+            |(at, trial): &(f64, Trial)| *at > sufficient && matches!(trial, Trial::Insufficient { .. });
         plan.is_monotone &= !plan.is_least || !self.known().iter().any(is_too_much);
         let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
         let around = || Around::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
@@ -246,57 +249,57 @@ impl Found<'_, '_> {
         bound: &Threshold,
         found: &Around,
     ) -> Option<Threshold> {
-        let far = found.until.as_ref().map(|edge| edge.does);
-        let own = if plan.is_least { [Some(bound.does), far] } else { [far, Some(bound.does)] };
+        let far = found.until.as_ref().map(|edge| edge.sufficient);
+        let own = if plan.is_least { [Some(bound.sufficient), far] } else { [far, Some(bound.sufficient)] };
         let all = found.elsewhere.iter().map(|window| [window.from, window.to]).chain([own]);
         let is_wide = |[from, to]: &[Option<f64>; 2]| {
             from.is_none_or(|from| to.is_none_or(|to| to > from * (1.0 + NARROW)))
         };
         let edges = all.filter(is_wide).filter_map(|[from, to]| if plan.is_least { from } else { to });
-        let does = edges.reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
+        let sufficient = edges.reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
         let known = self.known();
-        let harder = known
-            .iter()
-            .filter(|(at, trial)| matches!(trial, Trial::DoesNot { .. }) && plan.is_harder(*at, does));
-        let does_not =
+        let harder = known.iter().filter(|(at, trial)| {
+            matches!(trial, Trial::Insufficient { .. }) && plan.is_harder(*at, sufficient)
+        });
+        let insufficient =
             harder.reduce(|one, other| if plan.is_harder(one.0, other.0) { other } else { one })?.clone();
-        (does != bound.does).then_some(Threshold { does, does_not, unknown: None })
+        (sufficient != bound.sufficient).then_some(Threshold { sufficient, insufficient, unknown: None })
     }
 
     /// The answer with a bound, from its bracket and from amounts that are tried around it.
     fn bound(mut self, mut plan: SearchPlan, mut bound: Threshold, look: Look) -> Result<Amount, Error> {
-        if is_stepped_over(&plan, bound.does) {
+        if is_stepped_over(&plan, bound.sufficient) {
             self.scan = self.tried.need.scan;
         }
-        if let Trial::Unknown(doubt) = bound.does_not.1 {
-            return Ok(Amount::Undecided { at: bound.does_not.0, doubt });
+        if let Trial::Unknown(doubt) = bound.insufficient.1 {
+            return Ok(Amount::Undecided { at: bound.insufficient.0, doubt });
         }
         let mut found = self.around(&mut plan, &bound)?;
         if let Some(edge) = self.edge_of_a_wide_window(&plan, &bound, &found) {
-            let measures = self.tries.at(edge.does)?.measures();
+            let measures = self.tries.at(edge.sufficient)?.measures();
             bound = edge.narrowed(self.tries, measures, plan.enough)?;
             found = self.around(&mut plan, &bound)?;
         }
-        let (does, does_not) = (bound.does, bound.does_not.0);
-        let (otherwise, is_too_far) = match &bound.does_not.1 {
-            Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
-            Trial::Does { .. } | Trial::Unknown(_) => (String::new(), false),
+        let (sufficient, insufficient) = (bound.sufficient, bound.insufficient.0);
+        let (otherwise, is_too_far) = match &bound.insufficient.1 {
+            Trial::Insufficient { says, is_too_far, .. } => (says.clone(), *is_too_far),
+            Trial::Sufficient { .. } | Trial::Unknown(_) => (String::new(), false),
         };
         let Around { changes, mut until, elsewhere } = found;
         let far = match look {
             Look::Everywhere(far) => far,
-            Look::Towards => beyond_which_none_does(does, plan.is_least, &self.known()),
+            Look::Towards => beyond_the_sufficient(sufficient, plan.is_least, &self.known()),
             Look::Around => None,
         };
         if let (Some(far), None) = (far, &until) {
-            until = far_end_near(far, does, self.tries)?;
+            until = far_end_near(far, sufficient, self.tries)?;
         }
-        let (presses, at_their_limit) = self.presses(does)?;
-        let is_last = plan.is_monotone || plan.is_the_end(does_not, !plan.is_least);
+        let (presses, at_their_limit) = self.presses(sufficient)?;
+        let is_last = plan.is_monotone || plan.is_the_end(insufficient, !plan.is_least);
         let tried = (!is_last).then(|| self.tried.amounts(self.demand));
         Ok(Amount::Bound {
-            does,
-            does_not,
+            sufficient,
+            insufficient,
             otherwise,
             is_too_far,
             unknown: bound.unknown.map(|(at, _)| at),
@@ -311,33 +314,37 @@ impl Found<'_, '_> {
 }
 
 /// Whether the search for a safe amount stepped over amounts, from the insufficient one where it began to a far easier one.
-fn is_stepped_over(plan: &SearchPlan, does: f64) -> bool {
+fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
     let begin = plan.begin();
-    let ratio = if plan.is_least { does / begin } else { begin / does };
+    let ratio = if plan.is_least { sufficient / begin } else { begin / sufficient };
     plan.everywhere && !plan.is_monotone && ratio > STEPPED_OVER
 }
 
-/// Among the amounts tried on the easier side of the bound `does`: the last sufficient amount, and the first insufficient one.
-fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
-    let ample = |at: f64| if is_least { at / does } else { does / at };
+/// Among the amounts tried on the easier side of the bound `sufficient`: the last sufficient amount, and the first insufficient one.
+fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
+    let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
     beyond.sort_by(|(a, _), (b, _)| ample(*a).total_cmp(&ample(*b)));
-    let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::DoesNot { .. }))?;
-    let last = beyond[..first].iter().rev().find(|(_, trial)| trial.does()).map_or(does, |(at, _)| *at);
+    let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::Insufficient { .. }))?;
+    let last = beyond[..first]
+        .iter()
+        .rev()
+        .find(|(_, trial)| trial.is_sufficient())
+        .map_or(sufficient, |(at, _)| *at);
     Some([last, beyond[first].0])
 }
 
-/// The far end of the sufficient amounts that begin at `does`. With friction and loads as given, this end lies between the two amounts `far`. These
+/// The far end of the sufficient amounts that begin at `sufficient`. With friction and loads as given, this end lies between the two amounts `far`. These
 /// are therefore tried first.
-fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
-    let mut inner = does;
+fn far_end_near(far: [f64; 2], sufficient: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
+    let mut inner = sufficient;
     for amount in far {
         match tries.at(amount)? {
-            Trial::Does { .. } => inner = amount,
+            Trial::Sufficient { .. } => inner = amount,
             Trial::Unknown(_) => return Ok(None),
-            trial @ Trial::DoesNot { .. } => {
+            trial @ Trial::Insufficient { .. } => {
                 let measures = tries.at(inner)?.measures();
-                let edge = Threshold { does: inner, does_not: (amount, trial), unknown: None };
+                let edge = Threshold { sufficient: inner, insufficient: (amount, trial), unknown: None };
                 return edge.beside(tries, measures).map(Some);
             }
         }
@@ -347,7 +354,7 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
 
 /// The answer if no amount is sufficient. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the
 /// amounts with which most of the load is carried.
-pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
+pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
@@ -362,7 +369,7 @@ pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Opt
         let carried = trial.carried().unwrap_or(f64::NEG_INFINITY);
         match trial {
             Trial::Unknown(doubt) if !is_proved => return Amount::Undecided { at: amount, doubt },
-            Trial::DoesNot { says: otherwise, .. } if carried > most => {
+            Trial::Insufficient { says: otherwise, .. } if carried > most => {
                 most = carried;
                 none = Amount::None { from, to, best: amount, tried, is_proved, at_rest, otherwise };
             }

@@ -72,7 +72,7 @@ impl<'q> Tried<'q> {
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
-            && let Some(trial) = of(&self.quick, amount, demand).filter(Trial::does)
+            && let Some(trial) = of(&self.quick, amount, demand).filter(Trial::is_sufficient)
         {
             let quick =
                 self.quick.borrow().iter().find(|(at, of)| *at == amount && of.held.is_some()).cloned();
@@ -143,13 +143,14 @@ impl<'q> Tried<'q> {
     }
 
     /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts are
-    /// extrapolated from `does` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
-    pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
+    /// extrapolated from `sufficient` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
+    pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
-            rests(&lists).filter(|(at, _)| (at - does) * (does - does_not) >= 0.0).collect();
-        behind.sort_by(|(one, _), (other, _)| (one - does).abs().total_cmp(&(other - does).abs()));
-        let (_, here) = *behind.first().filter(|(at, _)| *at == does)?;
+            rests(&lists).filter(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0).collect();
+        behind
+            .sort_by(|(one, _), (other, _)| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()));
+        let (_, here) = *behind.first().filter(|(at, _)| *at == sufficient)?;
         behind.dedup_by_key(|(at, _)| *at);
         let mut alike = behind.into_iter().filter(|(_, there)| same_kinds(here, there));
         let three = [(); 3].map(|()| alike.next());
@@ -157,8 +158,8 @@ impl<'q> Tried<'q> {
         let roots = margins.filter_map(|(i, k)| {
             where_it_vanishes(three.map(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
         });
-        let between = roots.filter(|root| (root - does) * (root - does_not) < 0.0);
-        between.min_by(|one, other| (one - does).abs().total_cmp(&(other - does).abs()))
+        let between = roots.filter(|root| (root - sufficient) * (root - insufficient) < 0.0);
+        between.min_by(|one, other| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()))
     }
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {

@@ -138,7 +138,7 @@ fn shaken(shaken: Shaken<3>) -> Shown {
 /// the given grasp and the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Failure> {
     let (amount, label) = match &needed.amount {
-        Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
+        Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),
         Amount::Any { to, .. } => (Some(*to), "with an amount that does"),
         _ => (None, "what does it need?"),
     };

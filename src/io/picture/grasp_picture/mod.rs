@@ -82,7 +82,7 @@ struct Tip<'a> {
     frame: Matrix3<f64>,
     slope: f64,
     link: Option<PlanarLink>,
-    does: Option<Resultant>,
+    resultant: Option<Resultant>,
 }
 
 impl Tip<'_> {
@@ -115,15 +115,15 @@ impl<'a> Picture<'a> {
             frame: frames[tip.range.start],
             slope: slope(&contacts[tip.range.start]),
             link: PlanarLink::of(tip, contacts),
-            does: state.map(|state| tip.resultant(contacts, state)),
+            resultant: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
         };
         let tips: Vec<_> = mapped(grasp.engine.wholes(), &tip);
         let loaded = load.as_ref().map_or(0.0, |load| load.force.norm());
-        let doing = || tips.iter().filter_map(|tip| Some((tip, tip.does.as_ref()?)));
-        let most = doing().map(|(_, does)| does.force.norm()).fold(loaded, f64::max);
-        let push = |(tip, does): (&Tip, &Resultant)| {
-            (tip.middle, tip.frame.column(0).into_owned(), does.normal_force)
+        let doing = || tips.iter().filter_map(|tip| Some((tip, tip.resultant.as_ref()?)));
+        let most = doing().map(|(_, resultant)| resultant.force.norm()).fold(loaded, f64::max);
+        let push = |(tip, resultant): (&Tip, &Resultant)| {
+            (tip.middle, tip.frame.column(0).into_owned(), resultant.normal_force)
         };
         let pushes: Vec<_> = doing().map(push).collect();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
@@ -199,13 +199,13 @@ impl<'a> Picture<'a> {
                 continue;
             }
             points.extend(self.finger(tip));
-            if let Some(does) = &tip.does {
-                let (at, force) = (does.at.xy(), does.force.xy() * self.scale);
+            if let Some(resultant) = &tip.resultant {
+                let (at, force) = (resultant.at.xy(), resultant.force.xy() * self.scale);
                 points.extend([at, at + force]);
                 if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
                     points.push(at - force);
                 }
-                if let Some(cone) = self.cone(tip, does) {
+                if let Some(cone) = self.cone(tip, resultant) {
                     points.extend(cone);
                 }
             }
@@ -256,12 +256,12 @@ impl<'a> Picture<'a> {
                 -2.0,
             );
         }
-        let Some(does) = &tip.does else {
+        let Some(resultant) = &tip.resultant else {
             painting.dot(flat(place(tip.middle.xy())), 4.0, GREY, true);
             return;
         };
-        let (at, force, what) = (does.at.xy(), does.force.xy() * self.scale, does.word);
-        if let Some(cone) = self.cone(tip, does) {
+        let (at, force, what) = (resultant.at.xy(), resultant.force.xy() * self.scale, resultant.word);
+        if let Some(cone) = self.cone(tip, resultant) {
             painting.area(mapped(&cone, &|corner| place(*corner)), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
                 painting.line([cone[0], edge].each(|end| flat(place(end))), ink(what), 1.0);
@@ -287,9 +287,9 @@ impl<'a> Picture<'a> {
     }
 
     /// The corners of the friction cone; `None` without friction or normal force.
-    fn cone(&self, tip: &Tip, does: &Resultant) -> Option<[Vector2<f64>; 3]> {
-        let (at, n, t) = (does.at.xy(), tip.normal(), tip.tangent());
-        let [high, wide] = cone_size(tip.slope, does.normal_force * self.scale, self.span / 2.0)?;
+    fn cone(&self, tip: &Tip, resultant: &Resultant) -> Option<[Vector2<f64>; 3]> {
+        let (at, n, t) = (resultant.at.xy(), tip.normal(), tip.tangent());
+        let [high, wide] = cone_size(tip.slope, resultant.normal_force * self.scale, self.span / 2.0)?;
         let corner = |side: f64| at + n * high + t * (side * wide);
         Some([at, corner(1.0), corner(-1.0)])
     }

@@ -73,15 +73,15 @@ impl Picture<'_> {
         let behind = if is_between { 0.0 } else { PLANAR.finger * self.span };
         let at = axes.place(tip.middle.xy() - tip.normal() * behind);
         let name = tip.of.text();
-        match &tip.does {
+        match &tip.resultant {
             // If there are more fingertips than `most_told`, names are written without state and force.
-            Some(does) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
-                let force = format!("{} N", short(does.force.norm()));
+            Some(resultant) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
+                let force = format!("{} N", short(resultant.force.norm()));
                 labels.write(paper, at, &[&name, &force], PLANAR.letters);
             }
-            Some(does) if self.tips.len() <= PLANAR.most_told => {
-                let force = format!("|F| = {} N", short(does.force.norm()));
-                labels.write(paper, at, &[&name, does.word, &force], PLANAR.letters);
+            Some(resultant) if self.tips.len() <= PLANAR.most_told => {
+                let force = format!("|F| = {} N", short(resultant.force.norm()));
+                labels.write(paper, at, &[&name, resultant.word, &force], PLANAR.letters);
             }
             _ => labels.write(paper, at, &[&name], PLANAR.letters),
         }
