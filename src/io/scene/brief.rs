@@ -12,8 +12,8 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContact, inside};
 use crate::hold::{Holding, Verdict};
-use crate::identify::{Ending, Identified};
-use crate::improve::{Binds, Improved, SearchEnd};
+use crate::identify::{FitEnding, Identified};
+use crate::improve::{ActiveConstraintKind, Improved, SearchEnd};
 use crate::load_path::{DriveChange, Onset, PathEnd};
 use crate::need::{Amount, Needed, Quantity};
 use crate::numerics::tried;
@@ -245,7 +245,9 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
         SearchEnd::NoStart => "no_start",
     };
     let mut ways = improved.in_the_way.iter();
-    let first = ways.find(|way| matches!(way.binds, Binds::FirstSlip { .. } | Binds::Reserve { .. }));
+    let first = ways.find(|way| {
+        matches!(way.binds, ActiveConstraintKind::FirstSlip { .. } | ActiveConstraintKind::Reserve { .. })
+    });
     let first = first.map(|way| way.contact.label.clone());
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
@@ -318,10 +320,10 @@ fn drive(change: DriveChange) -> &'static str {
 }
 
 /// The name in the format of the way in which an identification ended.
-fn ended(ending: &Ending) -> &'static str {
+fn ended(ending: &FitEnding) -> &'static str {
     match ending {
-        Ending::Converged => "converged",
-        Ending::NotConverged { .. } => "not_converged",
-        Ending::NotPredicted { .. } => "not_predicted",
+        FitEnding::Converged => "converged",
+        FitEnding::NotConverged { .. } => "not_converged",
+        FitEnding::NotPredicted { .. } => "not_predicted",
     }
 }

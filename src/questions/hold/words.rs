@@ -3,8 +3,8 @@
 use alloc::borrow::Cow;
 use core::fmt;
 
-use super::caught::Caught;
-use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::caught_jump::CaughtJump;
+use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench};
@@ -211,7 +211,7 @@ impl<const C: usize> Verdict<C> {
 
     /// Writes the clause about jumps in which the object slips and is caught; nothing without jumps.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Caught::write_clause(
+        CaughtJump::write_clause(
             &self.caught,
             self.load.measure(),
             matches!(self.holding, Holding::Slides { .. }),
@@ -328,7 +328,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
 }
 
 /// Writes the proof: "no equilibrium under the whole load within 12 mm and 22.9° of this position", the object's position at the loss.
-impl fmt::Display for NothingNear {
+impl fmt::Display for NoEquilibriumNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no equilibrium under the whole load")?;
         // Beyond a kilometre or half a turn the proof covers every motion of the model, which describes small motions alone.

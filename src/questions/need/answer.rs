@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::press::Press;
+use super::press::ContactPress;
 use super::question::Demand;
 use crate::error::Error;
 use crate::grasp::WholeContact;
@@ -160,7 +160,7 @@ pub enum Amount {
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         elsewhere: Vec<AmountWindow>,
         /// Normal force of each contact at rest with the squeeze `sufficient`, N; empty for other quantities.
-        presses: Vec<Press>,
+        presses: Vec<ContactPress>,
         /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`, so that they press no harder; empty for other
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -252,7 +252,7 @@ pub struct FarEnd {
     pub otherwise: String,
     /// Normal force of each contact at rest with the squeeze `sufficient`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub presses: Vec<Press>,
+    pub presses: Vec<ContactPress>,
     /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<String>,

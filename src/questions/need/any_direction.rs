@@ -5,10 +5,10 @@ use core::f64::consts::{PI, TAU};
 
 use super::loading::{Loading, force_at};
 use super::question::Demand;
-use super::trial::{Refuting, Trial, Trials};
+use super::trial::{RefutingLoads, Trial, Trials};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{OfThePath, Verdict};
+use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
 use crate::numerics::{Space, dot, numbered};
 use crate::prelude::*;
@@ -21,7 +21,7 @@ impl Loading {
         load: Wrench<3>,
         (size, point): (f64, [f64; 3]),
         demand: Demand,
-        refuting: &Refuting,
+        refuting: &RefutingLoads,
     ) -> Result<Trials, Error> {
         let (verdict, path) = self.put_on_up_to(&Ramp::load(self.base, load), None)?;
         let base = self.base + load;
@@ -47,7 +47,7 @@ impl Loading {
         verdict: &Verdict<3>,
         base: &Wrench<3>,
         (size, point): (f64, [f64; 3]),
-        (demand, refuting): (Demand, &Refuting),
+        (demand, refuting): (Demand, &RefutingLoads),
     ) -> Result<Option<Trial>, Error> {
         let at_rest = self.judged((verdict, f64::INFINITY), Demand::Sticks);
         if !at_rest.is_sufficient() {
@@ -111,7 +111,7 @@ impl Loading {
         &self,
         mut worst: Trials,
         along: &dyn Fn([f64; 3]) -> Ramp<3>,
-        refuting: &Refuting,
+        refuting: &RefutingLoads,
     ) -> Result<Trials, Error> {
         let known = refuting.directions.borrow().clone();
         let is_confined = self.grasp.settings().is_quick && !known.is_empty();
@@ -127,7 +127,7 @@ impl Loading {
                 if trial.carried() < held.carried() {
                     weakest = Some((*direction, trial.clone()));
                 }
-                found.push(Carried { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
+                found.push(DirectionTrial { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
             }
             (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
         }
@@ -151,10 +151,10 @@ impl Loading {
     /// at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
     fn between_directions(
         &self,
-        (all, found): (&[[f64; 3]], &[Carried]),
+        (all, found): (&[[f64; 3]], &[DirectionTrial]),
         along: &dyn Fn([f64; 3]) -> Ramp<3>,
         mut held: Trial,
-        refuting: &Refuting,
+        refuting: &RefutingLoads,
     ) -> Result<Trial, Error> {
         let neighbours = neighbours(all, self.grasp.space());
         let is_least = |k: &usize| neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part);
@@ -200,7 +200,7 @@ impl Loading {
     }
 
     /// The result for one direction, with facts about its load path, which is followed up to the multiple `least` that is carried in another direction.
-    fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, OfThePath), Error> {
+    fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, PathFacts), Error> {
         let least = least.map(|carried| carried.max(CLOSE));
         let (verdict, path) = self.put_on_up_to(ramp, least)?;
         let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
@@ -245,7 +245,7 @@ impl Loading {
 
 /// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps while the load is applied.
 #[derive(Debug, Clone, Copy)]
-struct Carried {
+struct DirectionTrial {
     part: f64,
     jumps: usize,
 }

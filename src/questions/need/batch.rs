@@ -92,19 +92,19 @@ impl<const C: usize> Grasp<C> {
         (quantity, demand): (Quantity, Demand),
         settings: &Settings,
     ) -> Vec<Result<ShortAmount, Error>> {
-        let asked = Asked { quantity, demand, settings: *settings };
+        let asked = BatchNeed { quantity, demand, settings: *settings };
         answers_of_rows(rows, &|chunk| asked.amounts(chunk, row))
     }
 }
 
 /// The sought quantity, the demand and the settings, which are the same for all rows (a row is one grasp with its load).
-struct Asked {
+struct BatchNeed {
     quantity: Quantity,
     demand: Demand,
     settings: Settings,
 }
 
-impl Asked {
+impl BatchNeed {
     /// Whether the answer follows from the greatest multiple of the load that the grasp bears: the answer is this multiple, or for a squeeze its
     /// inverse. For a squeeze everything else that acts must be proportional to the squeeze.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {

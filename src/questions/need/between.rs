@@ -1,6 +1,6 @@
 //! The search for a sufficient amount between amounts that turned out to be insufficient.
 
-use super::search::{SearchPlan, Tries};
+use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
 use super::trial::Trial;
 use crate::error::Error;
@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
 /// then tries the widest gaps near `begin`, the first amount of the whole search.
 pub(super) fn refined(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     begin: f64,
     vain: &mut Vec<(f64, Trial)>,
@@ -39,7 +39,7 @@ pub(super) fn refined(
 /// keep their states, this fraction is a concave function of the squeeze. Thus the search can end once chords of the function prove that its maximum
 /// is below 1.
 fn where_most_is_carried(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));

@@ -3,16 +3,16 @@
 use alloc::sync::Arc;
 use core::fmt;
 
-use super::posed::{Posed, Safety, Sought};
+use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::question::Demand;
 use super::tolerances::MOST_LOADS;
-use super::trial::{NOT_AT_REST, Refuting, Trial, Trials};
+use super::trial::{NOT_AT_REST, RefutingLoads, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{Extent, Holding, OfThePath, Verdict};
+use crate::hold::{Holding, PathFacts, Verdict, VerdictScope};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -31,14 +31,19 @@ pub(super) struct Loading {
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
     /// How much of a verdict a trial needs.
-    pub(super) extent: Extent,
+    pub(super) extent: VerdictScope,
     /// If a link cannot have its tension at rest, the reason in a sentence. The amount is then insufficient.
     refused: Option<String>,
 }
 
 impl Loading {
     /// The grasp and the loads with `amount` of the sought quantity. Friction and squeeze are reduced and loads enlarged by `safety`.
-    pub(super) fn of(grasp: &Grasp<3>, need: &Posed, amount: f64, safety: Safety) -> Result<Self, Error> {
+    pub(super) fn of(
+        grasp: &Grasp<3>,
+        need: &CheckedNeed,
+        amount: f64,
+        safety: SafetyDeviations,
+    ) -> Result<Self, Error> {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
         let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
@@ -78,7 +83,16 @@ impl Loading {
             _ => 2.0,
         };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed, extent: Extent::Measured, refused })
+        Ok(Self {
+            grasp,
+            loads,
+            base,
+            times,
+            words: need.words,
+            followed,
+            extent: VerdictScope::Measured,
+            refused,
+        })
     }
 
     /// The loads that contact forces must balance if the amount is to be sufficient: the load at rest, and its sum with each load. A force of any
@@ -95,7 +109,7 @@ impl Loading {
                 }
             }
             Loads::Turn(turn) => {
-                let turn = self.so_many(turn);
+                let turn = self.multiplied_turn(turn);
                 // With fewer angles the proved range of amounts would be wider than necessary.
                 let parts = 8_u32;
                 list = (0..=parts)
@@ -116,7 +130,7 @@ impl Loading {
     /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near these contact
     /// states.
     pub(super) fn quick(mut self, near: Vec<State>) -> Self {
-        self.extent = Extent::Decided;
+        self.extent = VerdictScope::Decided;
         self.grasp = self.grasp.with(&Settings { is_quick: true, ..*self.grasp.settings() });
         if !near.is_empty() {
             Arc::make_mut(&mut self.grasp.engine).near = near;
@@ -126,7 +140,7 @@ impl Loading {
 
     /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first. A load that is not carried, or else the
     /// load carried least, is noted in `refuting`.
-    pub(super) fn put_on(&self, demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
+    pub(super) fn put_on(&self, demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));
         }
@@ -142,18 +156,18 @@ impl Loading {
             Loads::AnyForce { base, size, point } => {
                 self.any_force(*base * times, (*size * times, *point), demand, refuting)?
             }
-            Loads::Turn(turn) => Trials::only(demand, self.turn(&self.so_many(turn), demand)?),
+            Loads::Turn(turn) => Trials::only(demand, self.turn(&self.multiplied_turn(turn), demand)?),
         })
     }
 
     /// The turning load with its parts multiplied by `times`, plus the load at rest.
-    pub(super) fn so_many(&self, turn: &Turn<3>) -> Turn<3> {
+    pub(super) fn multiplied_turn(&self, turn: &Turn<3>) -> Turn<3> {
         let ([constant, cosine, sine], times) = (turn.parts(), self.times);
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
     /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
-    fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
+    fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
@@ -194,7 +208,7 @@ impl Loading {
         &self,
         ramp: &Ramp<3>,
         least: Option<f64>,
-    ) -> Result<(Verdict<3>, OfThePath), Error> {
+    ) -> Result<(Verdict<3>, PathFacts), Error> {
         let most = least.unwrap_or(self.followed).clamp(1.0, self.followed);
         self.grasp.with(&self.grasp.settings().with_most_load(most)).hold_to_an_extent(ramp, self.extent)
     }

@@ -1,18 +1,18 @@
 //! Answers a [`Need`]: the sought amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
-use super::around::{Around, between_known};
-use super::posed::{Posed, Safety, Sought};
-use super::press::Press;
+use super::bound_scan::{BoundScan, between_known};
+use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
+use super::press::ContactPress;
 use super::pressed_at_rest::presses;
 use super::proved::{at_proved_end, by_proof};
 use super::question::{Demand, Need};
 use super::range::Range;
-use super::search::{SearchPlan, Searched, Tries, search};
+use super::search::{BoundSearch, SearchPlan, TrialFunctions, search};
 use super::threshold::Threshold;
 use super::tolerances::{FAR_FROM_START, NARROW, STEPPED_OVER};
 use super::trial::Trial;
-use super::tried::{Look, Tried};
+use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside};
@@ -60,10 +60,10 @@ impl Need<3> {
         if !is_squeezed {
             safety.lower[1] = 0.0;
         }
-        let trials = Tried::new(grasp, &asked, Safety::NONE, start(grasp, &asked));
-        let amount = amount(&trials, asked.demand, Look::Around)?;
+        let trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
+        let amount = amount(&trials, asked.demand, SearchExtent::Around)?;
         let sticks = match asked.demand {
-            Demand::Held => Some(self::amount(&trials, Demand::Sticks, Look::Towards)?),
+            Demand::Held => Some(self::amount(&trials, Demand::Sticks, SearchExtent::Towards)?),
             _ => None,
         };
         let worse = (1.0 - safety.lower[0]) * (1.0 - safety.lower[1]) / safety.load;
@@ -76,9 +76,9 @@ impl Need<3> {
             Amount::Bound { until: Some(end), .. } => Some([end.sufficient, end.insufficient]),
             _ => None,
         };
-        let look = Look::Everywhere(far);
-        let safe = (safety != Safety::NONE)
-            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, look));
+        let look = SearchExtent::Everywhere(far);
+        let safe = (safety != SafetyDeviations::NONE)
+            .then(|| self::amount(&TrialRecord::new(grasp, &asked, safety, begin), asked.demand, look));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -106,7 +106,7 @@ impl Need<3> {
 
 /// The first amount that a search tries. Multiples begin at 1, friction at the largest given coefficient (0.5 if all are 0 or one is infinite). An
 /// arm begins at the largest distance of a contact from the first contact (1 m if this is 0), an angle at the whole turn.
-fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
+fn start(grasp: &Grasp<3>, need: &CheckedNeed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
         Sought::Squeeze | Sought::Overlaps | Sought::Load | Sought::Force { .. } => 1.0,
@@ -128,14 +128,14 @@ fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     }
 }
 
-fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error> {
+fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
     let whole = |amount: f64| tried.at(amount, demand, false);
     let short = |amount: f64| tried.at(amount, demand, true);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
-    let tries = Tries {
+    let tries = TrialFunctions {
         whole: &whole,
         short: &short,
         quick: &quick,
@@ -152,18 +152,18 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.is_sufficient() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
-    let scan = if look == Look::Around { need.scan } else { 0 };
-    let found = Found { tried, demand, tries, scan };
+    let scan = if look == SearchExtent::Around { need.scan } else { 0 };
+    let found = FoundAmounts { tried, demand, tries, scan };
     match search(tries, &plan, &found.known())? {
-        Searched::Threshold(edge) => found.bound(plan, edge, look),
-        Searched::All(to) => match at_proved_end(to, &plan, tries)? {
+        BoundSearch::Threshold(edge) => found.bound(plan, edge, look),
+        BoundSearch::All(to) => match at_proved_end(to, &plan, tries)? {
             Some(edge) => found.bound(plan, edge, look),
             None => found.any(&plan, to),
         },
-        Searched::Nothing(mut vain) => {
-            // `vain` are the amounts tried, none of which is sufficient. With `Look::Towards` an amount that holds the object is known already. If
+        BoundSearch::Nothing(mut vain) => {
+            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` an amount that holds the object is known already. If
             // the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
-            if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
+            if look == SearchExtent::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
             Ok(nothing_suffices(vain, plan.limits, None))
@@ -172,21 +172,21 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
 }
 
 /// A search that has found sufficient amounts, and the scan that completes the answer.
-struct Found<'f, 'q> {
-    tried: &'f Tried<'q>,
+struct FoundAmounts<'f, 'q> {
+    tried: &'f TrialRecord<'q>,
     demand: Demand,
-    tries: Tries<'f>,
+    tries: TrialFunctions<'f>,
     /// Number of amounts that are tried around the bound.
     scan: usize,
 }
 
-impl Found<'_, '_> {
+impl FoundAmounts<'_, '_> {
     fn known(&self) -> Vec<(f64, Trial)> {
         self.tried.known(self.demand)
     }
 
     /// The contact forces at rest with this squeeze, and the drives at their limit, see [`presses`]; both empty if another quantity is sought.
-    fn presses(&self, sufficient: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+    fn presses(&self, sufficient: f64) -> Result<(Vec<ContactPress>, Vec<String>), Error> {
         match self.tried.need.sought {
             Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, sufficient, self.tried.need),
             _ => Ok(Default::default()),
@@ -212,7 +212,7 @@ impl Found<'_, '_> {
 
     /// The answer if all amounts that were tried in the harder direction are sufficient. The last of these amounts is `to`.
     fn any(&self, plan: &SearchPlan, to: f64) -> Result<Amount, Error> {
-        let seek = || Around::far_end(to, self.scan, plan, &self.known(), self.tries);
+        let seek = || BoundScan::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
         let end = until.as_ref().map(|edge| edge.sufficient);
         if self.changes_between(plan, &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))? {
@@ -223,7 +223,7 @@ impl Found<'_, '_> {
     }
 
     /// The amounts around a bound, after [`Self::changes_between`].
-    fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<Around, Error> {
+    fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
         // A larger squeeze always carries more in this case, but it may move the part too far. A squeeze is tried that is much larger than the least
@@ -236,7 +236,7 @@ impl Found<'_, '_> {
             |(at, trial): &(f64, Trial)| *at > sufficient && matches!(trial, Trial::Insufficient { .. });
         plan.is_monotone &= !plan.is_least || !self.known().iter().any(is_too_much);
         let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
-        let around = || Around::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
+        let around = || BoundScan::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
         let found = around()?;
         if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
     }
@@ -247,7 +247,7 @@ impl Found<'_, '_> {
         &self,
         plan: &SearchPlan,
         bound: &Threshold,
-        found: &Around,
+        found: &BoundScan,
     ) -> Option<Threshold> {
         let far = found.until.as_ref().map(|edge| edge.sufficient);
         let own = if plan.is_least { [Some(bound.sufficient), far] } else { [far, Some(bound.sufficient)] };
@@ -267,7 +267,12 @@ impl Found<'_, '_> {
     }
 
     /// The answer with a bound, from its bracket and from amounts that are tried around it.
-    fn bound(mut self, mut plan: SearchPlan, mut bound: Threshold, look: Look) -> Result<Amount, Error> {
+    fn bound(
+        mut self,
+        mut plan: SearchPlan,
+        mut bound: Threshold,
+        look: SearchExtent,
+    ) -> Result<Amount, Error> {
         if is_stepped_over(&plan, bound.sufficient) {
             self.scan = self.tried.need.scan;
         }
@@ -285,11 +290,11 @@ impl Found<'_, '_> {
             Trial::Insufficient { says, is_too_far, .. } => (says.clone(), *is_too_far),
             Trial::Sufficient { .. } | Trial::Unknown(_) => (String::new(), false),
         };
-        let Around { changes, mut until, elsewhere } = found;
+        let BoundScan { changes, mut until, elsewhere } = found;
         let far = match look {
-            Look::Everywhere(far) => far,
-            Look::Towards => beyond_the_sufficient(sufficient, plan.is_least, &self.known()),
-            Look::Around => None,
+            SearchExtent::Everywhere(far) => far,
+            SearchExtent::Towards => beyond_the_sufficient(sufficient, plan.is_least, &self.known()),
+            SearchExtent::Around => None,
         };
         if let (Some(far), None) = (far, &until) {
             until = far_end_near(far, sufficient, self.tries)?;
@@ -336,7 +341,11 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
 
 /// The far end of the sufficient amounts that begin at `sufficient`. With friction and loads as given, this end lies between the two amounts `far`. These
 /// are therefore tried first.
-fn far_end_near(far: [f64; 2], sufficient: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
+fn far_end_near(
+    far: [f64; 2],
+    sufficient: f64,
+    tries: TrialFunctions<'_>,
+) -> Result<Option<Threshold>, Error> {
     let mut inner = sufficient;
     for amount in far {
         match tries.at(amount)? {

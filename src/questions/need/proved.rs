@@ -2,7 +2,7 @@
 
 use super::answer::{Amount, FarEnd};
 use super::needed::nothing_suffices;
-use super::search::{SearchPlan, Tries};
+use super::search::{SearchPlan, TrialFunctions};
 use super::threshold::Threshold;
 use super::trial::Trial;
 use crate::error::Error;
@@ -10,7 +10,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// The answer if proofs exclude all amounts, or all but one that is sufficient; `None` otherwise.
-pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+pub(super) fn by_proof(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Amount>, Error> {
     let only = only_amount(plan, tries)?;
     if only.is_some() || !plan.range.is_empty {
         return Ok(only);
@@ -21,7 +21,7 @@ pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amo
 
 /// The answer if proofs exclude all amounts but one, and this one is sufficient; `None` otherwise. If this amount is 1 up to rounding, the given
 /// multiple 1 is tried instead.
-fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+fn only_amount(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Amount>, Error> {
     let Some(only) = plan.range.point() else { return Ok(None) };
     let sufficient = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
     if !tries.at(sufficient)?.is_sufficient() {
@@ -56,7 +56,7 @@ fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Er
 pub(super) fn at_proved_end(
     to: f64,
     plan: &SearchPlan,
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
 ) -> Result<Option<Threshold>, Error> {
     let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
     // If `to` is this near to the proved end, the two agree up to rounding.

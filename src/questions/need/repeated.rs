@@ -46,7 +46,7 @@ impl Loading {
                 Some((self.base, legs))
             }
             Loads::Turn(turn) => {
-                let there = self.so_many(turn);
+                let there = self.multiplied_turn(turn);
                 let round = there.angle() / TAU;
                 let is_round = (round - round.round()).abs() <= SOLVED_ROUNDING && round > 0.5;
                 let mut legs = vec![Leg::turn(&there)];

@@ -5,7 +5,7 @@
 
 use super::between::refined;
 use super::range::Range;
-use super::threshold::{Enough, Threshold};
+use super::threshold::{Threshold, WidthSchedule};
 use super::tolerances::{FAR_APART, FAR_FROM_START, LAST_DIGITS, NEAR_AN_END};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 /// The functions with which a search finds out whether an amount is sufficient.
 #[derive(Clone, Copy)]
-pub(super) struct Tries<'t> {
+pub(super) struct TrialFunctions<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
     /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
@@ -34,7 +34,7 @@ pub(super) struct Tries<'t> {
 
 pub(super) type TrialOf<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
 
-impl Tries<'_> {
+impl TrialFunctions<'_> {
     pub(super) fn at(&self, amount: f64) -> Result<Trial, Error> {
         (self.whole)(amount)
     }
@@ -42,7 +42,7 @@ impl Tries<'_> {
 
 /// The result of a search.
 #[derive(Debug)]
-pub(super) enum Searched {
+pub(super) enum BoundSearch {
     /// The bracket of the bound.
     Threshold(Threshold),
     /// All amounts that were tried are sufficient; this is the last amount tried.
@@ -53,7 +53,7 @@ pub(super) enum Searched {
 
 /// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Guess {
+pub(super) enum BoundEstimate {
     /// The bound is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the sought quantity.
     Times,
     /// The bound is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to x.
@@ -74,7 +74,7 @@ pub(super) struct SearchPlan {
     /// Whether the least sufficient amount is sought, otherwise the greatest.
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
-    pub(super) guess: Guess,
+    pub(super) guess: BoundEstimate,
     /// Whether it is known that all easier amounts are sufficient if one amount is. Easier amounts are larger if the least amount is sought, and
     /// smaller if the greatest is sought.
     pub(super) is_monotone: bool,
@@ -82,7 +82,7 @@ pub(super) struct SearchPlan {
     /// or less load.
     pub(super) everywhere: bool,
     /// The relative width of the bracket at which the search ends, as a function of the number of steps made.
-    pub(super) enough: Enough,
+    pub(super) enough: WidthSchedule,
 }
 
 impl SearchPlan {
@@ -112,9 +112,9 @@ impl SearchPlan {
     fn guessed(&self, at: f64, trial: &Trial) -> Option<f64> {
         let carried = trial.carried().filter(|carried| *carried > 0.0 && carried.is_finite())?;
         let guess = match self.guess {
-            Guess::Times => at * carried,
-            Guess::Divided => at / carried,
-            Guess::Nothing => return None,
+            BoundEstimate::Times => at * carried,
+            BoundEstimate::Divided => at / carried,
+            BoundEstimate::Nothing => return None,
         };
         self.contains(guess).then_some(guess)
     }
@@ -179,7 +179,11 @@ impl SearchPlan {
 /// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient first amount towards easier
 /// amounts. If no amount in that direction is sufficient, the other direction is tried, then the intervals between the amounts tried. Trials in
 /// `known` are not repeated.
-pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
+pub(super) fn search(
+    tries: TrialFunctions<'_>,
+    plan: &SearchPlan,
+    known: &[(f64, Trial)],
+) -> Result<BoundSearch, Error> {
     let more = plan.is_least;
     let (sufficient, mut vain): (Vec<_>, Vec<_>) =
         known.iter().cloned().partition(|(_, trial)| trial.is_sufficient());
@@ -193,10 +197,10 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
         return edge_from(tries, plan, first, &vain);
     }
     let is_hopeless =
-        plan.is_monotone && plan.guess == Guess::Times && first.1.carried().is_some_and(|c| c < 0.0);
+        plan.is_monotone && plan.guess == BoundEstimate::Times && first.1.carried().is_some_and(|c| c < 0.0);
     vain.push(first.clone());
     if is_hopeless {
-        return Ok(Searched::Nothing(vain));
+        return Ok(BoundSearch::Nothing(vain));
     }
     if let Some(sufficient) = guessed(tries, plan, first.clone(), &mut vain)? {
         return edge_from(tries, plan, sufficient, &vain);
@@ -221,7 +225,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     // tried, too, if the least is sought.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
-        if is_asked && let Some(sufficient) = walk(tries, plan, (begin, up, factor), &mut vain)? {
+        if is_asked && let Some(sufficient) = first_sufficient(tries, plan, (begin, up, factor), &mut vain)? {
             return edge_from(tries, plan, sufficient, &vain);
         }
     }
@@ -231,7 +235,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     {
         return edge_from(tries, plan, sufficient, &vain);
     }
-    Ok(Searched::Nothing(vain))
+    Ok(BoundSearch::Nothing(vain))
 }
 
 /// Tries an amount and, if its verdict is undecided, some neighbouring amounts. Their offsets are fractions of `width`, or of the amount itself if
@@ -261,7 +265,7 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
 /// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts: the
 /// first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
 fn guessed(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     (mut at, mut trial): (f64, Trial),
     vain: &mut Vec<(f64, Trial)>,
@@ -283,8 +287,8 @@ fn guessed(
 }
 
 /// The first sufficient amount in one direction; from each trial to the next the amount is multiplied or divided by `factor`.
-fn walk(
-    tries: Tries<'_>,
+fn first_sufficient(
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     (begin, up, factor): (f64, bool, f64),
     vain: &mut Vec<(f64, Trial)>,
@@ -310,11 +314,11 @@ fn walk(
 /// The bracket of the bound. From a sufficient amount the search goes towards harder amounts (less squeeze, more load) until one is insufficient.
 /// Then it narrows the bracket.
 fn edge_from(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     (mut sufficient, mut trial): (f64, Trial),
     vain: &[(f64, Trial)],
-) -> Result<Searched, Error> {
+) -> Result<BoundSearch, Error> {
     let is_harder = |one: f64, other: f64| plan.is_harder(one, other);
     let nearest = vain.iter().filter(|(at, trial)| is_harder(*at, sufficient) && trial.carried().is_some());
     let mut insufficient =
@@ -343,17 +347,17 @@ fn edge_from(
     }
     if let Some(insufficient) = insufficient {
         let edge = Threshold { sufficient, insufficient, unknown: None };
-        return Ok(Searched::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?));
+        return Ok(BoundSearch::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?));
     }
     first_insufficient(tries, plan, (sufficient, trial))
 }
 
 /// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient amount.
 fn first_insufficient(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     (mut sufficient, mut trial): (f64, Trial),
-) -> Result<Searched, Error> {
+) -> Result<BoundSearch, Error> {
     let (mut at, mut factor, mut unknown) = (sufficient, 1.0, None);
     let insufficient = loop {
         // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces take long.
@@ -373,12 +377,12 @@ fn first_insufficient(
     match (insufficient, unknown) {
         (Some(insufficient), unknown) => {
             let edge = Threshold { sufficient, insufficient, unknown };
-            Ok(Searched::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?))
+            Ok(BoundSearch::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?))
         }
         (None, Some(why)) if plan.is_harder(why.0, sufficient) => {
             let insufficient = (why.0, Trial::Unknown(why.1.clone()));
-            Ok(Searched::Threshold(Threshold { sufficient, insufficient, unknown: Some(why) }))
+            Ok(BoundSearch::Threshold(Threshold { sufficient, insufficient, unknown: Some(why) }))
         }
-        (None, _) => Ok(Searched::All(sufficient)),
+        (None, _) => Ok(BoundSearch::All(sufficient)),
     }
 }

@@ -1,6 +1,6 @@
 //! The bracket of the least or greatest sufficient amount (the bound): one sufficient and one insufficient amount, and how the bracket is narrowed.
 
-use super::search::{Tries, decided};
+use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
 use super::trial::Trial;
 use crate::error::Error;
@@ -8,7 +8,7 @@ use crate::prelude::*;
 
 /// The relative widths at which a bracket is narrow enough, as pairs: a number of steps, and the width that is enough from this step on. Widths grow
 /// with the number of steps, because rounding or a jump of the carried part of the load can keep the two amounts apart.
-pub(super) type Enough = &'static [(usize, f64)];
+pub(super) type WidthSchedule = &'static [(usize, f64)];
 
 /// A bracket of the bound of the sufficient amounts: a sufficient amount, and a neighbouring insufficient one with its trial.
 #[derive(Debug, Clone)]
@@ -21,7 +21,11 @@ pub(super) struct Threshold {
 
 impl Threshold {
     /// This bracket narrowed to the widths [`BESIDE_A_BOUND`].
-    pub(super) fn beside(self, tries: Tries<'_>, sufficient: [Option<f64>; 2]) -> Result<Self, Error> {
+    pub(super) fn beside(
+        self,
+        tries: TrialFunctions<'_>,
+        sufficient: [Option<f64>; 2],
+    ) -> Result<Self, Error> {
         self.narrowed(tries, sufficient, BESIDE_A_BOUND)
     }
 
@@ -31,9 +35,9 @@ impl Threshold {
     /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
         mut self,
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
         sufficient: [Option<f64>; 2],
-        enough: Enough,
+        enough: WidthSchedule,
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
@@ -100,9 +104,9 @@ impl Threshold {
     /// undecided trial ends the narrowing.
     fn by(
         self,
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
         presumes: bool,
-        (sufficient, enough): ([Option<f64>; 2], Enough),
+        (sufficient, enough): ([Option<f64>; 2], WidthSchedule),
     ) -> Result<Self, Error> {
         let mut bracket = Narrowing::of(self, tries.is_planar, sufficient, enough);
         // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; more than 120 steps would only follow rounding.
@@ -148,7 +152,7 @@ impl Threshold {
 /// A bracket that is being narrowed, and what guides the next trial.
 struct Narrowing {
     edge: Threshold,
-    sides: [Side; 2],
+    sides: [BracketEnd; 2],
     /// Index of the measure in use.
     which: usize,
     /// The width of the bracket, and the decrease of the measure across it, when the measure began to be watched for a jump.
@@ -165,10 +169,10 @@ struct Narrowing {
 }
 
 impl Narrowing {
-    fn of(edge: Threshold, is_planar: bool, sufficient: [Option<f64>; 2], enough: Enough) -> Self {
+    fn of(edge: Threshold, is_planar: bool, sufficient: [Option<f64>; 2], enough: WidthSchedule) -> Self {
         let sides = [
-            Side::of(edge.sufficient, sufficient),
-            Side::of(edge.insufficient.0, edge.insufficient.1.measures()),
+            BracketEnd::of(edge.sufficient, sufficient),
+            BracketEnd::of(edge.insufficient.0, edge.insufficient.1.measures()),
         ];
         let is_at_rest = edge.insufficient.1.carried().is_some_and(|carried| carried <= 0.0);
         let which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
@@ -213,7 +217,7 @@ impl Narrowing {
 
     /// Chooses the measure that guides the next trial. Returns whether it jumps at the bound, so that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
-        let is_known = |sides: &[Side; 2], which: usize| signs_differ(sides, which).is_some();
+        let is_known = |sides: &[BracketEnd; 2], which: usize| signs_differ(sides, which).is_some();
         // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
@@ -232,7 +236,7 @@ impl Narrowing {
     }
 
     /// The next amount to try: next to the root of the measure, or where contacts at rest probably leave their states, or in the middle.
-    fn next(&mut self, tries: &Tries<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
+    fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
         let mut root = self.root().filter(|_| is_used);
@@ -264,7 +268,7 @@ impl Narrowing {
 
     /// The amount at which contacts at rest probably leave their states, moved towards an end of the bracket by the estimated error of the
     /// prediction.
-    fn where_rest_ends(&mut self, tries: &Tries<'_>) -> Option<f64> {
+    fn where_rest_ends(&mut self, tries: &TrialFunctions<'_>) -> Option<f64> {
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
         let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
@@ -291,13 +295,13 @@ impl Narrowing {
 }
 
 /// One end of a bracket: the two measures at its amount, and its last amounts with their measures.
-struct Side {
+struct BracketEnd {
     measures: [Option<f64>; 2],
     /// The last three amounts of this end with their measures, the present one first.
     last: [Option<(f64, [Option<f64>; 2])>; 3],
 }
 
-impl Side {
+impl BracketEnd {
     const fn of(at: f64, measures: [Option<f64>; 2]) -> Self {
         Self { measures, last: [Some((at, measures)), None, None] }
     }
@@ -336,7 +340,7 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
 
 /// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless its signs at the two ends differ by more
 /// than rounding.
-fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
+fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
@@ -351,7 +355,7 @@ const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 
 /// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do
 /// not change the answer; if wider, the width shows in the answer.
-const WHERE_DIRECTIONS_ARE_FOUND: Enough = &[(0, AT_A_JUMP)];
+const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials next to the bound are
 /// decided.

@@ -130,14 +130,14 @@ impl Trials {
 
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
-pub(super) struct Refuting {
+pub(super) struct RefutingLoads {
     /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
     /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
-impl Refuting {
+impl RefutingLoads {
     /// Puts a direction first. The list keeps the last six directions, so that their trials take a small part of the time of all directions.
     pub(super) fn add(&self, direction: [f64; 3]) {
         let mut list = self.directions.borrow_mut();

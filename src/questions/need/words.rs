@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::amount_words::roughly;
 use super::answer::{Amount, AmountWindow, FarEnd, Needed, Quantity, TriedAmounts};
-use super::press::{self, Press};
+use super::press::{self, ContactPress};
 use super::question::Demand;
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -53,11 +53,11 @@ impl Needed {
                 if otherwise.is_empty() {
                     return Ok(());
                 }
-                let best = self.much(Words::of(f), *best, &[]);
+                let best = self.amount_text(Words::of(f), *best, &[]);
                 write!(f, ". With {}: {otherwise}", best.trim_end_matches(','))
             }
             Amount::Undecided { at, doubt } => {
-                write!(f, "UNDECIDED at {}: {doubt}", self.much(Words::of(f), *at, &[]))
+                write!(f, "UNDECIDED at {}: {doubt}", self.amount_text(Words::of(f), *at, &[]))
             }
         }
     }
@@ -96,7 +96,7 @@ impl Needed {
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }
-        let much = self.much(words, *sufficient, presses);
+        let much = self.amount_text(words, *sufficient, presses);
         let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
         match until {
             Some(end) if ends_small_motions => {
@@ -121,8 +121,8 @@ impl Needed {
             write!(f, ". At rest {limit}")?;
         }
         self.far_end(f, until.as_ref())?;
-        let told = 1 + usize::from(until.is_some()) + self.windows(f, elsewhere)?;
-        if *changes > told {
+        let mentioned = 1 + usize::from(until.is_some()) + self.windows(f, elsewhere)?;
+        if *changes > mentioned {
             write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
         }
         self.amounts_tried(f, *tried)
@@ -138,15 +138,19 @@ impl Needed {
     ) -> fmt::Result {
         let (words, aim) = (Words::of(f), self.aim());
         if self.quantity.is_least() {
-            write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(to, true), &[]))?;
+            write!(f, "NEEDS none: {aim} down to {}", self.amount_text(words, roughly(to, true), &[]))?;
         } else if let Some(end) = until {
             let [much, to] =
-                [self.much(words, end.sufficient, &[]), self.short(words, roughly(to, false), &[])];
+                [self.amount_text(words, end.sufficient, &[]), self.short(words, roughly(to, false), &[])];
             write!(f, "TAKES {much} and more: it holds up to {to}")?;
         } else {
             let amount = if self.quantity == Quantity::Angle { to } else { roughly(to, false) };
             let aim = if self.demand == Demand::Held { "it holds" } else { aim };
-            write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]).trim_end_matches(','))?;
+            write!(
+                f,
+                "TAKES any: {aim} up to {}",
+                self.amount_text(words, amount, &[]).trim_end_matches(',')
+            )?;
         }
         let is_one_amount = self.beside(f, to)? && until.is_none();
         self.safe_amount(f, (to, &[]), is_one_amount)?;
@@ -156,7 +160,7 @@ impl Needed {
 
     /// Writes that one amount is sufficient, and no other.
     fn only(&self, f: &mut fmt::Formatter<'_>, sufficient: f64, otherwise: &str) -> fmt::Result {
-        let much = self.much(Words::of(f), sufficient, &[]);
+        let much = self.amount_text(Words::of(f), sufficient, &[]);
         write!(f, "ONLY {} does", much.trim_end_matches(','))?;
         if sufficient == 1.0 && self.quantity != Quantity::Friction {
             f.write_str(", as given")?;
@@ -193,10 +197,10 @@ impl Needed {
     /// Writes the sentences about further intervals of sufficient amounts. Returns the number of their known ends, each of which is a change of
     /// verdict.
     fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
-        let (words, mut told) = (Words::of(f), 0);
+        let (words, mut mentioned) = (Words::of(f), 0);
         for window in elsewhere {
-            told += [window.from, window.to].iter().flatten().count();
-            let much = |amount: f64| self.much(words, amount, &[]);
+            mentioned += [window.from, window.to].iter().flatten().count();
+            let much = |amount: f64| self.amount_text(words, amount, &[]);
             let range = match (window.from, window.to) {
                 (Some(from), Some(to)) => self.range(words, from, to),
                 (Some(one), None) => format!("{} and more", much(one)),
@@ -204,7 +208,7 @@ impl Needed {
             };
             write!(f, ". Apart from that {range} would do")?;
         }
-        Ok(told)
+        Ok(mentioned)
     }
 
     /// Writes the number of amounts tried for the answer, and their range.
@@ -220,7 +224,7 @@ impl Needed {
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
-        let much = self.much(Words::of(f), end.sufficient, &end.presses);
+        let much = self.amount_text(Words::of(f), end.sufficient, &end.presses);
         write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
         let limit = at_limit(&end.at_their_limit);
         limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
@@ -283,8 +287,10 @@ impl Needed {
 
     /// The interval from `until` to `sufficient` as text: "from an arm of 0.25 m on (small motions: up to 54 m)".
     fn in_small_motions(&self, words: Words, until: &FarEnd, sufficient: f64) -> String {
-        let [from, to] =
-            [self.much(words, until.sufficient, &[]), self.short(words.rounded_to(2), sufficient, &[])];
+        let [from, to] = [
+            self.amount_text(words, until.sufficient, &[]),
+            self.short(words.rounded_to(2), sufficient, &[]),
+        ];
         format!("from {from} on (small motions: up to {to})")
     }
 
@@ -292,7 +298,7 @@ impl Needed {
     fn safe_amount(
         &self,
         f: &mut fmt::Formatter<'_>,
-        (sufficient, presses): (f64, &[Press]),
+        (sufficient, presses): (f64, &[ContactPress]),
         is_one_amount: bool,
     ) -> fmt::Result {
         let words = Words::of(f);

@@ -1,7 +1,7 @@
 //! A scan of amounts around the bound: how far the sufficient amounts extend from it, and further intervals of sufficient amounts.
 
 use super::answer::AmountWindow;
-use super::search::{SearchPlan, Tries};
+use super::search::{SearchPlan, TrialFunctions};
 use super::threshold::{Threshold, where_it_vanishes};
 use super::tolerances::{
     BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, NEAR_THE_START, TOWARDS_ZERO, WHERE_MARGINS_VANISH,
@@ -14,7 +14,7 @@ use crate::prelude::*;
 
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
-pub(super) struct Around {
+pub(super) struct BoundScan {
     /// Number of changes between sufficient and insufficient among the amounts of the scan, including the change at the bound.
     pub(super) changes: usize,
     /// The other end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour.
@@ -49,7 +49,7 @@ impl SearchPlan {
     }
 }
 
-impl Around {
+impl BoundScan {
     /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads. `known` amounts
     /// are included in the scan. If `far`, there is one more amount on the easier side, 16 times as large, or as small, as the bound.
     pub(super) fn of(
@@ -58,7 +58,7 @@ impl Around {
         far: bool,
         plan: &SearchPlan,
         known: &[(f64, Trial)],
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
     ) -> Result<Self, Error> {
         let mut around = Self { changes: 1, until: None, elsewhere: Vec::new() };
         if plan.is_monotone {
@@ -105,7 +105,7 @@ impl Around {
         scan: usize,
         plan: &SearchPlan,
         known: &[(f64, Trial)],
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
     ) -> Result<Option<Threshold>, Error> {
         let mut around = Self { changes: 0, until: None, elsewhere: Vec::new() };
         let up = plan.is_least;
@@ -129,7 +129,7 @@ impl Around {
         up: bool,
         mut is_bounds_own: bool,
         amounts: &[f64],
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
     ) -> Result<(), Error> {
         let mut window = None;
         for &amount in amounts {
@@ -179,7 +179,7 @@ impl Around {
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
 ) -> Result<bool, Error> {
     let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
     let mut is_new = false;
@@ -197,7 +197,7 @@ pub(super) fn between_known(
 
 /// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether they
 /// suffice.
-fn states_differ(list: &[(f64, Trial)], tries: Tries<'_>) -> Option<(f64, bool)> {
+fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &&[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
         let are_decided = trial.carried().is_some() && next.carried().is_some();
