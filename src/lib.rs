@@ -180,7 +180,7 @@ pub use model::robot;
 pub use model::touch;
 pub use questions::{ask, energy, hold, identify, improve, need, screening, shake, squeeze, statics, sweep};
 
-pub use contact::{Fit, PolygonCone};
+pub use contact::{PolygonCone, PolygonFit};
 pub use equilibrium::{Settings, SmallMotions};
 pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;

@@ -69,8 +69,8 @@ macro_rules! names {
         pub type OnsetWorkspace = crate::ask::OnsetWorkspace<$axes>;
         /// The event at which the first contact stops sticking; see [`crate::load_path::OnsetEvent`].
         pub type OnsetEvent = crate::load_path::OnsetEvent<$axes>;
-        /// A contact that stops sticking; see [`crate::load_path::Leaving`].
-        pub type Leaving = crate::load_path::Leaving<$axes>;
+        /// A contact that stops sticking; see [`crate::load_path::DepartingContact`].
+        pub type DepartingContact = crate::load_path::DepartingContact<$axes>;
         /// How a contact stops sticking; see [`crate::load_path::Departure`].
         pub type Departure = crate::load_path::Departure<$axes>;
         /// The behaviour just beyond the onset; see [`crate::load_path::Beyond`].

@@ -12,8 +12,8 @@ use pyo3::prelude::*;
 use serde::Serialize;
 
 use crate::errors::{refused, wrong};
-use crate::kept::Kept;
-use crate::pictures::Drawn;
+use crate::pictures::PythonPicture;
+use crate::stored_grasp::StoredGrasp;
 
 /// An answer returned to Python.
 #[derive(IntoPyObject)]
@@ -25,14 +25,14 @@ pub(crate) enum Reply {
 }
 
 /// An answer as a Rust value, not yet written as JSON.
-pub(crate) enum Raw<const C: usize> {
+pub(crate) enum UnwrittenAnswer<const C: usize> {
     Solved(Outcome<C>, Wrench<C>),
     Onset(Onset<C>),
     Turn(TurnOnset<C>),
 }
 
 /// Access of Python to an answer: outcome, factor and columns are read directly, all other data from its JSON.
-trait Tells: Send + Sync {
+trait PythonAnswer: Send + Sync {
     fn outcome(&self) -> &'static str;
     fn factor(&self) -> Option<f64>;
     fn column<'py>(&self, py: Python<'py>, name: &str) -> Option<Bound<'py, PyArray2<f64>>>;
@@ -42,13 +42,13 @@ trait Tells: Send + Sync {
 }
 
 struct Of<const C: usize> {
-    kept: Arc<Kept<C>>,
-    raw: Raw<C>,
+    kept: Arc<StoredGrasp<C>>,
+    raw: UnwrittenAnswer<C>,
 }
 
 /// An answer whose JSON is written on request; see `grasp_lcp.Answer`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
-pub(crate) struct LazyAnswer(Box<dyn Tells>);
+pub(crate) struct LazyAnswer(Box<dyn PythonAnswer>);
 
 #[pymethods]
 impl LazyAnswer {
@@ -81,9 +81,9 @@ impl LazyAnswer {
 }
 
 impl Reply {
-    pub(crate) fn told<const C: usize>(kept: Arc<Kept<C>>, raw: Raw<C>) -> Self
+    pub(crate) fn told<const C: usize>(kept: Arc<StoredGrasp<C>>, raw: UnwrittenAnswer<C>) -> Self
     where
-        Kept<C>: Drawn<C>,
+        StoredGrasp<C>: PythonPicture<C>,
     {
         Self::Unwritten(LazyAnswer(Box::new(Of { kept, raw })))
     }
@@ -109,9 +109,9 @@ fn word<const C: usize>(onset: &Onset<C>) -> &'static str {
 impl<const C: usize> Of<C> {
     fn onset(&self) -> Option<&Onset<C>> {
         match &self.raw {
-            Raw::Solved(..) => None,
-            Raw::Onset(onset) => Some(onset),
-            Raw::Turn(turn) => Some(&turn.onset),
+            UnwrittenAnswer::Solved(..) => None,
+            UnwrittenAnswer::Onset(onset) => Some(onset),
+            UnwrittenAnswer::Turn(turn) => Some(&turn.onset),
         }
     }
 
@@ -119,7 +119,7 @@ impl<const C: usize> Of<C> {
     fn state(&self) -> PyResult<Option<Equilibrium<C>>> {
         let grasp = self.kept.without_joints("pictures").map_err(refused)?;
         Ok(match (&self.raw, self.onset()) {
-            (Raw::Solved(outcome, _), _) => outcome.equilibrium().cloned(),
+            (UnwrittenAnswer::Solved(outcome, _), _) => outcome.equilibrium().cloned(),
             (_, Some(Onset::At(event))) => grasp.state_at_onset(event),
             (_, Some(Onset::AlreadySliding(state))) => Some((**state).clone()),
             _ => None,
@@ -127,17 +127,17 @@ impl<const C: usize> Of<C> {
     }
 }
 
-impl<const C: usize> Tells for Of<C>
+impl<const C: usize> PythonAnswer for Of<C>
 where
-    Kept<C>: Drawn<C>,
+    StoredGrasp<C>: PythonPicture<C>,
 {
     fn outcome(&self) -> &'static str {
         match &self.raw {
-            Raw::Solved(Outcome::Equilibrium(_), _) => "equilibrium",
-            Raw::Solved(Outcome::NoEquilibrium(_), _) => "no_equilibrium",
-            Raw::Solved(..) => "undecided",
-            Raw::Onset(onset) => word(onset),
-            Raw::Turn(turn) => word(&turn.onset),
+            UnwrittenAnswer::Solved(Outcome::Equilibrium(_), _) => "equilibrium",
+            UnwrittenAnswer::Solved(Outcome::NoEquilibrium(_), _) => "no_equilibrium",
+            UnwrittenAnswer::Solved(..) => "undecided",
+            UnwrittenAnswer::Onset(onset) => word(onset),
+            UnwrittenAnswer::Turn(turn) => word(&turn.onset),
         }
     }
 
@@ -146,7 +146,7 @@ where
     }
 
     fn column<'py>(&self, py: Python<'py>, name: &str) -> Option<Bound<'py, PyArray2<f64>>> {
-        let Raw::Solved(outcome, _) = &self.raw else { return None };
+        let UnwrittenAnswer::Solved(outcome, _) = &self.raw else { return None };
         let state = outcome.equilibrium()?;
         let mut numbers = Vec::with_capacity(C * state.contacts.len());
         if name == "twist" {
@@ -170,9 +170,11 @@ where
     fn json(&self) -> PyResult<String> {
         let grasp = self.kept.without_joints("answers").map_err(refused)?;
         match &self.raw {
-            Raw::Solved(outcome, load) => json(&Setup::tell_outcome(grasp, load, outcome).map_err(refused)?),
-            Raw::Onset(onset) => json(&Setup::tell_onset(grasp, onset)),
-            Raw::Turn(turn) => json(&Setup::tell_onset_of_turn(grasp, turn)),
+            UnwrittenAnswer::Solved(outcome, load) => {
+                json(&Setup::tell_outcome(grasp, load, outcome).map_err(refused)?)
+            }
+            UnwrittenAnswer::Onset(onset) => json(&Setup::tell_onset(grasp, onset)),
+            UnwrittenAnswer::Turn(turn) => json(&Setup::tell_onset_of_turn(grasp, turn)),
         }
     }
 

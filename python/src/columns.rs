@@ -1,7 +1,7 @@
 //! Contacts of many grasps as arrays: one array for each quantity, of shape (grasps, contacts) or (grasps, contacts, axes).
 
 use grasp_lcp::grasp::{Contact, Hold, SoftFingertip};
-use grasp_lcp::scene::Tip;
+use grasp_lcp::scene::FingertipPatch;
 use numpy::ndarray::{ArrayView1, ArrayView2, ArrayView3};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
@@ -195,9 +195,10 @@ fn pad_points<const C: usize>(soft: &str) -> PyResult<Vec<PadPoints>> {
 
 fn read_pads<const C: usize>(soft: &str) -> PyResult<Vec<Option<SoftFingertip<C>>>> {
     let mut pads = Vec::new();
-    let tips: Vec<Option<Tip>> = serde_json::from_str(soft).map_err(|error| of_json("soft", &error))?;
+    let tips: Vec<Option<FingertipPatch>> =
+        serde_json::from_str(soft).map_err(|error| of_json("soft", &error))?;
     for (index, tip) in tips.iter().enumerate() {
-        let pad = tip.as_ref().map(Tip::spread::<C>).transpose();
+        let pad = tip.as_ref().map(FingertipPatch::spread::<C>).transpose();
         pads.push(pad.map_err(|error| wrong(format_args!("soft[{index}]: {error}")))?);
     }
     Ok(pads)

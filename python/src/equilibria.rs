@@ -31,7 +31,7 @@ enum Status {
 
 /// Answers for some rows (grasps) as flat arrays: row by row, and load by load within each row. Without an equilibrium numbers are NaN.
 #[derive(Default)]
-struct Found {
+struct EquilibriumColumns {
     status: Vec<u8>,
     twist: Vec<f64>,
     residual: Vec<f64>,
@@ -77,17 +77,22 @@ pub(crate) fn equilibria_of_rows<'py>(
     Ok(arrays)
 }
 
-fn all<const C: usize>(columns: &Columns<'_>, loads: &ArrayView2<'_, f64>, own: bool) -> Found {
+fn all<const C: usize>(columns: &Columns<'_>, loads: &ArrayView2<'_, f64>, own: bool) -> EquilibriumColumns {
     let load = |p: usize| Wrench::from_components(&loads.row(p).to_vec());
     let loads: Vec<Wrench<C>> = (0..loads.nrows()).map(load).collect();
     let rows = columns.rows();
     let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
     let parts = map_in_order(&chunks, |chunk| some(columns, &loads, own, chunk.clone()));
-    parts.into_iter().fold(Found::default(), Found::and)
+    parts.into_iter().fold(EquilibriumColumns::default(), EquilibriumColumns::and)
 }
 
-fn some<const C: usize>(columns: &Columns<'_>, loads: &[Wrench<C>], own: bool, rows: Range<usize>) -> Found {
-    let mut found = Found::default();
+fn some<const C: usize>(
+    columns: &Columns<'_>,
+    loads: &[Wrench<C>],
+    own: bool,
+    rows: Range<usize>,
+) -> EquilibriumColumns {
+    let mut found = EquilibriumColumns::default();
     for row in rows {
         let grasp = Grasp::<C>::new((0..columns.contacts()).map(|i| columns.contact::<C>(row, i)));
         let of_row = if own { row..row + 1 } else { 0..loads.len() };
@@ -106,7 +111,7 @@ fn some<const C: usize>(columns: &Columns<'_>, loads: &[Wrench<C>], own: bool, r
     found
 }
 
-impl Found {
+impl EquilibriumColumns {
     fn push<const C: usize>(&mut self, state: &Equilibrium<C>) {
         let r = &state.residuals;
         let residual =

@@ -15,7 +15,7 @@ use crate::rows::{Rows, Status, status_of};
 
 /// Gradients in the layout of `ScreenedGradients`, one row for each grasp and load, and the status of each row. A row begins with the factor instead
 /// of its code.
-struct Slopes {
+struct GradientRows {
     numbers: Vec<f64>,
     status: Vec<u8>,
 }
@@ -43,14 +43,14 @@ pub(crate) fn onset_gradients_of_rows<'py>(
         }
         _ => None,
     };
-    let Slopes { numbers, status } =
+    let GradientRows { numbers, status } =
         found.ok_or_else(|| wrong("points: gradients are of grasps of 2 to 5 contacts"))?;
     Ok((numbers.into_pyarray(py), status.into_pyarray(py)))
 }
 
 impl<const C: usize> Rows<'_, C> {
     /// Gradients for the grasps' number of contacts; `None` unless it is 2 to 5.
-    fn of_size(&self) -> Option<Slopes> {
+    fn of_size(&self) -> Option<GradientRows> {
         Some(match self.columns.contacts() {
             2 => self.slopes::<2>(),
             3 => self.slopes::<3>(),
@@ -60,9 +60,11 @@ impl<const C: usize> Rows<'_, C> {
         })
     }
 
-    fn slopes<const N: usize>(&self) -> Slopes {
+    fn slopes<const N: usize>(&self) -> GradientRows {
         let mut parts = self.in_chunks(|rows| self.differentiate::<N>(rows)).into_iter();
-        let Some(mut all) = parts.next() else { return Slopes { numbers: Vec::new(), status: Vec::new() } };
+        let Some(mut all) = parts.next() else {
+            return GradientRows { numbers: Vec::new(), status: Vec::new() };
+        };
         for part in parts {
             all.numbers.extend(part.numbers);
             all.status.extend(part.status);
@@ -70,9 +72,9 @@ impl<const C: usize> Rows<'_, C> {
         all
     }
 
-    fn differentiate<const N: usize>(&self, rows: Range<usize>) -> Slopes {
+    fn differentiate<const N: usize>(&self, rows: Range<usize>) -> GradientRows {
         let each = if self.own { 1 } else { self.pulls.len() };
-        let mut slopes = Slopes::unclear(rows.len() * each, ScreenedGradients::<C>::width(N));
+        let mut slopes = GradientRows::unclear(rows.len() * each, ScreenedGradients::<C>::width(N));
         let asked: Vec<Pull<C>> =
             if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
         let mut batch = Batch::<C, N>::with_capacity(if self.own { 0 } else { rows.len() });
@@ -123,7 +125,7 @@ impl<const C: usize> Rows<'_, C> {
     }
 }
 
-impl Slopes {
+impl GradientRows {
     fn unclear(answers: usize, width: usize) -> Self {
         let mut numbers = vec![f64::NAN; answers * width];
         for row in numbers.chunks_exact_mut(width) {

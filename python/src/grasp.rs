@@ -13,20 +13,20 @@ use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
 use serde::de::DeserializeOwned;
 
-use crate::answers::{Raw, Reply, json};
+use crate::answers::{Reply, UnwrittenAnswer, json};
 use crate::columns::{Columns, GivenColumns};
 use crate::errors::{of_json, refused, wrong};
-use crate::kept::Kept;
 use crate::loads::wrench;
-use crate::pictures::Drawn;
+use crate::pictures::PythonPicture;
 use crate::quality::Quality;
+use crate::stored_grasp::StoredGrasp;
 use crate::watch::{Watch, Watchable};
 
 /// Points of all contacts, and edges of the grasped part's mesh, m.
 pub(crate) type Places = (Vec<Vec<f64>>, Vec<[[f64; 3]; 2]>);
 
 /// The questions that Python asks of a grasp, in the plane or in space.
-pub(crate) trait Held: Send + Sync {
+pub(crate) trait HeldGrasp: Send + Sync {
     fn json(&self) -> PyResult<String>;
     fn axes(&self) -> usize;
     fn contacts(&self) -> usize;
@@ -53,7 +53,7 @@ pub(crate) struct AskedRamp<'a, 'py> {
     joint_change: Option<Vec<f64>>,
 }
 
-impl<const C: usize> Kept<C> {
+impl<const C: usize> StoredGrasp<C> {
     fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<Ramp<C>> {
         let base = asked.base.map_or(Ok(Wrench::ZERO), |base| wrench("base", base))?;
         let mut ramp = Ramp::load(base, wrench("direction", asked.direction)?);
@@ -97,11 +97,11 @@ fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<St
     }
 }
 
-impl<const C: usize> Held for Kept<C>
+impl<const C: usize> HeldGrasp for StoredGrasp<C>
 where
     Contact<C>: Watchable,
     Wrench<C>: DeserializeOwned,
-    Self: Drawn<C>,
+    Self: PythonPicture<C>,
 {
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>> {
         let Some(grasp) = &self.grasp else { return Ok(None) };
@@ -133,7 +133,7 @@ where
             return asked(&self.setup, Question::solve(load)).map(Reply::Written);
         };
         let outcome = grasp.with(&self.setup.settings).solve(load).map_err(refused)?;
-        Ok(Reply::told(self, Raw::Solved(outcome, load)))
+        Ok(Reply::told(self, UnwrittenAnswer::Solved(outcome, load)))
     }
 
     fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply> {
@@ -142,7 +142,7 @@ where
         let Some(grasp) = &self.grasp else { return asked(&self.setup, question).map(Reply::Written) };
         self.setup.check(&question).map_err(refused)?;
         let onset = grasp.with(&self.setup.settings).onset(&ramp).map_err(refused)?;
-        Ok(Reply::told(self, Raw::Onset(onset)))
+        Ok(Reply::told(self, UnwrittenAnswer::Onset(onset)))
     }
 
     fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply> {
@@ -152,7 +152,7 @@ where
             return asked(&self.setup, Question::OnsetOfTurn(turn)).map(Reply::Written);
         };
         let onset = grasp.with(&self.setup.settings).onset_of_turn(turn).map_err(refused)?;
-        Ok(Reply::told(self, Raw::Turn(onset)))
+        Ok(Reply::told(self, UnwrittenAnswer::Turn(onset)))
     }
 
     fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String> {
@@ -197,12 +197,12 @@ where
 /// A grasp by contacts or by a hand; see `grasp_lcp.Grasp`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
 pub(crate) struct Grasp {
-    held: Arc<dyn Asked>,
+    held: Arc<dyn AnyQuestion>,
 }
 
 /// The questions about equilibria and those about closure, limits and squeeze.
-pub(crate) trait Asked: Held + Quality {}
-impl<T: Held + Quality> Asked for T {}
+pub(crate) trait AnyQuestion: HeldGrasp + Quality {}
+impl<T: HeldGrasp + Quality> AnyQuestion for T {}
 
 #[pymethods]
 impl Grasp {
@@ -216,7 +216,7 @@ impl Grasp {
     ) -> PyResult<Self> {
         let settings = settings.map_or(Ok(Settings::default()), serde_json::from_str);
         let settings = settings.map_err(|error| of_json("settings", &error))?;
-        let beside = Beside { names, outline, settings };
+        let beside = GraspOptions { names, outline, settings };
         let columns = columns.view();
         Ok(Self {
             held: if columns.axes() == 2 { beside.planar(&columns)? } else { beside.spatial(&columns)? },
@@ -230,8 +230,8 @@ impl Grasp {
         let scene = read(text, made)?.with_files_from("").map_err(refused)?;
         Ok(Self {
             held: match scene.planar() {
-                Some(setup) => Kept::new(alone(setup)).map_err(refused)?,
-                None => Kept::new(alone(scene.setup)).map_err(refused)?,
+                Some(setup) => StoredGrasp::new(alone(setup)).map_err(refused)?,
+                None => StoredGrasp::new(alone(scene.setup)).map_err(refused)?,
             },
         })
     }
@@ -365,19 +365,19 @@ pub(crate) fn answers_of_scene(py: Python<'_>, text: &str, made: bool) -> PyResu
 }
 
 /// Data of a grasp besides its contacts.
-struct Beside<'py> {
+struct GraspOptions<'py> {
     names: Vec<Option<String>>,
     outline: Option<PyReadonlyArray2<'py, f64>>,
     settings: Settings,
 }
 
-impl Beside<'_> {
-    fn planar(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn Asked>> {
-        Ok(Kept::<2>::new(self.setup(columns)).map_err(refused)?)
+impl GraspOptions<'_> {
+    fn planar(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn AnyQuestion>> {
+        Ok(StoredGrasp::<2>::new(self.setup(columns)).map_err(refused)?)
     }
 
-    fn spatial(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn Asked>> {
-        Ok(Kept::<3>::new(self.setup(columns)).map_err(refused)?)
+    fn spatial(&self, columns: &Columns<'_>) -> PyResult<Arc<dyn AnyQuestion>> {
+        Ok(StoredGrasp::<3>::new(self.setup(columns)).map_err(refused)?)
     }
 
     fn setup<const C: usize>(&self, columns: &Columns<'_>) -> Setup<C> {

@@ -13,7 +13,7 @@ use crate::errors::wrong;
 use crate::rows::{Rows, Status, status_of};
 
 /// Answers for some rows (grasps) as flat arrays: row by row, and load by load within each row.
-struct Found {
+struct OnsetColumns {
     factor: Vec<f64>,
     status: Vec<u8>,
     leaving: Vec<bool>,
@@ -44,15 +44,15 @@ pub(crate) fn onsets_of_rows<'py>(
         }
         _ => return Err(wrong("points: must have 2 or 3 coordinates")),
     };
-    let Found { factor, status, leaving } = found;
+    let OnsetColumns { factor, status, leaving } = found;
     Ok((factor.into_pyarray(py), status.into_pyarray(py), leaving.into_pyarray(py)))
 }
 
 impl<const C: usize> Rows<'_, C> {
     /// Answers of all rows, in parallel.
-    fn onsets(&self) -> Found {
+    fn onsets(&self) -> OnsetColumns {
         let parts = self.in_chunks(|rows| self.screen(rows));
-        let mut all = Found::unclear(0, 0);
+        let mut all = OnsetColumns::unclear(0, 0);
         let answers = parts.iter().map(|part| part.factor.len()).sum();
         all.factor.reserve(answers);
         all.status.reserve(answers);
@@ -65,10 +65,10 @@ impl<const C: usize> Rows<'_, C> {
         all
     }
 
-    fn screen(&self, rows: Range<usize>) -> Found {
+    fn screen(&self, rows: Range<usize>) -> OnsetColumns {
         let each = if self.own { 1 } else { self.loads.len() };
         let contacts = self.columns.contacts();
-        let mut found = Found::unclear(rows.len() * each, contacts);
+        let mut found = OnsetColumns::unclear(rows.len() * each, contacts);
         let mut asked: Vec<Pull<C>> =
             if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
         let mut batch = PointBatch::with_capacity(self.pads.counts().iter().sum(), rows.len());
@@ -119,7 +119,7 @@ impl<const C: usize> Rows<'_, C> {
     }
 
     /// Answers the loads of one row by the full method if `wanted` accepts their present status. The answers of the row begin at index `place`.
-    fn ask_whole(&self, row: usize, found: &mut Found, place: usize, wanted: impl Fn(u8) -> bool) {
+    fn ask_whole(&self, row: usize, found: &mut OnsetColumns, place: usize, wanted: impl Fn(u8) -> bool) {
         let mut points = Vec::new();
         self.fill(row, &mut points);
         let grasp = Grasp::<C>::new(points);
@@ -143,7 +143,7 @@ impl<const C: usize> Rows<'_, C> {
     }
 }
 
-impl Found {
+impl OnsetColumns {
     fn unclear(answers: usize, contacts: usize) -> Self {
         Self {
             factor: vec![f64::NAN; answers],

@@ -5,17 +5,17 @@ use grasp_lcp::picture::{Page, View, draw_grasp};
 use pyo3::PyResult;
 
 use crate::errors::{refused, wrong};
-use crate::kept::Kept;
+use crate::stored_grasp::StoredGrasp;
 
 /// Pictures of a grasp, in the plane and in space.
-pub(crate) trait Drawn<const C: usize> {
+pub(crate) trait PythonPicture<const C: usize> {
     /// The grasp with its forces, as SVG.
     fn svg(&self, state: &Equilibrium<C>, title: &str) -> PyResult<String>;
     /// The grasp with its forces as a page whose view can be rotated; `None` in the plane.
     fn page(&self, state: &Equilibrium<C>, title: &str) -> PyResult<Option<String>>;
 }
 
-impl Drawn<2> for Kept<2> {
+impl PythonPicture<2> for StoredGrasp<2> {
     fn svg(&self, state: &Equilibrium<2>, title: &str) -> PyResult<String> {
         let grasp = self.without_joints("pictures").map_err(refused)?;
         let outline: Vec<[f64; 2]> = self.setup.outline.iter().map(|corner| (*corner).into()).collect();
@@ -27,7 +27,7 @@ impl Drawn<2> for Kept<2> {
     }
 }
 
-impl Drawn<3> for Kept<3> {
+impl PythonPicture<3> for StoredGrasp<3> {
     fn svg(&self, state: &Equilibrium<3>, title: &str) -> PyResult<String> {
         self.with_state(state, title)?.to_svg(Some(0), View::default()).map_err(wrong)
     }
@@ -37,7 +37,7 @@ impl Drawn<3> for Kept<3> {
     }
 }
 
-impl Kept<3> {
+impl StoredGrasp<3> {
     fn with_state(&self, state: &Equilibrium<3>, title: &str) -> PyResult<Page> {
         let grasp = self.without_joints("pictures").map_err(refused)?;
         let mut page = Page::new(grasp, "Forces on the object").frame(title, state);

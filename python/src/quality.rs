@@ -1,7 +1,7 @@
 //! Force and form closure, load limits, least squeeze and weakest direction.
 
 use grasp_lcp::grasp::{BodyMotion, Wrench};
-use grasp_lcp::load_path::{Leaver, Turn};
+use grasp_lcp::load_path::{DepartingPart, Turn};
 use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 use grasp_lcp::statics::{Budget, Closure, LoadLimit};
@@ -10,10 +10,10 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use crate::errors::{of_json, refused, wrong};
-use crate::kept::Kept;
 use crate::loads::{point, wrench};
+use crate::stored_grasp::StoredGrasp;
 
-type Given<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
+type OptionalArgument<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 
 /// Questions about closure, limits and squeeze of a grasp. Answers are JSON in the style of scenes.
 pub(crate) trait Quality {
@@ -22,7 +22,7 @@ pub(crate) trait Quality {
     fn load_limit(
         &self,
         direction: &Bound<'_, PyAny>,
-        base: Given<'_, '_>,
+        base: OptionalArgument<'_, '_>,
         budget: f64,
         each: bool,
     ) -> PyResult<String>;
@@ -31,13 +31,17 @@ pub(crate) trait Quality {
     fn least_squeeze_of_any_force(
         &self,
         size: f64,
-        base: Given<'_, '_>,
-        at: Given<'_, '_>,
+        base: OptionalArgument<'_, '_>,
+        at: OptionalArgument<'_, '_>,
     ) -> PyResult<String>;
-    fn weakest_direction(&self, base: Given<'_, '_>, at: Given<'_, '_>) -> PyResult<String>;
+    fn weakest_direction(
+        &self,
+        base: OptionalArgument<'_, '_>,
+        at: OptionalArgument<'_, '_>,
+    ) -> PyResult<String>;
 }
 
-impl<const C: usize> Quality for Kept<C> {
+impl<const C: usize> Quality for StoredGrasp<C> {
     fn closure(&self, friction: bool) -> PyResult<String> {
         let question = if friction { "force_closure" } else { "form_closure" };
         let grasp = &self.without_hand(question).map_err(refused)?;
@@ -72,7 +76,7 @@ impl<const C: usize> Quality for Kept<C> {
     fn load_limit(
         &self,
         direction: &Bound<'_, PyAny>,
-        base: Given<'_, '_>,
+        base: OptionalArgument<'_, '_>,
         budget: f64,
         each: bool,
     ) -> PyResult<String> {
@@ -112,19 +116,23 @@ impl<const C: usize> Quality for Kept<C> {
     fn least_squeeze_of_any_force(
         &self,
         size: f64,
-        base: Given<'_, '_>,
-        at: Given<'_, '_>,
+        base: OptionalArgument<'_, '_>,
+        at: OptionalArgument<'_, '_>,
     ) -> PyResult<String> {
         self.least_squeeze(&Loads::AnyForce { base: base_of(base)?, size, point: point_of(at)? })
     }
 
-    fn weakest_direction(&self, base: Given<'_, '_>, at: Given<'_, '_>) -> PyResult<String> {
+    fn weakest_direction(
+        &self,
+        base: OptionalArgument<'_, '_>,
+        at: OptionalArgument<'_, '_>,
+    ) -> PyResult<String> {
         let grasp = self.without_joints("weakest_direction").map_err(refused)?;
         let (base, at) = (base_of::<C>(base)?, point_of::<C>(at)?);
         let weakest = grasp.with(&self.setup.settings).weakest_direction(base, at);
         text(&match weakest.map_err(refused)? {
             WeakestDirection::Force { size, direction, load, leaver, .. } => {
-                let contact = if let Leaver::Contact(contact) = leaver { Some(contact) } else { None };
+                let contact = if let DepartingPart::Contact(contact) = leaver { Some(contact) } else { None };
                 let (size, direction) = (number(size), direction.map(number).to_vec());
                 json!({"outcome": "force", "size": size, "direction": direction, "load": pulled(&load), "contact": contact})
             }
@@ -138,7 +146,7 @@ impl<const C: usize> Quality for Kept<C> {
     }
 }
 
-impl<const C: usize> Kept<C> {
+impl<const C: usize> StoredGrasp<C> {
     fn least_squeeze(&self, loads: &Loads<C>) -> PyResult<String> {
         let grasp = self.without_joints("least_squeeze").map_err(refused)?;
         let least = grasp.with(&self.setup.settings).least_squeeze(loads).map_err(refused)?;
@@ -164,11 +172,11 @@ fn of(budget: f64, each: bool) -> Budget {
     if each { Budget::Each(budget) } else { Budget::Total(budget) }
 }
 
-fn base_of<const C: usize>(given: Given<'_, '_>) -> PyResult<Wrench<C>> {
+fn base_of<const C: usize>(given: OptionalArgument<'_, '_>) -> PyResult<Wrench<C>> {
     given.map_or(Ok(Wrench::ZERO), |given| wrench("base", given))
 }
 
-fn point_of<const C: usize>(given: Given<'_, '_>) -> PyResult<[f64; C]> {
+fn point_of<const C: usize>(given: OptionalArgument<'_, '_>) -> PyResult<[f64; C]> {
     given.map_or(Ok([0.0; C]), |given| point("at", given))
 }
 

@@ -4,7 +4,7 @@ use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Doubt;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::hold::{How, LossVerb};
+use grasp_lcp::hold::{LossVerb, VerdictKind};
 use grasp_lcp::need::{Demand, Quantity, ShortAmount};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -52,7 +52,7 @@ pub(crate) fn verdicts_of_rows<'py>(
         let nothing =
             if known.is_some_and(|verdict| verdict.held_to > 0.0) { f64::INFINITY } else { f64::NAN };
         status.push(match &verdict {
-            Ok(verdict) => number_of_how(verdict.how),
+            Ok(verdict) => number_of_kind(verdict.how),
             Err(error) => MALFORMED - u8::from(has_nan(error)),
         });
         motion.push(known.and_then(|verdict| verdict.motion).map_or(NONE, number_of_motion));
@@ -142,15 +142,15 @@ impl<const C: usize> Rows<'_, C> {
 }
 
 /// The number of a verdict in `grasp_lcp.VerdictStatus`.
-fn number_of_how(how: How) -> u8 {
+fn number_of_kind(how: VerdictKind) -> u8 {
     match how {
-        How::Sticks => 0,
-        How::Slides => 1,
-        How::Loose => 2,
-        How::Lost => 3,
-        How::NoRest => 4,
-        How::LostAtRest => 5,
-        How::TurnsOver => 7,
+        VerdictKind::Sticks => 0,
+        VerdictKind::Slides => 1,
+        VerdictKind::Loose => 2,
+        VerdictKind::Lost => 3,
+        VerdictKind::NoRest => 4,
+        VerdictKind::LostAtRest => 5,
+        VerdictKind::TurnsOver => 7,
         _ => 6,
     }
 }

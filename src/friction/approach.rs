@@ -9,7 +9,7 @@ use super::alart_curnier::Anchored;
 use super::blocks::Blocks;
 use super::central_path;
 use super::elimination;
-use super::equations::{Equations, Patience, descend, newton_step};
+use super::equations::{Equations, IterationLimits, descend, newton_step};
 use super::folds::around_folds;
 use super::problem::FrictionProblem;
 use super::progress::SolveProgress;
@@ -28,7 +28,7 @@ pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
 /// A solve by the methods of this file, for one island of contacts, with the best forces so far.
-pub(super) struct Approach<'a, 'w, const C: usize> {
+pub(super) struct IslandSolve<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,
     settings: &'a Settings,
@@ -37,12 +37,12 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     watch: &'a mut Watcher<'w>,
     /// The index of each contact in the caller's problem.
     names: &'a [usize],
-    pub(super) best: Best,
+    pub(super) best: BestForces,
 }
 
 /// The best forces so far: of all forces that the methods have produced, the forces whose largest residual over all contacts is smallest.
 #[derive(Debug, Clone)]
-pub(super) struct Best {
+pub(super) struct BestForces {
     pub(super) r: DVector<f64>,
     pub(super) residual: f64,
     /// The contact with the largest residual at these forces.
@@ -53,7 +53,7 @@ pub(super) struct Best {
     pub(super) stopped: bool,
 }
 
-impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
+impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
     pub(super) fn new(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
@@ -69,7 +69,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             rho: blocks.scales(),
             watch,
             names,
-            best: Best { r, residual: f64::INFINITY, worst: 0, steps: 0, stopped: false },
+            best: BestForces { r, residual: f64::INFINITY, worst: 0, steps: 0, stopped: false },
         }
     }
 
@@ -121,7 +121,8 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
             // The line search gives up below `shortest`, a fraction of a Newton step: so short a step would not be worth its factorisation.
-            let patience = Patience { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
+            let patience =
+                IterationLimits { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
             let missing = self.record_if_best(&place.r);

@@ -13,7 +13,7 @@
 //! its state early. Newton's method follows the solutions as τ decreases.
 
 use super::blocks::{Blocks, ContactBlock};
-use super::equations::{Equations, Linearisation, Patience, descend};
+use super::equations::{Equations, IterationLimits, Linearisation, descend};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::SHIFTED_BLOCK;
@@ -78,7 +78,7 @@ pub(super) fn follow<const C: usize>(
         // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made that the
         // next τ makes obsolete; if larger, Newton's method fails to follow the path.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
-        let patience = Patience { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
+        let patience = IterationLimits { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (place, steps) = descend(&smoothed, order, r.clone(), patience);
         made += steps;
         let ControlFlow::Continue(missing) = judge(&place.r) else { break };

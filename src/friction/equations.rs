@@ -65,7 +65,7 @@ pub(super) trait Equations<const C: usize> {
 
 /// Limits of the iteration of [`descend`].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Patience {
+pub(super) struct IterationLimits {
     /// Largest number of Newton steps.
     pub(super) steps: usize,
     /// Norm of the residuals at which the iteration has converged.
@@ -84,7 +84,7 @@ pub(super) fn descend<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
     r: DVector<f64>,
-    mut patience: Patience,
+    mut patience: IterationLimits,
 ) -> (Linearisation<C>, usize) {
     let mut point = equations.at(r);
     let mut made = 0;

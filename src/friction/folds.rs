@@ -7,7 +7,7 @@
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
-use super::equations::{Equations, Patience, descend};
+use super::equations::{Equations, IterationLimits, descend};
 use super::problem::{FrictionProblem, part};
 use super::tolerances::ON_CENTRAL_PATH;
 use crate::numerics::IntoList;
@@ -88,7 +88,7 @@ impl<const C: usize> Path<'_, C> {
         let order: Vec<usize> = (0..self.problem.len()).list();
         let far = Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau };
         let enough = ON_CENTRAL_PATH * (self.problem.len() as f64 * tau).sqrt();
-        let patience = Patience { steps: 200, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
+        let patience = IterationLimits { steps: 200, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
         let (place, _) = descend(&far, &order, x.rows(0, size).into_owned(), patience);
         x.rows_mut(0, size).copy_from(&place.r);
         (place.size <= enough).then_some(x)

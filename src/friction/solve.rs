@@ -1,6 +1,6 @@
 //! Choice and order of the methods for a frictional contact problem: facets, sweeps, central path, proof.
 
-use super::approach::{Approach, STARTS, Watcher};
+use super::approach::{IslandSolve, STARTS, Watcher};
 use super::blocks::Blocks;
 use super::islands::islands;
 use super::polygons::Polygons;
@@ -92,7 +92,7 @@ impl<const C: usize> FrictionProblem<C> {
         let rows = self.len() * (2 + facets);
         let mut polygons = Polygons::new(self, settings);
         let mut polygon = (rows <= MOST_ROWS_FACETS_FIRST).then(|| polygons.solve(settings.turns));
-        let mut approach = Approach::new(self, blocks, settings, (names, watch));
+        let mut approach = IslandSolve::new(self, blocks, settings, (names, watch));
         match polygon.take_if(|outcome| self.is_known(outcome)) {
             Some(Outcome::Solved(solution)) if solution.residuals.max() > 0.1 * settings.tolerance => {
                 // Solutions with residuals close to the tolerance are refined by further Newton steps: residuals that the caller sums in another

@@ -31,7 +31,7 @@
 //! ```
 //! use grasp_lcp::load_path::Ramp;
 //! use grasp_lcp::spatial::{Contact, Grasp, Wrench};
-//! use grasp_lcp::{Fit, PolygonCone, Settings};
+//! use grasp_lcp::{PolygonFit, PolygonCone, Settings};
 //! use std::f64::consts::PI;
 //!
 //! // Three fingers under a plate of 12 N: 3 · 0.5 · 4 N hold in every direction, on the round cone.
@@ -46,7 +46,7 @@
 //!     let ramp = Ramp::load(base, Wrench::force([angle.cos(), angle.sin(), 0.0]));
 //!     let round = grasp.onset(&ramp)?.factor().ok_or("it slides")?;
 //!     assert!((round - 3.0 * 0.5 * 4.0).abs() < 1e-12);
-//!     let eight = Settings::default().with_cone(PolygonCone::new(8, Fit::Inscribed)?);
+//!     let eight = Settings::default().with_cone(PolygonCone::new(8, PolygonFit::Inscribed)?);
 //!     let polygon = grasp.with(&eight.on_the_polygon()).onset(&ramp)?.factor().ok_or("it slides")?;
 //!     (least, most) = (least.min(polygon / round), most.max(polygon / round));
 //! }

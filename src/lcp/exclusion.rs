@@ -24,14 +24,14 @@ use nalgebra::{DMatrix, DVector};
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
-    let judge = Judge { lcp, scaling, settings, m, q };
+    let judge = ExclusionTest { lcp, scaling, settings, m, q };
     (0..1_u32 << n).all(|bits| {
         let alpha: Vec<usize> = chosen(n, &|i| bits >> i & 1 == 1);
         judge.excludes(&alpha)
     })
 }
 
-struct Judge<'a> {
+struct ExclusionTest<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
@@ -40,7 +40,7 @@ struct Judge<'a> {
     q: DVector<f64>,
 }
 
-impl Judge<'_> {
+impl ExclusionTest<'_> {
     fn excludes(&self, alpha: &[usize]) -> bool {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
@@ -48,7 +48,7 @@ impl Judge<'_> {
     /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the opposite
     /// signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
-        let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
+        let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
@@ -62,8 +62,9 @@ impl Judge<'_> {
         let transposed = block.transpose();
         let row = |i: usize| vector_of(size, &|j| self.m[(i, alpha[j])]);
         let w = |i: usize| self.q[i] + row(i).dot(&z);
-        let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), Broken::Slack(i)));
-        let mut broken: Vec<_> = (0..size).map(|j| (z[j], Broken::Domain(j))).chain(outside).list();
+        let outside = (0..n).filter(|i| !alpha.contains(i)).map(|i| (w(i), ViolatedCondition::Slack(i)));
+        let mut broken: Vec<_> =
+            (0..size).map(|j| (z[j], ViolatedCondition::Domain(j))).chain(outside).list();
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
@@ -77,8 +78,8 @@ impl Judge<'_> {
             let mut target = DVector::from_element(size, -push);
             let mut v = DVector::zeros(n);
             match which {
-                Broken::Domain(j) => target[*j] -= 1.0,
-                Broken::Slack(i) => {
+                ViolatedCondition::Domain(j) => target[*j] -= 1.0,
+                ViolatedCondition::Slack(i) => {
                     target -= row(*i);
                     v[*i] = 1.0;
                 }
@@ -114,7 +115,7 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
 }
 
 /// A condition that the point of a basis violates: this z_j or w_i is negative.
-enum Broken {
+enum ViolatedCondition {
     /// The condition z_j ≥ 0, for an element of α that is given by its position in α.
     Domain(usize),
     /// The condition w_i ≥ 0.

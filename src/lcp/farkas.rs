@@ -115,7 +115,7 @@ impl Lcp {
 
     /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. The row is negative if
     /// q_i < 0 and no entry of the row in these columns is positive; it is positive if both hold with the opposite signs.
-    pub(super) fn is_hopeless(
+    pub(super) fn has_certain_sign(
         &self,
         row: usize,
         sign: f64,

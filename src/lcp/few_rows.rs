@@ -17,7 +17,7 @@ impl Lcp {
     /// A Farkas vector with one or two nonzero entries, if one is found. Pairs of rows are only tried up to [`MOST_PAIRED_ROWS`] rows.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
-        if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
+        if let Some(row) = (0..n).find(|row| self.has_certain_sign(*row, 1.0, 0..n)) {
             return Some(vector_of(n, &|i| if i == row { 1.0 } else { 0.0 }));
         }
         if n > MOST_PAIRED_ROWS {

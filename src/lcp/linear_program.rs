@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 /// program. `None` if no proof is found.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
-    if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
+    if let Some(row) = (0..n).find(|row| lcp.has_certain_sign(*row, 1.0, 0..n)) {
         let y = vector_of(n, &|i| if i == row { 1.0 } else { 0.0 });
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }

@@ -22,7 +22,7 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
         let count = columns.len();
         subsets(n).filter(move |rows| rows.len() == count).filter_map(move |rows| {
             let block = matrix_of(count, count, &|i, j| lcp.m[(rows[i], chosen[j])]);
-            let values = peeled(&block, &vector_of(count, &|i| -lcp.q[rows[i]]))?;
+            let values = without_single_entries(&block, &vector_of(count, &|i| -lcp.q[rows[i]]))?;
             let mut basic = DVector::zeros(alpha.len());
             for (k, value) in columns.iter().zip(&values) {
                 basic[*k] = *value;
@@ -59,7 +59,7 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
 
 /// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first: these cannot be balanced
 /// against the others, and could make the system appear singular.
-fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+fn without_single_entries(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {
         let mut entries = line.enumerate().filter(|(_, x)| *x != 0.0).map(|(k, _)| k);
@@ -73,9 +73,9 @@ fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let (value, x) = if row.is_some() {
         let value = rhs[i] / block[(i, j)];
         let left = rhs - block.column(j) * value;
-        (value, peeled(&rest, &left.remove_row(i))?)
+        (value, without_single_entries(&rest, &left.remove_row(i))?)
     } else {
-        let x = peeled(&rest, &rhs.clone().remove_row(i))?;
+        let x = without_single_entries(&rest, &rhs.clone().remove_row(i))?;
         let sum: f64 = others.zip(&x).map(|(k, x)| block[(i, k)] * x).sum();
         ((rhs[i] - sum) / block[(i, j)], x)
     };

@@ -40,26 +40,26 @@ struct Face {
 }
 
 /// A face in the queue; the closest face comes first.
-struct Waiting {
+struct QueuedFace {
     distance: f64,
     face: usize,
 }
 
-impl PartialEq for Waiting {
+impl PartialEq for QueuedFace {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Waiting {}
+impl Eq for QueuedFace {}
 
-impl PartialOrd for Waiting {
+impl PartialOrd for QueuedFace {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Waiting {
+impl Ord for QueuedFace {
     fn cmp(&self, other: &Self) -> Ordering {
         other.distance.total_cmp(&self.distance).then(other.face.cmp(&self.face))
     }
@@ -71,7 +71,7 @@ struct Polytope {
     points: Vec<Vector>,
     faces: Vec<Face>,
     alive: Vec<usize>,
-    queue: BinaryHeap<Waiting>,
+    queue: BinaryHeap<QueuedFace>,
     /// The ridges of the faces that a new point removes, each joined with that point. One list is reused for all points.
     ridges: Vec<Corners>,
 }
@@ -99,7 +99,7 @@ impl Polytope {
         let Some(solver) = PartialPivoting::new(&columns.transpose()) else { return };
         let normal = solver.solve(&Vector::from_fn(self.size, |_| 1.0));
         let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
-        self.queue.push(Waiting { distance, face: self.faces.len() });
+        self.queue.push(QueuedFace { distance, face: self.faces.len() });
         self.alive.push(self.faces.len());
         self.faces.push(Face { vertices, normal, is_alive: true });
     }

@@ -16,7 +16,7 @@ pub(crate) use fields::{AsComputed, AsGiven, is_absent};
 #[cfg(feature = "schema")]
 pub(crate) use numbers::Kind;
 pub(crate) use numbers::{Computed, Friction, Given, Number, SpringStiffness};
-pub(crate) use rows::{AxisRow, Few};
+pub(crate) use rows::{AxisRow, ShortList};
 #[cfg(feature = "schema")]
 pub(crate) use schema_as_written::schema_as_written;
 pub(crate) use text_space::{in_text_of, space_of_text};

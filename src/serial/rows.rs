@@ -12,13 +12,13 @@ use super::text_space::space_of_text;
 use crate::numerics::Space;
 
 /// A list of at most `MOST` numbers; a single number is read as a list of one.
-pub(crate) struct Few<K, const MOST: usize> {
+pub(crate) struct ShortList<K, const MOST: usize> {
     pub(crate) values: [f64; MOST],
     pub(crate) count: usize,
     kind: PhantomData<K>,
 }
 
-impl<K, const MOST: usize> Few<K, MOST> {
+impl<K, const MOST: usize> ShortList<K, MOST> {
     pub(crate) fn of(list: &[f64]) -> Self {
         let mut values = [0.0; MOST];
         values[..list.len()].copy_from_slice(list);
@@ -30,7 +30,7 @@ impl<K, const MOST: usize> Few<K, MOST> {
     }
 }
 
-impl<K: Kind, const MOST: usize> Serialize for Few<K, MOST> {
+impl<K: Kind, const MOST: usize> Serialize for ShortList<K, MOST> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut seq = serializer.serialize_seq(Some(self.count))?;
         for x in self.as_slice() {
@@ -40,13 +40,13 @@ impl<K: Kind, const MOST: usize> Serialize for Few<K, MOST> {
     }
 }
 
-impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for Few<K, MOST> {
+impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for ShortList<K, MOST> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         Self::read(deserializer, |list| Ok(Self::of(list)))
     }
 }
 
-impl<K: Kind, const MOST: usize> Few<K, MOST> {
+impl<K: Kind, const MOST: usize> ShortList<K, MOST> {
     /// Reads a list and converts it to a `T`. An error of the conversion is returned before the deserializer has left the list; the format then adds
     /// the position of the list's end.
     pub(crate) fn read<'de, D: Deserializer<'de>, T>(
@@ -114,7 +114,7 @@ impl<K, const C: usize> AxisRow<K, C> {
 impl<K: Kind, const C: usize> Serialize for AxisRow<K, C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let axes = space_of_text::<C>().axes();
-        Few::<K, C>::of(&self.0.as_slice()[..axes]).serialize(serializer)
+        ShortList::<K, C>::of(&self.0.as_slice()[..axes]).serialize(serializer)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::valid::{NOT_MODERATE, equal_or_both_nan, planar_contacts, spatial_con
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
-use grasp_lcp::{Error, Field, Fit, PolygonCone, Settings, planar, spatial};
+use grasp_lcp::{Error, Field, PolygonCone, PolygonFit, Settings, planar, spatial};
 use nalgebra::SVector;
 use support::facts;
 
@@ -77,10 +77,10 @@ fn the_load_is_not_finite_or_absurd() {
 fn a_friction_polygon_with_too_few_or_too_many_facets() {
     let most = PolygonCone::MOST_FACETS;
     for given in [0, 1, 2, most + 1, usize::MAX] {
-        let error = PolygonCone::new(given, Fit::Inscribed).unwrap_err();
+        let error = PolygonCone::new(given, PolygonFit::Inscribed).unwrap_err();
         assert_eq!(error, Error::Facets { given, most });
     }
-    assert_eq!(PolygonCone::new(3, Fit::Balanced).unwrap().facets(), 3);
+    assert_eq!(PolygonCone::new(3, PolygonFit::Balanced).unwrap().facets(), 3);
 }
 
 #[test]

@@ -123,9 +123,10 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     // Inscribed polygons come from below with an error of at most 1 - cos(π/m), circumscribed polygons from above.
     for facets in [4, 8, 16, 64] {
         let half = (std::f64::consts::PI / f64::from(facets)).cos();
-        for (fit, low, high) in
-            [(grasp_lcp::Fit::Inscribed, half, 1.0), (grasp_lcp::Fit::Circumscribed, 1.0, 1.0 / half)]
-        {
+        for (fit, low, high) in [
+            (grasp_lcp::PolygonFit::Inscribed, half, 1.0),
+            (grasp_lcp::PolygonFit::Circumscribed, 1.0, 1.0 / half),
+        ] {
             let cone = grasp_lcp::PolygonCone::new(usize::try_from(facets).unwrap(), fit).unwrap();
             let ramp = spatial::Ramp::load(spatial::Wrench::ZERO, direction);
             let factor = grasp

@@ -8,7 +8,7 @@ use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, FoundBy, Outcome};
-use grasp_lcp::{Fit, PolygonCone, Settings};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings};
 use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{self, Spread, for_all, scene};
@@ -25,7 +25,9 @@ const CHANGE: f64 = 1e-8;
 
 /// Cones with three facets in space have few enough states to enumerate. The round cone has its own test file.
 fn settings() -> Settings {
-    Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed).expect("a polygon"))
+    Settings::default()
+        .on_the_polygon()
+        .with_cone(PolygonCone::new(3, PolygonFit::Inscribed).expect("a polygon"))
 }
 
 /// Forces, and displacements of the body, at each contact along the coordinate axes.

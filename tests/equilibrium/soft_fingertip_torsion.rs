@@ -6,7 +6,7 @@ use crate::pinch::{KN, KT, MU, N, R, finger, pinch, spin, tips};
 use grasp_lcp::spatial::{
     Beyond, Change, ContactState, Departure, Grasp, Leg, Outcome, PathEnd, Pressure, SoftFingertip, Wrench,
 };
-use grasp_lcp::{Fit, PolygonCone, Settings};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings};
 use support::programs::changes;
 use support::{assert_relatively_close, relatively_close};
 
@@ -158,14 +158,14 @@ fn limit_between_polygons() {
     let grasp = pinch(&tip, finger);
     let limit = 2.0 * tip.torsional_limit(&finger(1.0), N);
     let inside = (PI / 8.0).cos();
-    let holds = |moment: f64, fit: Fit| {
+    let holds = |moment: f64, fit: PolygonFit| {
         let settings = Settings::default().on_the_polygon().with_cone(PolygonCone::new(8, fit).unwrap());
         grasp.with(&settings).solve(spin(moment)).unwrap().equilibrium().is_some()
     };
-    assert!(holds(limit * inside * (1.0 - 1e-9), Fit::Inscribed));
-    assert!(!holds(limit * (1.0 + 1e-9), Fit::Inscribed));
-    assert!(holds(limit * (1.0 - 1e-9), Fit::Circumscribed));
-    assert!(!holds(limit / inside * (1.0 + 1e-9), Fit::Circumscribed));
+    assert!(holds(limit * inside * (1.0 - 1e-9), PolygonFit::Inscribed));
+    assert!(!holds(limit * (1.0 + 1e-9), PolygonFit::Inscribed));
+    assert!(holds(limit * (1.0 - 1e-9), PolygonFit::Circumscribed));
+    assert!(!holds(limit / inside * (1.0 + 1e-9), PolygonFit::Circumscribed));
 }
 
 /// Turned by θ, a uniform disc slides beyond `r_s = μ N / (k_t θ)`. With x = r_s/R,

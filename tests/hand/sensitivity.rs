@@ -1,7 +1,7 @@
 //! Derivatives with respect to joint data agree with small changes of the data.
 
 use grasp_lcp::Limit;
-use grasp_lcp::load_path::{Leaver, Parameter};
+use grasp_lcp::load_path::{DepartingPart, Parameter};
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{DriveState, Finger, Hand, HandPart, Joint, Tendon};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
@@ -82,7 +82,7 @@ fn onset_gradients_are_those_of_small_changes_too() {
     let event = event.event().expect("leaves");
     let hand = grasp(&data, Limit::Slips);
     let margins = hand.sensitivity().onset(event).expect("sticks before");
-    assert_eq!(margins.leavers()[0], Leaver::Drive(HandPart::Joint(0)));
+    assert_eq!(margins.leavers()[0], DepartingPart::Drive(HandPart::Joint(0)));
     for kind in 0..3 {
         for joint in 0..3 {
             let step = 1e-6 * data[kind][joint];

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use grasp_lcp::Limit;
-use grasp_lcp::load_path::Leaver;
+use grasp_lcp::load_path::DepartingPart;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
@@ -43,8 +43,8 @@ fn no_direction_of_a_force_on_a_hand_is_weaker() {
             let event = there.event().expect("gives way");
             assert!((event.factor - size).abs() < 1e-12 * size, "{limit:?}: {} {size}", event.factor);
             match leaver {
-                Leaver::Contact(i) => assert!(event.leaving.iter().any(|l| l.contact.index == i)),
-                Leaver::Drive(part) => {
+                DepartingPart::Contact(i) => assert!(event.leaving.iter().any(|l| l.contact.index == i)),
+                DepartingPart::Drive(part) => {
                     drives += 1;
                     assert!(event.drives.iter().any(|drive| drive.part.part == part), "{limit:?} {event:?}");
                 }

@@ -1,6 +1,6 @@
 //! From slips without scatter, at loads computed by hand, identification returns every unknown to the last digits.
 
-use grasp_lcp::identify::{Ending, Identified, Identify, Slip, Unknown};
+use grasp_lcp::identify::{FitEnding, Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
 use support::jaws::{jaw, jaws};
 
@@ -11,7 +11,7 @@ fn down(newtons: f64) -> Wrench {
 }
 
 fn are(found: &Identified, values: &[f64]) {
-    assert_eq!(found.ending, Ending::Converged, "{found}");
+    assert_eq!(found.ending, FitEnding::Converged, "{found}");
     for (estimate, value) in found.estimates.iter().zip(values) {
         assert!((estimate.value / value - 1.0).abs() < 1e-9 && estimate.is_fixed, "{value}: {found}");
     }

@@ -1,6 +1,6 @@
 //! Invalid data are refused with an error that names them, and a search without a valid result says so.
 
-use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
+use grasp_lcp::identify::{FitEnding, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use support::facts;
 use support::jaws::jaws;
@@ -52,7 +52,7 @@ fn a_slip_that_is_not_predicted() -> Tested {
     let block = Grasp::new([wall, other])?;
     let slips = [Slip::gross(Wrench::force_at([0.0, -3.0], [0.05, 0.0]))];
     let found = block.identify(&Identify::new([Unknown::friction()], slips))?;
-    assert!(matches!(found.ending, Ending::NotPredicted { slip: 0, .. }), "{found}");
+    assert!(matches!(found.ending, FitEnding::NotPredicted { slip: 0, .. }), "{found}");
     assert!(found.to_string().starts_with("NOT FOUND"), "{found}");
     assert!(!found.estimates[0].is_fixed && found.residuals.is_empty());
     Ok(())
@@ -63,8 +63,8 @@ fn a_search_that_is_cut_short() -> Tested {
     let slips = [5.9, 6.1].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
     let asked = Identify::new([Unknown::friction().starting_at(5.0)], slips);
     let found = jaws([0.5; 2])?.identify(&asked.clone().with_iterations(1))?;
-    assert_eq!(found.ending, Ending::NotConverged { iterations: 1 });
+    assert_eq!(found.ending, FitEnding::NotConverged { iterations: 1 });
     assert!(found.to_string().contains("NOT CONVERGED"), "{found}");
-    assert_eq!(jaws([0.5; 2])?.identify(&asked)?.ending, Ending::Converged);
+    assert_eq!(jaws([0.5; 2])?.identify(&asked)?.ending, FitEnding::Converged);
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! If the given data predict no slip at the observed loads, identification tries other starting values. Weights already act at rest in such scenes.
 
 use grasp_lcp::Settings;
-use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
+use grasp_lcp::identify::{FitEnding, Identify, Slip, Unknown};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use support::samples::{assert_met, samples, seeded};
@@ -63,7 +63,7 @@ fn slips_are_found_from_a_friction_that_holds_against_them() -> Tested {
         wedged += usize::from(never);
         let slips = loads.into_iter().map(|load| Slip::gross(load).scattering_by(0.05));
         let told = guess.identify(&Identify::new([Unknown::friction()], slips))?;
-        assert_eq!(told.ending, Ending::Converged, "{truth}: {told}");
+        assert_eq!(told.ending, FitEnding::Converged, "{truth}: {told}");
         held +=
             usize::from(told.estimates[0].interval.is_some_and(|[low, high]| low <= truth && truth <= high));
     }

@@ -1,6 +1,6 @@
 //! An improved grasp that uses all its friction at rest is named as such.
 
-use grasp_lcp::improve::{Binds, Improve, Surface};
+use grasp_lcp::improve::{ActiveConstraintKind, Improve, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
 /// Jaws of unequal friction gain most for this load across a diagonal. In the improved grasp the left jaw carries all its friction before any load.
@@ -19,7 +19,10 @@ fn jaws_across_a_diagonal_are_at_the_limit_of_friction() {
     let load = Wrench::force_at([0.3491, -2.6934], [-0.0142, -0.0012]);
     let question = Improve::new(load).along(0, edge(-0.04)).along(1, edge(0.04)).pressing_at_most(20.0);
     let improved = grasp.improve(&question).unwrap();
-    assert!(improved.in_the_way.iter().any(|way| matches!(way.binds, Binds::Rest { .. })), "{improved}");
+    assert!(
+        improved.in_the_way.iter().any(|way| matches!(way.binds, ActiveConstraintKind::Rest { .. })),
+        "{improved}"
+    );
     let there = improved.placed(&grasp).unwrap().solve(Wrench::ZERO).unwrap();
     let left = &there.equilibrium().unwrap().contacts[0];
     assert!(left.margin.abs() < 1e-6 * left.normal_force(), "{}", left.margin);

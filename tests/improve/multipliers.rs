@@ -1,6 +1,6 @@
 //! A multiplier is the gain of the goal for one more newton or metre of its bound. Differences of whole answers confirm this.
 
-use grasp_lcp::improve::{Binds, Improve, Improved, Surface};
+use grasp_lcp::improve::{ActiveConstraintKind, Improve, Improved, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use support::jaws;
 
@@ -28,7 +28,9 @@ fn ends_of_edges_gain_as_their_multipliers_say() {
     let told: f64 = improved
         .in_the_way
         .iter()
-        .filter_map(|way| if let Binds::End { per_metre } = way.binds { Some(per_metre) } else { None })
+        .filter_map(|way| {
+            if let ActiveConstraintKind::End { per_metre } = way.binds { Some(per_metre) } else { None }
+        })
         .sum();
     let h = 1e-6;
     let difference = (after(&asked(0.006 + h, 10.0)) - after(&asked(0.006 - h, 10.0))) / (2.0 * h);
@@ -42,7 +44,9 @@ fn forces_gain_as_their_multipliers_say() {
         .in_the_way
         .iter()
         .filter_map(|way| match way.binds {
-            Binds::Force { per_newton } | Binds::Pressed { per_newton } => Some(per_newton),
+            ActiveConstraintKind::Force { per_newton } | ActiveConstraintKind::Pressed { per_newton } => {
+                Some(per_newton)
+            }
             _ => None,
         })
         .sum();
@@ -56,7 +60,9 @@ fn shares_of_what_comes_first_add_up_to_one() {
     let shares = asked(0.02, 10.0).in_the_way;
     let sum: f64 = shares
         .iter()
-        .filter_map(|way| if let Binds::FirstSlip { share, .. } = way.binds { Some(share) } else { None })
+        .filter_map(|way| {
+            if let ActiveConstraintKind::FirstSlip { share, .. } = way.binds { Some(share) } else { None }
+        })
         .sum();
     assert!((sum - 1.0).abs() < 1e-9, "{sum}");
 }

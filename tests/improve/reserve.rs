@@ -1,6 +1,6 @@
 //! The largest friction margin under loads that act in full agrees with closed forms, and with the margins of the equilibria of the improved grasp.
 
-use grasp_lcp::improve::{Binds, Improve, ImproveGoal, Surface};
+use grasp_lcp::improve::{ActiveConstraintKind, Improve, ImproveGoal, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
 use grasp_lcp::spatial;
 use support::jaws::jaws;
@@ -88,12 +88,14 @@ fn its_multipliers_are_what_a_newton_gains() {
         .expect("asked well");
     assert!((improved.after.expect("sticks") - 4.0).abs() < CLOSE, "{improved:.12}");
     let gains = improved.in_the_way.iter().filter_map(|way| match way.binds {
-        Binds::Force { per_newton } | Binds::Pressed { per_newton } => Some(per_newton),
+        ActiveConstraintKind::Force { per_newton } | ActiveConstraintKind::Pressed { per_newton } => {
+            Some(per_newton)
+        }
         _ => None,
     });
     assert!((gains.sum::<f64>() - 0.5).abs() < 1e-6, "{improved:?}");
     let shares = improved.in_the_way.iter().filter_map(|way| match way.binds {
-        Binds::Reserve { load, share } => Some((load, share)),
+        ActiveConstraintKind::Reserve { load, share } => Some((load, share)),
         _ => None,
     });
     let shares: Vec<_> = shares.collect();

@@ -4,7 +4,7 @@
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::load_path::{Leaver, Parameter, Ramp};
+use grasp_lcp::load_path::{DepartingPart, Parameter, Ramp};
 use grasp_lcp::screening::{Batch, Fingers, Pull, ScreenedGradient, ScreenedGradients, ScreeningVerdict};
 use grasp_lcp::sweep::onset_gradients_of_batch;
 use grasp_lcp::{planar, spatial};
@@ -93,7 +93,7 @@ fn compare<const C: usize>(
 ) -> Option<()> {
     let onset = grasp.onset(Ramp::load(pull[0], pull[1])).unwrap();
     let event = onset.event()?;
-    let contact = Leaver::Contact(ours.contact()?);
+    let contact = DepartingPart::Contact(ours.contact()?);
     let margins = grasp.sensitivity().onset(event)?;
     let leaving = margins.leavers().into_iter().position(|leaver| leaver == contact)?;
     let by = |parameter| margins.by(parameter).map_or(f64::NAN, |by| by[leaving]);

@@ -3,7 +3,7 @@
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::hold::{How, LossVerb, ShortVerdict};
+use grasp_lcp::hold::{LossVerb, ShortVerdict, VerdictKind};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::{planar, spatial};
 use support::samples::{assert_met, samples, seeded};
@@ -52,7 +52,7 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
         let words = verdict.to_string();
         let begins = match (short.holds(), short.motion) {
             (Some(true), _) => "HOLDS".to_owned(),
-            (Some(false), Some(verb)) if short.how == How::Lost => verb.to_string(),
+            (Some(false), Some(verb)) if short.how == VerdictKind::Lost => verb.to_string(),
             (Some(false), _) => "DOES NOT HOLD".to_owned(),
             (None, _) => "UNDECIDED".to_owned(),
         };
@@ -153,7 +153,8 @@ fn sliding<const C: usize>(seed: u64) {
         let rows: Vec<Row<C>> = (0..samples(20)).map(|_| sliding_fingers(&mut random, count)).collect();
         for settings in [up_to_the_load(), Settings::default()] {
             let found = check(&rows, &settings);
-            (held, lost) = (held + found[How::Slides as usize], lost + found[How::Lost as usize]);
+            (held, lost) =
+                (held + found[VerdictKind::Slides as usize], lost + found[VerdictKind::Lost as usize]);
         }
     }
     assert_met(&[(held, 30), (lost, 40)]);
@@ -209,8 +210,8 @@ fn odd_rows() {
     rows.push((vec![], [none, down(1.0)]));
     rows.push((jaws(0.5, 10.0), [none, down(f64::NAN)]));
     let found = check(&rows, &up_to_the_load());
-    assert!(found[How::Sticks as usize] > 10 && found[How::Lost as usize] > 5, "{found:?}");
-    assert!(found[How::NoRest as usize] + found[How::LostAtRest as usize] > 5, "{found:?}");
+    assert!(found[VerdictKind::Sticks as usize] > 10 && found[VerdictKind::Lost as usize] > 5, "{found:?}");
+    assert!(found[VerdictKind::NoRest as usize] + found[VerdictKind::LostAtRest as usize] > 5, "{found:?}");
     // Verdicts beyond the whole load, and on a polygon, are not screened.
     check(&rows, &Settings::default());
     check(&rows, &up_to_the_load().on_the_polygon());
@@ -235,7 +236,7 @@ fn a_parallel_jaw_with_pads_is_answered() {
         .collect();
     for short in batch(&rows, &up_to_the_load()) {
         let short = short.unwrap();
-        assert_eq!(short.how, How::Sticks);
+        assert_eq!(short.how, VerdictKind::Sticks);
         assert!((short.first_slip.unwrap() - 1.25).abs() < 1e-9, "{short:?}");
     }
 }
@@ -265,8 +266,8 @@ fn jaws_slip_out_of_the_plane() {
     let row = |load: f64| (vec![jaw(-0.03), jaw(0.03)], [Wrench::ZERO, planar::Wrench::force([0.0, -load])]);
     let found = batch(&[row(8.0), row(12.0)], &up_to_the_load());
     let (held, lost) = (found[0].unwrap(), found[1].unwrap());
-    assert_eq!(held.how, How::Sticks);
+    assert_eq!(held.how, VerdictKind::Sticks);
     assert!((held.first_slip.unwrap() - 1.25).abs() < 1e-14);
-    assert_eq!((lost.how, lost.motion), (How::Lost, Some(LossVerb::SlipsOut)));
+    assert_eq!((lost.how, lost.motion), (VerdictKind::Lost, Some(LossVerb::SlipsOut)));
     assert!((lost.held_to - 10.0 / 12.0).abs() < 1e-14);
 }

@@ -51,13 +51,15 @@ fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), gr
             (Need::load(load), &times, -1.0),
         ];
         for (need, tried, more) in sought {
-            let Amount::Bound { does, does_not, .. } = grasp.need(&aimed(need))?.amount else { continue };
+            let Amount::Bound { sufficient, insufficient, .. } = grasp.need(&aimed(need))?.amount else {
+                continue;
+            };
             bounds += 1;
             // If the verdict at the bound is undecided, an insufficient amount is sought slightly beyond.
-            blurred += usize::from((does - does_not).abs() > 1e-12 * does);
-            assert!((does - does_not).abs() <= 1e-9 * does, "{does} {does_not}");
-            assert_eq!(tried(does * (1.0 + more * 1e-9))?, Some(true), "{does}");
-            assert_eq!(tried(does * (1.0 - more * 1e-9))?, Some(false), "{does}");
+            blurred += usize::from((sufficient - insufficient).abs() > 1e-12 * sufficient);
+            assert!((sufficient - insufficient).abs() <= 1e-9 * sufficient, "{sufficient} {insufficient}");
+            assert_eq!(tried(sufficient * (1.0 + more * 1e-9))?, Some(true), "{sufficient}");
+            assert_eq!(tried(sufficient * (1.0 - more * 1e-9))?, Some(false), "{sufficient}");
         }
     }
     assert_met(&[(bounds, least)]);

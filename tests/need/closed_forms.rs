@@ -211,7 +211,7 @@ fn a_bracket_jams_from_an_arm_on() -> Tested {
     let [here, a_metre_on] = [0.0, 1.0].map(|x| Wrench::force_at([0.0, -500.0], [x, 0.0]));
     let needed = bracket.need(&Need::arm(here, a_metre_on - here))?;
     let Amount::Bound { until: Some(least), .. } = &needed.amount else { panic!("{needed}") };
-    assert!((least.does - 0.1 / 0.4).abs() < 1e-9, "{needed}");
+    assert!((least.sufficient - 0.1 / 0.4).abs() < 1e-9, "{needed}");
     assert!(needed.to_string().starts_with("HOLDS from an arm"), "{needed}");
     Ok(())
 }

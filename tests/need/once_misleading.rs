@@ -86,10 +86,10 @@ fn kinetic_friction_at_rest() -> Tested {
     let (grasp, load) = (planar_scene(FOUR)?, planar::Wrench::force_at([1.095, 1.515], [0.0122, 0.0013]));
     let needed = grasp.need(&Need::squeeze(load).if_lower_by(0.0, 0.0))?;
     let Amount::Any { until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
-    for (squeeze, holds) in [(end.does, true), (end.does_not, false)] {
+    for (squeeze, holds) in [(end.sufficient, true), (end.insufficient, false)] {
         assert_eq!(grasp.squeezed(squeeze)?.hold(load)?.holds(), Some(holds), "{needed}");
     }
-    let squeezed = grasp.squeezed(end.does)?;
+    let squeezed = grasp.squeezed(end.sufficient)?;
     let state = squeezed.follow(planar::Wrench::ZERO, &[])?.state().ok_or("rests")?;
     for (press, contact) in end.presses.iter().zip(&state.contacts) {
         assert!((press.force - contact.normal_force()).abs() < 1e-9, "{needed}");
@@ -201,7 +201,7 @@ fn the_upper_end_beyond_the_squeeze_given() -> Tested {
     else {
         panic!("{needed}")
     };
-    for (squeeze, holds) in [(until.does, true), (until.does_not, false)] {
+    for (squeeze, holds) in [(until.sufficient, true), (until.insufficient, false)] {
         assert_eq!(grasp.squeezed(squeeze)?.hold(load)?.holds(), Some(holds), "{needed}");
     }
     Ok(())

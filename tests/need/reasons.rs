@@ -26,10 +26,10 @@ fn a_drawer_jams_from_an_arm_on() -> Tested {
             panic!("{needed}")
         };
         // The bracket of an end other than the bound is at most 1e-4 wide, and holds the limit.
-        let [does, does_not] = [end.does, end.does_not].map(|x| x * 0.6 / length);
+        let [sufficient, insufficient] = [end.sufficient, end.insufficient].map(|x| x * 0.6 / length);
         assert!(
-            does_not < 1.0 + 1e-9 && does > 1.0 - 1e-9 && does - does_not < 1e-4,
-            "{does} {does_not}: {needed}"
+            insufficient < 1.0 + 1e-9 && sufficient > 1.0 - 1e-9 && sufficient - insufficient < 1e-4,
+            "{sufficient} {insufficient}: {needed}"
         );
     }
     Ok(())

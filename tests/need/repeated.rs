@@ -71,7 +71,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         });
         let found = drawn.grasp.statics().shakedown(drawn.base, &loads)?;
         let need = Need::load(loads.to_vec()).on_top_of(drawn.base).if_lower_by(0.0, 0.0).with_scan(0);
-        let (Some(most), Amount::Bound { does, .. }) =
+        let (Some(most), Amount::Bound { sufficient, .. }) =
             (found, drawn.grasp.need(&need.clone().to_rest())?.amount)
         else {
             continue;
@@ -83,16 +83,19 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
                 state.is_some_and(|state| state.contacts.iter().all(|c| c.normal_force() > 0.0))
             })
         };
-        if !(is_closed(drawn.base) && loads.iter().all(|load| is_closed(*load * does + drawn.base))) {
+        if !(is_closed(drawn.base) && loads.iter().all(|load| is_closed(*load * sufficient + drawn.base))) {
             continue;
         }
         compared += 1;
-        assert!(does <= most.factor * (1.0 + 1e-9), "{does} {}", most.factor);
+        assert!(sufficient <= most.factor * (1.0 + 1e-9), "{sufficient} {}", most.factor);
         // The demands grow: sticking implies rest, rest implies no walking, and this implies holding.
         let bound = |need: &Need<2>| Ok::<_, Error>(drawn.grasp.need(need)?.amount.bound());
         let sticks = bound(&need.clone().to_stick())?.unwrap_or(0.0);
         let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);
-        assert!(sticks <= does * (1.0 + 1e-9) && does <= stays * (1.0 + 1e-9), "{sticks} {does} {stays}");
+        assert!(
+            sticks <= sufficient * (1.0 + 1e-9) && sufficient <= stays * (1.0 + 1e-9),
+            "{sticks} {sufficient} {stays}"
+        );
     }
     assert_met(&[(compared, 1)]);
     Ok(())

@@ -51,10 +51,11 @@ fn at_both_ends() -> Tested {
         .if_lower_by(0.2, 0.0);
     let needed = grasp.need(&need)?;
     for (amount, friction) in [(Some(&needed.amount), 0.3), (needed.safe.as_ref(), 0.24)] {
-        let Some(Amount::Bound { does, until: Some(until), .. }) = amount else { panic!("{needed}") };
+        let Some(Amount::Bound { sufficient, until: Some(until), .. }) = amount else { panic!("{needed}") };
         let [least, most] = [5.5 / (sin + friction * cos), 5.0 / (sin - friction * cos)];
         assert!(
-            (20.0 * does - least).abs() < 1e-5 * least && (20.0 * until.does - most).abs() < 1e-5 * most,
+            (20.0 * sufficient - least).abs() < 1e-5 * least
+                && (20.0 * until.sufficient - most).abs() < 1e-5 * most,
             "{needed}"
         );
     }

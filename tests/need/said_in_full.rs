@@ -22,8 +22,10 @@ fn newtons_of_a_strap_that_only_the_weight_holds() {
     let [least, most] = [(PULL - MU * WEIGHT) / ((1.0 + MU) * s), MU * WEIGHT / ((1.0 - MU) * s)];
     let [weight, pull] = [[0.0, -WEIGHT], [PULL, 0.0]].map(|force| Wrench::force_at(force, [0.0, 0.5]));
     let needed = strapped().need(&Need::squeeze(pull).on_top_of(weight)).expect("well posed");
-    let Amount::Bound { does, until: Some(end), presses, .. } = needed.amount else { panic!("{needed}") };
-    assert!((2000.0 * does / least - 1.0).abs() < 1e-9, "{does}");
+    let Amount::Bound { sufficient, until: Some(end), presses, .. } = needed.amount else {
+        panic!("{needed}")
+    };
+    assert!((2000.0 * sufficient / least - 1.0).abs() < 1e-9, "{sufficient}");
     for (presses, force) in [(presses, least), (end.presses, most)] {
         let strap = presses.iter().find(|press| press.is_set).expect("the strap is set");
         assert!(
@@ -47,7 +49,9 @@ fn both_ends_of_a_safe_range() {
     for (need, friction, load) in [(arm.clone(), 0.9, 1.0), (arm.with_safety(2.0), 1.0, 2.0)] {
         let needed = bracket().need(&need).expect("well posed");
         let range = |amount: &Amount| match amount {
-            Amount::Bound { does, until: Some(end), is_too_far: true, .. } => [end.does, *does],
+            Amount::Bound { sufficient, until: Some(end), is_too_far: true, .. } => {
+                [end.sufficient, *sufficient]
+            }
             other => panic!("{other:?}"),
         };
         let ([near, far], [safe_near, safe_far]) =
@@ -70,8 +74,11 @@ fn which_of_several_loads_decides() {
     let gripper = Grasp::new([jaw(-0.03), jaw(0.03)]).expect("well posed");
     let loads = [5.0, 16.0, 3.0].map(|newtons| Wrench::force([0.0, -newtons]));
     let needed = gripper.need(&Need::squeeze(loads.to_vec())).expect("well posed");
-    let Amount::Bound { does, otherwise, .. } = needed.amount else { panic!("{needed}") };
-    assert!((does - 2.0).abs() < 1e-11 && otherwise.starts_with("under load 2, (0, -16) N: "), "{otherwise}");
+    let Amount::Bound { sufficient, otherwise, .. } = needed.amount else { panic!("{needed}") };
+    assert!(
+        (sufficient - 2.0).abs() < 1e-11 && otherwise.starts_with("under load 2, (0, -16) N: "),
+        "{otherwise}"
+    );
     let alone = gripper.need(&Need::squeeze(loads[1])).expect("well posed");
     assert!(!alone.to_string().contains("under load"), "{alone}");
 }

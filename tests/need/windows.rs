@@ -39,11 +39,12 @@ fn a_window_is_found_from_wherever_the_search_begins() -> Tested {
             for demanded in [Need::to_stick, Need::to_hold] {
                 let need = demanded(Need::squeeze(Wrench::force([0.0, -weight]))).if_lower_by(0.0, 0.0);
                 let needed = grasp.need(&need)?;
-                let Amount::Bound { does, until: Some(end), changes, elsewhere, .. } = &needed.amount else {
+                let Amount::Bound { sufficient, until: Some(end), changes, elsewhere, .. } = &needed.amount
+                else {
                     panic!("{given} {weight}: {needed}")
                 };
-                is(*does, weight / 3.0, given);
-                is(end.does, 6.0 - weight, given);
+                is(*sufficient, weight / 3.0, given);
+                is(end.sufficient, 6.0 - weight, given);
                 assert_eq!(end.at_their_limit, ["motor"], "{needed}");
                 assert!(*changes == 2 && elsewhere.is_empty(), "{needed}");
             }
@@ -83,8 +84,8 @@ fn both_ends_say_what_presses_there() -> Tested {
 fn what_is_safe_may_not_do_as_given() -> Tested {
     let half = Need::squeeze(Wrench::force([0.0, -4.2])).to_stick().if_lower_by(0.0, 0.5);
     let needed = pushed_from_above(1.0, "")?.need(&half)?;
-    let Some(Amount::Bound { does, .. }) = &needed.safe else { panic!("{needed}") };
-    is(*does, 2.8, 1.0);
+    let Some(Amount::Bound { sufficient, .. }) = &needed.safe else { panic!("{needed}") };
+    is(*sufficient, 2.8, 1.0);
     assert!(needed.to_string().contains("(which does not"), "{needed}");
     Ok(())
 }
@@ -104,11 +105,11 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
     let grasp = |given: f64| pushed_from_above(given, &(late(given, -0.03) + &late(given, 0.03)));
     for given in [1.0, 0.5, 10.0] {
         let needed = grasp(given)?.need(&need)?;
-        let Amount::Bound { does, until: Some(end), elsewhere, .. } = &needed.amount else {
+        let Amount::Bound { sufficient, until: Some(end), elsewhere, .. } = &needed.amount else {
             panic!("{needed}")
         };
-        is(*does, 1.0, given);
-        is(end.does, 3.0, given);
+        is(*sufficient, 1.0, given);
+        is(end.sufficient, 3.0, given);
         let [AmountWindow { from: Some(from), to: None, .. }] = elsewhere[..] else { panic!("{needed}") };
         assert!((from * given / 7.0 - 1.0).abs() < 1e-4, "{needed}");
     }
@@ -128,10 +129,10 @@ fn less_does_where_the_squeeze_given_moves_too_far() -> Tested {
     let pad = Contact::new([0.0, 0.03], [0.0, -1.0]).series_stiffness(1e3, 1e3).friction(0.1);
     let grasp = Grasp::new([jaw(-1.0, 0.02), jaw(1.0, 0.0), pad.command([1e-6, 0.0])])?;
     let needed = grasp.need(&Need::squeeze(Wrench::force([0.0, -1.0])).if_lower_by(0.0, 0.0))?;
-    let Amount::Bound { does, until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
-    is(*does, 0.1, 1.0);
+    let Amount::Bound { sufficient, until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
+    is(*sufficient, 0.1, 1.0);
     // The limit is a tenth of the grasp's size, the root mean square distance of contacts from their centroid.
     let farthest = 0.1 * 0.0008_f64.sqrt();
-    assert!((end.does - farthest / 0.01).abs() < 1e-4, "{needed}");
+    assert!((end.sufficient - farthest / 0.01).abs() < 1e-4, "{needed}");
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use grasp_lcp::equilibrium::FoundBy;
 use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
-use grasp_lcp::{Fit, PolygonCone, Settings, planar};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings, planar};
 use proptest::prelude::*;
 use support::assert_close;
 use support::bracket::bracket;
@@ -15,7 +15,7 @@ use support::ramps::{Change, Tally, for_both};
 use support::samples::samples;
 use support::scene::Scene;
 
-fn polygon(facets: usize, fit: Fit) -> Settings {
+fn polygon(facets: usize, fit: PolygonFit) -> Settings {
     // Sticking states need no enumeration of state combinations.
     Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
 }
@@ -36,15 +36,15 @@ fn check_order(
     undecided: &Cell<usize>,
 ) -> Result<(), TestCaseError> {
     let (grasp, ramp) = (scene.grasp(), change.ramp(scene));
-    let on_circumscribed = polygon(8, Fit::Circumscribed).on_the_polygon();
+    let on_circumscribed = polygon(8, PolygonFit::Circumscribed).on_the_polygon();
     if !sticks(&grasp.with(&on_circumscribed).solve(scene.wrench()).unwrap()) {
         return Ok(());
     }
     let round = grasp.onset(&ramp).unwrap();
     for facets in [3, 8] {
         let on = |fit| grasp.with(&polygon(facets, fit).on_the_polygon()).onset(&ramp).unwrap();
-        let (inside, outside) = (on(Fit::Inscribed), on(Fit::Circumscribed));
-        let base = bracket(&grasp.with(&polygon(facets, Fit::Inscribed)), scene.wrench()).unwrap();
+        let (inside, outside) = (on(PolygonFit::Inscribed), on(PolygonFit::Circumscribed));
+        let base = bracket(&grasp.with(&polygon(facets, PolygonFit::Inscribed)), scene.wrench()).unwrap();
         for (base, less, more) in [(&base.inscribed, &inside, &round), (&base.round, &round, &outside)] {
             if !sticks(base) {
                 continue;
@@ -74,7 +74,7 @@ fn polygons_bracket_the_onset() {
 /// Checks that the three answers are equal if everything sticks on the inscribed polygon, and that it sticks only where the
 /// others do.
 fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
-    let bracket = bracket(&scene.grasp().with(&polygon(5, Fit::Balanced)), scene.wrench()).unwrap();
+    let bracket = bracket(&scene.grasp().with(&polygon(5, PolygonFit::Balanced)), scene.wrench()).unwrap();
     let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(sticks);
     prop_assert!(inside <= round && round <= outside, "{inside}, {round}, {outside}");
     if inside {
@@ -124,7 +124,7 @@ fn the_spread_of_a_sliding_foot() {
                 along.hypot(f * off.sin())
             };
             let force = from_round(f[0]).max(from_round(f[1])).max(f[1] - f[0]);
-            let settings = polygon(m as usize, Fit::Inscribed);
+            let settings = polygon(m as usize, PolygonFit::Inscribed);
             let [forces, displacements] =
                 bracket(&grasp.with(&settings), load).unwrap().spread.expect("three equilibria");
             assert_close!(forces / w, force / w);

@@ -55,7 +55,7 @@ fn a_palm_that_is_elsewhere() {
         let margins = grasp.sensitivity().onset(onset.event().unwrap()).unwrap();
         let by_place = margins.by(Parameter::Point { contact: 0, axis: 0 }).unwrap();
         for (leaving, by_place) in margins.leavers().into_iter().zip(by_place) {
-            let left_slides = leaving == grasp_lcp::load_path::Leaver::Contact(0);
+            let left_slides = leaving == grasp_lcp::load_path::DepartingPart::Contact(0);
             let by_l = if left_slides { MU * PRESS } else { -MU * PRESS / (l * l) };
             assert!((by_place + by_l).abs() < 1e-11, "{l}: {by_place}");
         }

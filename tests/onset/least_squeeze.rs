@@ -1,7 +1,7 @@
 //! The least squeeze and the weakest direction are right: dense samples on both sides confirm them.
 
 use grasp_lcp::equilibrium::{FoundBy, Outcome};
-use grasp_lcp::load_path::{Leaver, Ramp};
+use grasp_lcp::load_path::{DepartingPart, Ramp};
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 use grasp_lcp::{Error, planar, spatial};
 use support::facts;
@@ -65,7 +65,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         let there = onset(direction)?;
         let event = there.event().expect("slides");
         assert!((event.factor - size).abs() < 1e-13 * size, "{number}: {} {size}", event.factor);
-        assert!(event.leaving.iter().any(|leaving| Leaver::Contact(leaving.contact.index) == leaver));
+        assert!(event.leaving.iter().any(|leaving| DepartingPart::Contact(leaving.contact.index) == leaver));
         assert!((load.to_vector() - event.load.to_vector()).norm() < 1e-12 * size);
         let mut least = f64::INFINITY;
         for _ in 0..2000 {

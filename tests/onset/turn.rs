@@ -123,7 +123,7 @@ fn polygons_close_in_on_the_round_cone() {
     let turn = spatial::Turn::tilting([0.5, 0.0, -7.5], [0.05, 0.1, 0.0], [0.3, 1.0, 0.2]).unwrap();
     let round = grasp.onset_of_turn(turn).unwrap().onset.factor().unwrap();
     let facets = |count: usize| {
-        let cone = PolygonCone::new(count, grasp_lcp::Fit::Inscribed).unwrap();
+        let cone = PolygonCone::new(count, grasp_lcp::PolygonFit::Inscribed).unwrap();
         let settings = Settings::default().on_the_polygon().with_cone(cone);
         grasp.with(&settings).onset_of_turn(turn).unwrap().onset.factor().unwrap()
     };

@@ -134,7 +134,7 @@ fn the_page_of_fields_is_that_of_the_schema() {
     let answers: Value =
         serde_json::from_slice(&run_on(example.as_bytes(), &["ask", "-", "--json"]).stdout).expect("JSON");
     assert_eq!(answers[0]["hold"]["holding"], "sticks");
-    let squeeze = answers[1]["need"]["amount"]["bound"]["does"].as_f64().expect("a bound");
+    let squeeze = answers[1]["need"]["amount"]["bound"]["sufficient"].as_f64().expect("a bound");
     assert!((squeeze - 9.81 / 8.0).abs() < 1e-9, "{squeeze}");
     // The file has each section once.
     let heads: Vec<_> = kept.lines().filter(|line| line.starts_with("## ")).collect();

@@ -66,7 +66,7 @@ fn parts_answer_as_the_whole_and_name_their_lines() {
                 < 1e-11 * (1 + number) as f64
         );
         assert_eq!(
-            (&brief["outcome"], &brief["first"], &brief["does"]),
+            (&brief["outcome"], &brief["first"], &brief["state"]),
             (&json!("at"), &json!("left"), &json!("slides"))
         );
         assert!(reply.to_string().len() < 160, "{reply}");

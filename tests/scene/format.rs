@@ -3,8 +3,8 @@
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::{Contact, Motion, Twist, Wrench};
-use grasp_lcp::scene::{Answer, Fingertip, Question, Scene, Setup, Tip};
-use grasp_lcp::{Fit, PolygonCone, Settings, planar, spatial};
+use grasp_lcp::scene::{Answer, Fingertip, FingertipPatch, Question, Scene, Setup};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings, planar, spatial};
 use proptest::prelude::TestCaseError;
 use serde_json::{Value, json};
 use support::jaws::jaw;
@@ -172,7 +172,7 @@ fn settings_are_those_of_the_crate() {
     }))
     .unwrap();
     let expected = Settings::default()
-        .with_cone(PolygonCone::new(12, Fit::Balanced).unwrap())
+        .with_cone(PolygonCone::new(12, PolygonFit::Balanced).unwrap())
         .on_the_polygon()
         .with_max_pivots(40)
         .with_most_states(100)
@@ -258,7 +258,8 @@ fn what_is_not_finite_is_said_in_words() {
 fn soft_fingertips_are_spread() {
     let finger = |x: f64| jaw::<3>(x, [2000.0, 1000.0], 0.5).command([0.005, 0.0, 0.0]);
     let patch = spatial::SoftFingertip::disc(0.006, 1, 4, spatial::Pressure::Hertz).unwrap();
-    let tip = Tip::Disc { radius: 0.006, annuli: 1, points: 4, pressure: spatial::Pressure::Hertz };
+    let tip =
+        FingertipPatch::Disc { radius: 0.006, annuli: 1, points: 4, pressure: spatial::Pressure::Hertz };
     let squeeze = json!([{ "onset": { "direction": { "moment": [0.01, 0, 0] }, "command_change": [[0.001, 0, 0], [0, 0, 0]] } }]);
     let squeeze: Vec<Question<3>> = serde_json::from_value(squeeze).unwrap();
     let soft = Fingertip::from(finger(-0.03).name("thumb")).soft(tip);
@@ -302,7 +303,7 @@ fn rectangular_pads_are_spread() {
         [(r#"{"sides": [0.02, 0.012]}"#, [1, 1]), (r#"{"sides": [0.02, 0.012], "strips": [2, 1]}"#, [2, 1])]
     {
         let tip = contact(soft).unwrap();
-        assert_eq!(tip.soft, Some(Tip::Rectangle { sides, strips }));
+        assert_eq!(tip.soft, Some(FingertipPatch::Rectangle { sides, strips }));
         let grasp = Setup::new([tip]).grasp().unwrap();
         let expected = Grasp::<3>::new(
             spatial::SoftFingertip::rectangle(sides, strips).unwrap().contacts(&finger).unwrap(),

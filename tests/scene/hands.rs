@@ -190,7 +190,8 @@ fn a_finger_has_soft_tips() -> Tested {
     let jaw = |side: f64| {
         let pad = jaw::<2>(side, [1e4, 8e3], 0.5);
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
-        scene::FingerSetup::new([slide]).contact(Fingertip::from(pad).soft(scene::Tip::Pair { width: 0.1 }))
+        scene::FingerSetup::new([slide])
+            .contact(Fingertip::from(pad).soft(scene::FingertipPatch::Pair { width: 0.1 }))
     };
     let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.ask(serde_json::from_value(json!({ "solve": { "load": { "moment": 0.2 } } }))?);
@@ -269,7 +270,7 @@ fn what_is_wrong_with_a_hand_is_named() {
 #[test]
 fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     let pad = |x: f64| jaw::<2>(x, [1e4, 8e3], 0.5);
-    let soft = Fingertip::from(pad(-1.0)).soft(scene::Tip::Pair { width: 0.1 });
+    let soft = Fingertip::from(pad(-1.0)).soft(scene::FingertipPatch::Pair { width: 0.1 });
     let setup = Setup::<2>::new([soft]).finger(
         scene::FingerSetup::new([Joint::prismatic([-1.0, 0.0]).stiffness(1e3)])
             .contact(pad(1.0).friction(-1.0).name("thumb")),

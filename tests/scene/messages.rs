@@ -224,7 +224,7 @@ fn what_is_meant_is_said() {
 #[test]
 fn setups_that_were_not_read_are_checked_as_well() {
     let contact = grasp_lcp::spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(1.0, 1.0);
-    let tip = grasp_lcp::scene::Tip::Ring { radius: 0.1, points: 4 };
+    let tip = grasp_lcp::scene::FingertipPatch::Ring { radius: 0.1, points: 4 };
     let soft = grasp_lcp::scene::Fingertip::from(contact.clone()).soft(tip.clone());
     let ask = Question::solve(Wrench::ZERO);
     let bad = grasp_lcp::scene::Fingertip::from(contact.friction(-1.0));

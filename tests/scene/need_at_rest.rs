@@ -30,7 +30,7 @@ fn what_acts_at_rest_is_held() {
         let scene =
             Scene::from_json(block(fields, question).as_bytes()).unwrap_or_else(|fault| panic!("{fault}"));
         let answer = serde_json::to_value(scene.answers().expect("well posed")).expect("written");
-        let least = answer[0]["need"]["amount"]["bound"]["does"].as_f64();
+        let least = answer[0]["need"]["amount"]["bound"]["sufficient"].as_f64();
         assert!(least.is_some_and(|least| (least - 0.3).abs() < 1e-9), "{answer}");
     }
 }

@@ -5,7 +5,7 @@ use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::need::Need;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Leg, Ramp, Turn, Wrench};
-use grasp_lcp::scene::{Answer, Fingertip, PathOutcome, Scene, Setup, Tip};
+use grasp_lcp::scene::{Answer, Fingertip, FingertipPatch, PathOutcome, Scene, Setup};
 use grasp_lcp::squeeze::Loads;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -79,7 +79,7 @@ fn jaws(half: f64) -> Result<Grasp, Error> {
             Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0),
         )
     };
-    Setup::new([jaw(-half).soft(Tip::Pair { width: 0.01 }), jaw(half)]).grasp()
+    Setup::new([jaw(-half).soft(FingertipPatch::Pair { width: 0.01 }), jaw(half)]).grasp()
 }
 
 #[test]

@@ -14,8 +14,8 @@ fn a_glass_about_to_tip_stands_on_one_edge() -> Result<(), Failure> {
     };
     let glass = Grasp::new([edge(-0.03, "left edge"), edge(0.03, "right edge")])?;
     let need = Need::angle(Turn::tilting([0.0, -2.943], [0.0, 0.07]).up_to(1.5)).to_hold();
-    let Amount::Bound { does, .. } = glass.need(&need)?.amount else { panic!("it tips") };
-    let (glass, state) = glass.with_amount(&need, does)?.ok_or("it stands")?;
+    let Amount::Bound { sufficient, .. } = glass.need(&need)?.amount else { panic!("it tips") };
+    let (glass, state) = glass.with_amount(&need, sufficient)?.ok_or("it stands")?;
     let rounding = state.contacts.iter().map(|contact| contact.force.norm()).fold(f64::INFINITY, f64::min);
     assert!(rounding < 1e-9, "{rounding}");
     let shapes = shapes(&draw_grasp(&glass, &state, None, "A glass")?)?;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use grasp_lcp::planar::{Contact, Wrench};
-use grasp_lcp::scene::{Fingertip, Question, Setup, Tip};
+use grasp_lcp::scene::{Fingertip, FingertipPatch, Question, Setup};
 
 fn hold(load: Wrench) -> Question<2> {
     Question::Hold { base: Wrench::ZERO, load, together_with: BTreeMap::default() }
@@ -25,7 +25,7 @@ fn a_pinch_holds_the_same() {
 fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
     let (stiffness, tangential) = (1e5, 2e5);
     let bed = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e7, tangential).friction(0.3);
-    let bed = Fingertip::from(bed.pressed_with(0.0)).soft(Tip::Pair { width: 0.1 });
+    let bed = Fingertip::from(bed.pressed_with(0.0)).soft(FingertipPatch::Pair { width: 0.1 });
     let stop = Contact::new([0.05, 0.0], [-1.0, 0.0]).series_stiffness(stiffness, stiffness);
     let load = Wrench::force([1.0, 0.0]);
     let question =

@@ -20,9 +20,9 @@ fn one(changes: &[(&str, &str)]) -> Warning {
         assert!(text.contains(from), "{from}");
         text.replace(from, to)
     });
-    let mut told = warnings(&text);
-    assert_eq!(told.len(), 1, "{changes:?}: {told:?}");
-    told.remove(0)
+    let mut stated = warnings(&text);
+    assert_eq!(stated.len(), 1, "{changes:?}: {stated:?}");
+    stated.remove(0)
 }
 
 fn both() -> ([usize; 2], [String; 2]) {
@@ -40,9 +40,9 @@ fn numbers_in_another_unit() {
     let friction = Warning::MuchFriction { contacts: contacts.clone(), names: names.clone(), friction: 35.0 };
     assert_eq!(one(&[("0.35", "35")]), friction);
     let metres = |changes: &[(&str, &str)], begins: &str, is: f64, apart: Option<f64>| {
-        let told = one(changes);
-        let Warning::ManyMetres { what, length, beside } = &told else { panic!("{told}") };
-        assert!(what.starts_with(begins) && (length - is).abs() < 1e-12 && *beside == apart, "{told}");
+        let stated = one(changes);
+        let Warning::ManyMetres { what, length, beside } = &stated else { panic!("{stated}") };
+        assert!(what.starts_with(begins) && (length - is).abs() < 1e-12 && *beside == apart, "{stated}");
     };
     metres(&[("0.04", "40")], "the contacts", 80.0, None);
     let pad = r#""stiffness": 10000, "soft": {"pair": {"width": 20}}"#;
@@ -56,8 +56,8 @@ fn numbers_in_another_unit() {
         let (contacts, names) = (contacts.clone(), names.clone());
         assert_eq!(one(&[(from, to)]), Warning::OutOfProportion { contacts, names, is_stiffness, value });
     }
-    let told = one(&[(r#""force": [0, -1]"#, r#""mass": 1800"#)]);
-    let Warning::HeavyLoad { force, pressed } = told else { panic!("{told}") };
+    let stated = one(&[(r#""force": [0, -1]"#, r#""mass": 1800"#)]);
+    let Warning::HeavyLoad { force, pressed } = stated else { panic!("{stated}") };
     assert!((force / 17658.0 - 1.0).abs() < 1e-12 && (pressed - 16.0).abs() < 1e-9, "{force} {pressed}");
     // An infinite coefficient is not in percent, and the size of a direction has no meaning.
     let more = [
@@ -83,7 +83,7 @@ fn normals_the_wrong_way_round() {
     let text =
         out.iter().fold(JAWS.replace(r#""questions""#, hole), |text, (from, to)| text.replace(from, to));
     assert!(
-        !warnings(&text).iter().any(|told| matches!(told, Warning::Outwards { .. })),
+        !warnings(&text).iter().any(|stated| matches!(stated, Warning::Outwards { .. })),
         "{:?}",
         warnings(&text)
     );
@@ -94,7 +94,7 @@ fn normals_the_wrong_way_round() {
 fn feet_under_a_weight_are_told_apart_from_it() {
     let feet = JAWS.replace("[1, 0]", "[0, 1]").replace("[-1, 0]", "[0, 1]").replace("0.35", "0.5");
     assert!(
-        warnings(&feet).iter().any(|told| matches!(told, Warning::SameSide { .. })),
+        warnings(&feet).iter().any(|stated| matches!(stated, Warning::SameSide { .. })),
         "{:?}",
         warnings(&feet)
     );
@@ -124,8 +124,8 @@ fn locators_need_no_friction() {
         at(0.5, 1.0, [0.0, -1.0]),
         at(-0.5, -1.0, [0.0, 1.0]),
     ];
-    let told = Setup::new(around.map(Into::into)).warnings().expect("well posed");
-    assert!(!told.iter().any(|told| told.to_string().contains("friction")), "{told:?}");
+    let stated = Setup::new(around.map(Into::into)).warnings().expect("well posed");
+    assert!(!stated.iter().any(|stated| stated.to_string().contains("friction")), "{stated:?}");
 }
 
 #[test]
@@ -135,8 +135,8 @@ fn contacts_that_stand_there_twice() {
     for opposite in [true, false] {
         let (contacts, names) = (both().0.to_vec(), both().1.to_vec());
         let given = if opposite { twice.clone() } else { twice.replace("[-1, 0]", "[1, 0]") };
-        let told = warnings(&given);
-        assert!(told.contains(&Warning::OnePlace { contacts, names, opposite }), "{told:?}");
+        let stated = warnings(&given);
+        assert!(stated.contains(&Warning::OnePlace { contacts, names, opposite }), "{stated:?}");
     }
 }
 
@@ -163,9 +163,11 @@ fn a_pull_that_gives_way() {
             "questions": [{{"hold": {{"load": {{"force": [40, 0]}}}}}}]}}}}"#
         )
     };
-    let told = warnings(&belted(r#""pretension": 100"#));
-    let [Warning::PullsOtherwise { name, told: 100.0, force, .. }] = &told[..] else { panic!("{told:?}") };
-    assert!(name == "belt" && (force - 50.0).abs() < 1e-9, "{told:?}");
+    let stated = warnings(&belted(r#""pretension": 100"#));
+    let [Warning::PullsOtherwise { name, stated: 100.0, force, .. }] = &stated[..] else {
+        panic!("{stated:?}")
+    };
+    assert!(name == "belt" && (force - 50.0).abs() < 1e-9, "{stated:?}");
     let installed = belted(r#""tension": 100"#);
     assert_eq!(warnings(&installed), []);
     let scene: Scene = serde_json::from_str(&installed).expect("a scene");
@@ -175,8 +177,8 @@ fn a_pull_that_gives_way() {
     assert_eq!(held["holding"], "sticks", "{held}");
     assert!((held["lost"]["factor"].as_f64().expect("a number") - 1.25).abs() < 1e-9, "{held}");
     let both = belted(r#""tension": 100, "pretension": 100"#);
-    let told = Scene::from_json(both.as_bytes()).expect_err("both").to_string();
-    assert!(told.contains("belt: pretension and") && told.contains("tension: "), "{told}");
+    let stated = Scene::from_json(both.as_bytes()).expect_err("both").to_string();
+    assert!(stated.contains("belt: pretension and") && stated.contains("tension: "), "{stated}");
     // A rope that pulls the object off the floor is not held.
     let away = installed.replace(r#""to": [0, 0]"#, r#""to": [0, 2]"#);
     let scene = Scene::from_json(away.as_bytes()).expect("a scene");

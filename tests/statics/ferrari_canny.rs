@@ -5,7 +5,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Contact;
 use grasp_lcp::nalgebra::{DMatrix, SMatrix, SVector};
 use grasp_lcp::statics::{Budget, Closure, WrenchBall, WrenchScale};
-use grasp_lcp::{Error, Fit, PolygonCone, Settings, planar, spatial};
+use grasp_lcp::{Error, PolygonCone, PolygonFit, Settings, planar, spatial};
 use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
@@ -136,7 +136,7 @@ fn in_the_plane_against_all_faces_of_the_hull() {
 fn in_space_against_all_faces_of_the_hull() {
     let mut numbers = seeded(53);
     let mut closed = 0;
-    let cone = PolygonCone::new(4, Fit::Inscribed).expect("a square");
+    let cone = PolygonCone::new(4, PolygonFit::Inscribed).expect("a square");
     let settings = Settings::default().with_cone(cone).on_the_polygon();
     for _ in 0..samples(30) {
         let data = drawn::<3>(&mut numbers, 3);

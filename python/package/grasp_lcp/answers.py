@@ -350,25 +350,25 @@ class Needed(Sentence):
     def amount(self) -> float | None:
         """The amount that suffices: a multiple of the given squeeze or load, a friction coefficient, m or rad. None unless the outcome is a bound."""
         found = self._tree["amount"].get("bound")
-        return None if found is None else number(found["does"])
+        return None if found is None else number(found["sufficient"])
 
     @property
     def until(self) -> float | None:
         """The largest amount that suffices, if larger ones fail, such as a squeeze beyond the limit of a motor; None if none was found to fail."""
         found = (self._tree["amount"].get("bound") or {}).get("until")
-        return None if found is None else number(found["does"])
+        return None if found is None else number(found["sufficient"])
 
     @property
     def sticks(self) -> float | None:
         """The amount with which nothing slides; None unless there is such an amount with a bound."""
         found = (self._tree.get("sticks") or {}).get("bound")
-        return None if found is None else number(found["does"])
+        return None if found is None else number(found["sufficient"])
 
     @property
     def safe(self) -> float | None:
         """The amount that suffices with reduced friction and squeeze, or with larger loads; None unless that outcome is a bound."""
         found = (self._tree.get("safe") or {}).get("bound")
-        return None if found is None else number(found["does"])
+        return None if found is None else number(found["sufficient"])
 
     @property
     def presses(self) -> tuple[float, ...]:

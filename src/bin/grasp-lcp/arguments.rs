@@ -9,7 +9,7 @@ use grasp_lcp::words::Unit;
 
 use crate::identifies::Identifies;
 pub(crate) use crate::load_arguments::LoadArguments;
-use crate::map::Unsure;
+use crate::map::DataDeviations;
 use crate::new::{FIELDS_HELP, Template};
 pub(crate) use crate::numbers::Numbers;
 use crate::numbers::{count, kilograms, newtons, percent, times, unit};
@@ -66,7 +66,7 @@ pub(crate) enum Command {
     #[command(after_long_help = FIELDS)]
     Scene,
     /// Answers every question of a scene.
-    Ask(Ask),
+    Ask(SceneArguments),
     /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.
     ///
     /// Without a load on the command line, the scene's own questions `hold` are answered. If the scene has none, the answer is whether the grasp
@@ -85,16 +85,16 @@ pub(crate) enum Command {
         #[arg(long)]
         vary_stiffness: bool,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// How much clamping force, friction, load, lever arm or tilt angle does the grasp need, or allow?
     ///
     /// Without a load on the command line, that of the scene's questions is taken.
     Need {
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
         #[command(flatten)]
-        wanted: Wanted,
+        need_arguments: NeedArguments,
     },
     /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible, or most friction is left?
     ///
@@ -116,14 +116,14 @@ pub(crate) enum Command {
         #[arg(long)]
         reserve: bool,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// How does the object move under a load, and which forces do the contacts carry?
     Solve {
         #[command(flatten)]
         load: LoadArguments,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// Is the equilibrium the state of least energy, which a quadratic program finds, and up to which part of the load?
     Compare {
@@ -133,7 +133,7 @@ pub(crate) enum Command {
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// At which load does the first contact start to slide?
     ///
@@ -142,7 +142,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         load: LoadArguments,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// At which angle does the first contact start to slide while a weight is tilted?
     ///
@@ -164,7 +164,7 @@ pub(crate) enum Command {
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
         axis: Option<Numbers>,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// Which events occur while the load goes from one force to the next?
     Follow {
@@ -178,7 +178,7 @@ pub(crate) enum Command {
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// Does the grasp survive a repeated load, or does the object walk out?
     ///
@@ -187,7 +187,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         shakes: Shakes,
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
     },
     /// Identifies friction, support loads, clamping force or stiffness from observed slips.
     ///
@@ -197,7 +197,7 @@ pub(crate) enum Command {
     /// an error. Every estimate comes with its standard error; quantities that the slips do not determine are named.
     Identify {
         #[command(flatten)]
-        ask: Ask,
+        ask: SceneArguments,
         #[command(flatten)]
         slips: Identifies,
     },
@@ -215,7 +215,7 @@ pub(crate) enum Command {
         #[arg(long, value_parser = unit, value_name = "UNIT")]
         unit: Option<Unit>,
         #[command(flatten)]
-        unsure: Unsure,
+        data_deviations: DataDeviations,
         /// Prints the map as one JSON object, and draws nothing.
         #[arg(long)]
         json: bool,
@@ -291,7 +291,7 @@ pub(crate) enum SchemaOf {
 
 /// The scene, and the form of the answer.
 #[derive(Debug, Clone, Args)]
-pub(crate) struct Ask {
+pub(crate) struct SceneArguments {
     /// The scene; `-` for standard input.
     pub(crate) scene: PathBuf,
     /// The answers in JSON in place of words.
@@ -314,7 +314,7 @@ pub(crate) struct Ask {
 
 /// The question of `need`.
 #[derive(Debug, Args)]
-pub(crate) struct Wanted {
+pub(crate) struct NeedArguments {
     /// The quantity that is sought; if left out, the scene's own questions are asked.
     #[arg(value_enum)]
     pub(crate) quantity: Option<SoughtQuantity>,

@@ -6,29 +6,33 @@ use std::process::ExitCode;
 use grasp_lcp::energy::ComparisonVerdict;
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
-use grasp_lcp::identify::Ending;
+use grasp_lcp::identify::FitEnding;
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{OnsetAnswer, PathOutcome, Scene};
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::words::{Unit, Words};
 
-use crate::arguments::{Ask, Command};
+use crate::arguments::{Command, SceneArguments};
+use crate::command_question::put;
 use crate::failure::{EXIT_UNDECIDED, Failure};
-use crate::meaning::put;
 use crate::own_masses::shared_centre;
-use crate::waiting::Waiting;
+use crate::progress_line::ProgressLine;
 use crate::words::Style;
 use crate::{files, report};
 use grasp_lcp::scene::{Answer, Setup};
 
 /// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether an answer is
 /// undecided.
-pub(crate) fn ask(ask: &Ask, asked: Command) -> Result<ExitCode, Failure> {
+pub(crate) fn ask(ask: &SceneArguments, asked: Command) -> Result<ExitCode, Failure> {
     ask_of(files::read(&ask.scene)?, ask, asked)
 }
 
 /// [`ask`] for a scene that is already read; messages name the file `ask.scene`.
-pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<ExitCode, Failure> {
+pub(crate) fn ask_of(
+    mut scene: Scene,
+    ask: &SceneArguments,
+    mut asked: Command,
+) -> Result<ExitCode, Failure> {
     let unit = ask.unit.unwrap_or(scene.unit);
     asked.lengths_to_metres(unit);
     if let Some(centre) = shared_centre(&scene.setup) {
@@ -38,7 +42,7 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     put(&mut scene.setup, asked)?;
     files::warn_at_once(&ask.scene, &scene, Some(&given))?;
     let is_decided = if ask.json {
-        let answers = Waiting::during("answers", ask.progress, || scene.answers_in(words(ask, unit)));
+        let answers = ProgressLine::during("answers", ask.progress, || scene.answers_in(words(ask, unit)));
         let answers = answers.map_err(|error| files::refused(&ask.scene, &error))?;
         let mut out = io::stdout().lock();
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
@@ -47,7 +51,7 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     } else {
         one_by_one(&scene.setup, ask, unit)?
     };
-    Waiting::during("whether the stiffness left out matters", ask.progress, || {
+    ProgressLine::during("whether the stiffness left out matters", ask.progress, || {
         files::warn_of_stiffness(&ask.scene, &scene)
     })?;
     if matches!(asked, Command::Hold { vary_stiffness: true, .. }) {
@@ -61,12 +65,12 @@ pub(crate) fn ask_of(mut scene: Scene, ask: &Ask, mut asked: Command) -> Result<
     Ok(if is_decided { ExitCode::SUCCESS } else { ExitCode::from(EXIT_UNDECIDED) })
 }
 
-fn words(ask: &Ask, unit: Unit) -> Words {
+fn words(ask: &SceneArguments, unit: Unit) -> Words {
     Words::with_digits(ask.digits.into()).in_unit(unit)
 }
 
 /// Prints each answer at once, before the next question is answered. Returns whether all answers are decided.
-fn one_by_one(setup: &Setup<3>, ask: &Ask, unit: Unit) -> Result<bool, Failure> {
+fn one_by_one(setup: &Setup<3>, ask: &SceneArguments, unit: Unit) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
     let style = Style { words: setup.words(words(ask, unit)), axes: setup.axes(), points: ask.points };
     // All questions are checked before the first answer is printed.
@@ -75,7 +79,8 @@ fn one_by_one(setup: &Setup<3>, ask: &Ask, unit: Unit) -> Result<bool, Failure> 
     let mut is_decided = true;
     for (k, question) in setup.questions.iter().enumerate() {
         let what = format!("question {} of {}", k + 1, setup.questions.len());
-        let answer = Waiting::during(&what, ask.progress, || setup.answer_in(&grasp, question, style.words));
+        let answer =
+            ProgressLine::during(&what, ask.progress, || setup.answer_in(&grasp, question, style.words));
         let (answer, mut out) = (answer.map_err(refused)?, io::stdout().lock());
         if k > 0 {
             writeln!(out)?;
@@ -96,7 +101,7 @@ fn is_undecided(answer: &Answer<3>) -> bool {
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
         Answer::Shakedown(answer) => answer.found.is_none(),
-        Answer::Identify(answer) => answer.identified.ending != Ending::Converged,
+        Answer::Identify(answer) => answer.identified.ending != FitEnding::Converged,
         Answer::Shake(answer) => matches!(answer.shaken.repeats, Repeats::Undecided { .. }),
         Answer::Follow(answer) => match &answer.end {
             PathOutcome::NoStart { start } => matches!(**start, Outcome::Undecided(_)),

@@ -10,10 +10,10 @@ use grasp_lcp::scene::Scene;
 use grasp_lcp::touch::{Part, Unit};
 use serde_json::json;
 
-use crate::arguments::{Ask, Command, Numbers};
+use crate::arguments::{Command, Numbers, SceneArguments};
 use crate::asking;
 use crate::failure::Failure;
-use crate::loads::Meaning;
+use crate::loads::OptionVectors;
 use crate::numbers::{kilograms, newtons};
 
 /// The part and the jaws of `new grip`.
@@ -90,7 +90,8 @@ impl Grip {
             return Ok(ExitCode::SUCCESS);
         }
         let of = self.mesh.clone().unwrap_or_default();
-        let ask = Ask { scene: of, json: false, points: false, digits: 6, unit: None, progress: false };
+        let ask =
+            SceneArguments { scene: of, json: false, points: false, digits: 6, unit: None, progress: false };
         asking::ask_of(scene, &ask, Command::Ask(ask.clone()))
     }
 
@@ -114,7 +115,7 @@ impl Grip {
                 Failure::Usage("--at: must be given, for the mesh is not closed".to_owned())
             })?,
         };
-        let closing = Meaning::in_space(3).direction(&self.closing, "closing")?;
+        let closing = OptionVectors::in_space(3).direction(&self.closing, "closing")?;
         let opening = self.opening.as_ref().map(|opening| opening.array::<1>("opening")).transpose()?;
         let path = serde_json::to_string(&path.to_string_lossy()).map_err(std::io::Error::from)?;
         let jaw = |name: &str, sign: f64| {

@@ -10,7 +10,7 @@ use grasp_lcp::words::{Unit, printable};
 use crate::arguments::Numbers;
 use crate::failure::Failure;
 use crate::files::{bytes, name};
-use crate::loads::Meaning;
+use crate::loads::OptionVectors;
 use crate::needs::named;
 use grasp_lcp::scene::{Question, Setup};
 
@@ -97,7 +97,7 @@ impl FromStr for Sum {
     }
 }
 
-impl Meaning {
+impl OptionVectors {
     /// The question `identify` with the table of observed slips; `None` without a table: the caller then asks the scene's own questions. Without a
     /// table, options that need one are an error.
     pub(crate) fn identify(

@@ -2,11 +2,11 @@
 
 use grasp_lcp::words::Unit;
 
-use crate::arguments::{Ask, Command, LoadArguments, Numbers, Wanted};
+use crate::arguments::{Command, LoadArguments, NeedArguments, Numbers, SceneArguments};
 
 impl Command {
     /// The scene and the form of the answer, if the command asks about a scene.
-    pub(crate) fn asks(&mut self) -> Option<&mut Ask> {
+    pub(crate) fn asks(&mut self) -> Option<&mut SceneArguments> {
         match self {
             Self::Ask(ask)
             | Self::Hold { ask, .. }
@@ -27,7 +27,7 @@ impl Command {
     pub(crate) fn lengths_to_metres(&mut self, unit: Unit) {
         match self {
             Self::Hold { load, .. }
-            | Self::Need { wanted: Wanted { load, .. }, .. }
+            | Self::Need { need_arguments: NeedArguments { load, .. }, .. }
             | Self::Improve { load, .. }
             | Self::Solve { load, .. }
             | Self::Compare { load, .. }
@@ -49,7 +49,7 @@ impl Command {
                 let acts = is_pulled(load) || base.is_some();
                 (&mut load.at, acts)
             }
-            Self::Need { wanted: Wanted { load, base, any_force, .. }, .. }
+            Self::Need { need_arguments: NeedArguments { load, base, any_force, .. }, .. }
             | Self::Improve { load, base, any_force, .. } => {
                 let acts = is_pulled(load) || base.is_some() || any_force.is_some();
                 (&mut load.at, acts)

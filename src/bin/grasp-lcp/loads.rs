@@ -11,14 +11,14 @@ use crate::failure::Failure;
 /// Converts the numbers of command-line options to forces, moments and points of a scene in the plane or in space. Converted vectors have three
 /// components; in the plane the third is zero.
 #[derive(Clone, Copy)]
-pub(crate) struct Meaning {
+pub(crate) struct OptionVectors {
     /// The number of axes of the scene, 2 or 3.
     pub(crate) axes: usize,
     /// Gravity that pulls at masses, m/s².
     gravity: [f64; 3],
 }
 
-impl Meaning {
+impl OptionVectors {
     /// The options of a scene with this number of axes, with gravity down along the last axis.
     pub(crate) fn in_space(axes: usize) -> Self {
         Self { axes, gravity: std::array::from_fn(|a| if a + 1 == axes { -9.81 } else { 0.0 }) }

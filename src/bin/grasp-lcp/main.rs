@@ -5,8 +5,7 @@ mod printing;
 
 mod arguments;
 mod asking;
-#[cfg(feature = "cli-full")]
-mod beside;
+mod command_question;
 mod drawing;
 mod failure;
 mod files;
@@ -15,20 +14,21 @@ mod followed;
 mod grip;
 mod identifies;
 mod in_units;
+#[cfg(feature = "cli-full")]
+mod installation;
 mod load_arguments;
 mod loads;
 mod map;
-mod meaning;
 mod needs;
 mod new;
 mod numbers;
-mod of_the_scene;
 mod own_masses;
+mod progress_line;
 mod report;
+mod scene_loads;
 mod shakes;
 mod table;
 mod values;
-mod waiting;
 mod words;
 
 use std::ffi::OsString;
@@ -58,7 +58,7 @@ fn main() -> ExitCode {
 
 /// Does what the command line asks, or prints its usage.
 fn asked() -> Result<ExitCode, Failure> {
-    match as_typed() {
+    match parse_arguments() {
         Ok(arguments) => run(arguments.command),
         Err(help) => {
             help.print()?;
@@ -68,7 +68,7 @@ fn asked() -> Result<ExitCode, Failure> {
 }
 
 /// Parses the command line. The scene may come at any place: if parsing fails, the argument that ends in `.json`, or `-`, is moved behind the command.
-fn as_typed() -> Result<Arguments, clap::Error> {
+fn parse_arguments() -> Result<Arguments, clap::Error> {
     let mut words: Vec<_> = std::env::args_os().collect();
     let parsed = Arguments::try_parse_from(&words);
     // For `identify`, a table in the place of the scene parses without error. The scene is therefore searched for even if parsing succeeds.
@@ -96,14 +96,14 @@ fn run(mut command: Command) -> Result<ExitCode, Failure> {
         Command::New { of, .. } => io::stdout().write_all(of.text().as_bytes())?,
         Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
-        Command::Map { scene, mut at, unit, unsure, json, progress, output } => {
+        Command::Map { scene, mut at, unit, data_deviations, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);
             let of_map = files::read(&scene)?;
             files::warn(&scene, &of_map)?;
             if let Some(at) = &mut at {
                 at.bring_to_metres(unit.unwrap_or(of_map.unit));
             }
-            let asked = (&unsure, map::MapProgress { lines: progress });
+            let asked = (&data_deviations, map::MapProgress { lines: progress });
             map::map(&of_map, at.as_ref(), asked, (!json).then_some(&pictures))?;
         }
         Command::Draw { scene, output } => {
@@ -119,11 +119,11 @@ fn run(mut command: Command) -> Result<ExitCode, Failure> {
             stream(&options)?;
         }
         #[cfg(feature = "cli-full")]
-        Command::Schema { of } => beside::schema(of)?,
+        Command::Schema { of } => installation::schema(of)?,
         #[cfg(feature = "cli-full")]
-        Command::Completions { shell } => beside::completions(shell, &mut io::stdout().lock())?,
+        Command::Completions { shell } => installation::completions(shell, &mut io::stdout().lock())?,
         #[cfg(feature = "cli-full")]
-        Command::Man => beside::manual(&mut io::stdout().lock())?,
+        Command::Man => installation::manual(&mut io::stdout().lock())?,
         _ => {}
     }
     Ok(ExitCode::SUCCESS)

@@ -6,44 +6,48 @@ use grasp_lcp::spatial::Need;
 use grasp_lcp::spatial::Wrench;
 use grasp_lcp::words::printable;
 
-use crate::arguments::{Numbers, SoughtQuantity, Wanted};
+use crate::arguments::{NeedArguments, Numbers, SoughtQuantity};
 use crate::failure::Failure;
-use crate::loads::Meaning;
-use crate::of_the_scene::{SceneLoads, own_need};
+use crate::loads::OptionVectors;
 use crate::own_masses::{accelerated, of_own_masses, tilted};
+use crate::scene_loads::{SceneLoads, own_need};
 use grasp_lcp::scene::{Question, Setup};
 
-impl Meaning {
+impl OptionVectors {
     /// The question for the quantity that the command line names, with the loads of the command line or else of the scene. `None` if it names no
     /// quantity.
-    pub(crate) fn need(self, wanted: &Wanted, setup: &mut Setup<3>) -> Result<Option<Need>, Failure> {
-        let Some(sought) = wanted.quantity else { return Ok(None) };
-        refuse_others(wanted, sought)?;
-        let own = own_need(setup, wanted, sought);
+    pub(crate) fn need(
+        self,
+        need_arguments: &NeedArguments,
+        setup: &mut Setup<3>,
+    ) -> Result<Option<Need>, Failure> {
+        let Some(sought) = need_arguments.quantity else { return Ok(None) };
+        refuse_others(need_arguments, sought)?;
+        let own = own_need(setup, need_arguments, sought);
         let is_own = own.is_some();
         let (mut need, weight) = match own {
             Some(need) => (need, None),
-            None => self.sought(wanted, sought, setup)?,
+            None => self.sought(need_arguments, sought, setup)?,
         };
-        if let Some(times) = wanted.safety {
+        if let Some(times) = need_arguments.safety {
             need = need.with_safety(times);
         }
-        if let Some(percent) = wanted.friction_less {
+        if let Some(percent) = need_arguments.friction_less {
             need = need.if_friction_lower_by(0.01 * percent);
         }
-        if let Some(percent) = wanted.squeeze_less {
+        if let Some(percent) = need_arguments.squeeze_less {
             need = need.if_squeeze_lower_by(0.01 * percent);
         }
-        if wanted.base.is_some() || weight.is_some() {
-            let base = self.base(wanted.base.as_ref(), wanted.load.at.as_ref())?;
+        if need_arguments.base.is_some() || weight.is_some() {
+            let base = self.base(need_arguments.base.as_ref(), need_arguments.load.at.as_ref())?;
             need = need.on_top_of(base + weight.unwrap_or(Wrench::ZERO));
         }
-        for (body, load) in self.together_with(&wanted.load)? {
+        for (body, load) in self.together_with(&need_arguments.load)? {
             need = need.together_with(body, load);
         }
-        Ok(Some(match (wanted.repeats, wanted.may_slide) {
-            (false, false) if is_own && !wanted.sticks => need,
-            (false, _) if wanted.sticks => need.to_stick(),
+        Ok(Some(match (need_arguments.repeats, need_arguments.may_slide) {
+            (false, false) if is_own && !need_arguments.sticks => need,
+            (false, _) if need_arguments.sticks => need.to_stick(),
             (false, _) => need.to_hold(),
             (true, false) => need.to_rest(),
             (true, true) => need.to_stay(),
@@ -54,13 +58,13 @@ impl Meaning {
     /// of the mass, for loads of the scene its base load. `None` if there is no such constant load.
     fn sought(
         self,
-        wanted: &Wanted,
+        need_arguments: &NeedArguments,
         sought: SoughtQuantity,
         setup: &mut Setup<3>,
     ) -> Result<(Need, Option<Wrench>), Failure> {
-        let beside = wanted.base.is_some() || wanted.any_force.is_some();
-        let to_and_fro = to_and_fro(wanted);
-        let mut asked = wanted.load.clone();
+        let beside = need_arguments.base.is_some() || need_arguments.any_force.is_some();
+        let to_and_fro = to_and_fro(need_arguments);
+        let mut asked = need_arguments.load.clone();
         if to_and_fro.is_some() {
             asked.acceleration = None;
         }
@@ -71,7 +75,7 @@ impl Meaning {
         let mut together_with = BTreeMap::new();
         let (loads, weight) = match (sought, to_and_fro) {
             (SoughtQuantity::Arm, _) => {
-                let along = wanted.along.as_ref().ok_or_else(|| {
+                let along = need_arguments.along.as_ref().ok_or_else(|| {
                     let axis = if self.axes == 3 { "1,0,0" } else { "1,0" };
                     Failure::Usage(format!("--along is missing: where to, such as --along {axis}"))
                 })?;
@@ -88,18 +92,21 @@ impl Meaning {
                     Some(own) => (own.weight, Some(own.at)),
                     None => (self.total_force(given)?, given.at.clone()),
                 };
-                return Ok((Need::angle(self.turn(weight, at.as_ref(), wanted.axis.as_ref())?), None));
+                return Ok((
+                    Need::angle(self.turn(weight, at.as_ref(), need_arguments.axis.as_ref())?),
+                    None,
+                ));
             }
             (_, Some(acceleration)) if given.mass.is_none() => {
                 let (mass, centre) = accelerated(setup, "acceleration")?;
-                if wanted.base.is_some() {
+                if need_arguments.base.is_some() {
                     let message = "--acceleration: accelerates the bodies by their own masses, must stand without --base: what is always there is the `load` of a body";
                     return Err(Failure::Usage(message.to_owned()));
                 }
                 (self.to_and_fro(mass, acceleration, centre)?.into(), None)
             }
             (_, Some(acceleration)) => {
-                let mass = wanted.load.mass.unwrap_or(0.0);
+                let mass = need_arguments.load.mass.unwrap_or(0.0);
                 (self.to_and_fro(mass, acceleration, at)?.into(), load)
             }
             (_, None) if load.is_none() && !beside => match SceneLoads::of(setup) {
@@ -110,12 +117,12 @@ impl Meaning {
                 // If neither the command line nor the scene's questions have a load, the question is about the constant loads, if there are any.
                 None => (Vec::new().into(), None),
             },
-            (SoughtQuantity::Load, None) if load.is_none() && wanted.any_force.is_none() => {
+            (SoughtQuantity::Load, None) if load.is_none() && need_arguments.any_force.is_none() => {
                 return Err(missing());
             }
-            (_, None) => (self.loads(load, wanted.any_force, given.at.as_ref())?, None),
+            (_, None) => (self.loads(load, need_arguments.any_force, given.at.as_ref())?, None),
         };
-        let need = match (sought, &wanted.contact, &wanted.of) {
+        let need = match (sought, &need_arguments.contact, &need_arguments.of) {
             (SoughtQuantity::Friction, Some(name), _) => {
                 Need::friction_of([named("contact", name, setup)?], loads)
             }
@@ -136,26 +143,28 @@ impl Meaning {
 
 /// The size of accelerations to and fro along every axis, if `--acceleration` is one number. `None` without this option, and for a vector, which is a
 /// constant acceleration of the arm.
-fn to_and_fro(wanted: &Wanted) -> Option<&Numbers> {
-    wanted.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
+fn to_and_fro(need_arguments: &NeedArguments) -> Option<&Numbers> {
+    need_arguments.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }
 
 /// Refuses options that have no meaning for this quantity.
-fn refuse_others(wanted: &Wanted, sought: SoughtQuantity) -> Result<(), Failure> {
+fn refuse_others(need_arguments: &NeedArguments, sought: SoughtQuantity) -> Result<(), Failure> {
     let of_its_own = [
-        (wanted.along.is_some(), SoughtQuantity::Arm, "--along", "an arm"),
-        (wanted.axis.is_some(), SoughtQuantity::Angle, "--axis", "an angle"),
-        (wanted.contact.is_some(), SoughtQuantity::Friction, "--contact", "friction"),
-        (wanted.of.is_some(), SoughtQuantity::Force, "--of", "a force"),
+        (need_arguments.along.is_some(), SoughtQuantity::Arm, "--along", "an arm"),
+        (need_arguments.axis.is_some(), SoughtQuantity::Angle, "--axis", "an angle"),
+        (need_arguments.contact.is_some(), SoughtQuantity::Friction, "--contact", "friction"),
+        (need_arguments.of.is_some(), SoughtQuantity::Force, "--of", "a force"),
     ];
     if let Some((.., option, of)) = of_its_own.iter().find(|(given, of, ..)| *given && *of != sought) {
         return Err(Failure::Usage(format!("{option}: given, must be left out unless {of} is sought")));
     }
     let is_arm_or_angle = matches!(sought, SoughtQuantity::Arm | SoughtQuantity::Angle);
-    let is_more = wanted.load.force.is_some() || wanted.load.moment.is_some() || wanted.any_force.is_some();
-    let message = if wanted.any_force.is_some() && is_arm_or_angle {
+    let is_more = need_arguments.load.force.is_some()
+        || need_arguments.load.moment.is_some()
+        || need_arguments.any_force.is_some();
+    let message = if need_arguments.any_force.is_some() && is_arm_or_angle {
         "--any-force: given, must be left out where an arm or an angle is sought"
-    } else if to_and_fro(wanted).is_some() && (is_more || is_arm_or_angle) {
+    } else if to_and_fro(need_arguments).is_some() && (is_more || is_arm_or_angle) {
         "--acceleration: given, must be left out beside other loads, and where an arm or an angle is sought"
     } else {
         return Ok(());

@@ -8,7 +8,7 @@ use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::Improved;
-use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
+use grasp_lcp::load_path::{Beyond, DepartingContact, Departure, EdgeOf, PartChange};
 use grasp_lcp::scene::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 use grasp_lcp::words::printable;
 
@@ -190,7 +190,7 @@ impl Report<'_> {
     fn leaving<At>(&mut self, event: &OnsetAt<3, At>) -> io::Result<()> {
         let digits = self.style.precision();
         if self.style.points {
-            for leaving @ Leaving { contact, how, .. } in &event.leaving {
+            for leaving @ DepartingContact { contact, how, .. } in &event.leaving {
                 let along = match how {
                     Departure::Slides { direction } => {
                         format!(" over the object along {}", self.style.words.along(direction))

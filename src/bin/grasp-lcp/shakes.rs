@@ -4,7 +4,7 @@ use grasp_lcp::spatial::Wrench;
 
 use crate::arguments::Numbers;
 use crate::failure::Failure;
-use crate::loads::Meaning;
+use crate::loads::OptionVectors;
 use crate::own_masses::{accelerated, refuse_mass};
 use grasp_lcp::scene::{Question, Setup};
 
@@ -32,7 +32,7 @@ pub(crate) struct Shakes {
     pub(crate) at: Option<Numbers>,
 }
 
-impl Meaning {
+impl OptionVectors {
     /// The question whether the grasp survives the repeated loads; `None` without such a load: the caller then asks the scene's own questions.
     /// Without such a load, options that need one are an error.
     pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {

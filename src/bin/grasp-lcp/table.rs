@@ -15,9 +15,9 @@ pub(crate) fn table(out: &mut dyn Write, style: Style, state: &Equilibrium<3>, s
     } else {
         state.whole_contacts().collect()
     };
-    let is_told_apart = |row: &WholeAnswer<'_, 3>| row.link().is_some() && !style.points;
-    let (links, rows): (Vec<_>, Vec<_>) = rows.into_iter().partition(is_told_apart);
-    let numbers = Cleaned { words: style.words, largest: state.largest_force() };
+    let is_link_row = |row: &WholeAnswer<'_, 3>| row.link().is_some() && !style.points;
+    let (links, rows): (Vec<_>, Vec<_>) = rows.into_iter().partition(is_link_row);
+    let numbers = WithoutRounding { words: style.words, largest: state.largest_force() };
     let heads = heads(style.axes, rows.iter().any(|row| matches!(row, WholeAnswer::Pad(_))));
     let columns = heads.len();
     let lines: Vec<_> =
@@ -50,7 +50,7 @@ pub(crate) fn compared(out: &mut dyn Write, style: Style, comparison: &Compariso
     if !state.pads.is_empty() && !style.points {
         return Ok(());
     }
-    let numbers = Cleaned { words: style.words, largest: state.largest_force() };
+    let numbers = WithoutRounding { words: style.words, largest: state.largest_force() };
     let heads =
         ["contact", "F_n (N)", "|F_t| (N)", "F_n of least energy (N)", "|F_t| of least energy (N)", "state"];
     let mut lines = vec![heads.map(str::to_owned).to_vec()];
@@ -78,19 +78,19 @@ fn heads(axes: usize, pads: bool) -> Vec<String> {
 
 /// Writes the forces of one table; forces that are only rounding errors become zero.
 #[derive(Clone, Copy)]
-struct Cleaned {
+struct WithoutRounding {
     words: Words,
     /// The largest force, N; forces that are rounding errors relative to this force become zero.
     largest: f64,
 }
 
-impl Cleaned {
+impl WithoutRounding {
     fn force(self, x: f64) -> String {
         self.words.number(self.words.beside(x, self.largest))
     }
 }
 
-fn cells(row: &WholeAnswer<'_, 3>, numbers: Cleaned, columns: usize) -> Vec<String> {
+fn cells(row: &WholeAnswer<'_, 3>, numbers: WithoutRounding, columns: usize) -> Vec<String> {
     let force = row.force();
     let mut cells = vec![row.text(), numbers.force(force[0]), numbers.force(row.friction_force())];
     if columns > 5 {

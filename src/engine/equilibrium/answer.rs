@@ -12,7 +12,7 @@ use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
 use super::too_far::TooFar;
 use crate::contact::{Coulomb, State};
-use crate::forms::LeftOut;
+use crate::forms::OmittedPairs;
 use crate::grasp::{BodyLoad, BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
 use crate::prelude::*;
 use crate::search::{Doubt, FoundBy};
@@ -199,7 +199,7 @@ pub struct WorkDone {
     pub rows_made: usize,
     /// Complementary pairs that a kinematic form of all contacts would have had in addition, and the reason why the search left them out.
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub rows_left_out: Vec<LeftOut>,
+    pub rows_left_out: Vec<OmittedPairs>,
     /// Combinations of contact states that were tried one by one.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub combinations: usize,

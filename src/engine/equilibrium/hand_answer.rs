@@ -3,11 +3,11 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role};
+use crate::grasp::{Drive, DriveLaw, DriveOwner, Engine, HandPart, JointKind, Linkage, NamedPart, PartLabel};
 use crate::numerics::{indexed, numbered};
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::Found;
+use crate::search::SearchSolution;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -84,7 +84,7 @@ pub enum DriveState {
 }
 
 /// State, force and yielded displacement of a joint or tendon, combined from its drives.
-struct Own {
+struct CombinedDrives {
     carried: f64,
     state: DriveState,
     yielded: f64,
@@ -95,10 +95,10 @@ impl Engine {
     pub(super) fn hand_answers(
         &self,
         problem: &Problem,
-        found: &Found,
+        found: &SearchSolution,
     ) -> (Vec<JointAnswer>, Vec<TendonAnswer>) {
         let Some(linkage) = self.linkage() else { return (Vec::new(), Vec::new()) };
-        let own = |owner: Owner| self.owner_state(linkage, problem, found, owner);
+        let own = |owner: DriveOwner| self.owner_state(linkage, problem, found, owner);
         let mut exerted = linkage.held_forces.clone();
         for (site, force) in self.sites().iter().zip(&found.forces).skip(self.len()) {
             exerted += &site.map * force;
@@ -106,7 +106,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let joint = |j: usize| {
             let length = linkage.lengths[object + j];
-            let Own { carried, state, yielded } = own(Owner::Joint(j));
+            let CombinedDrives { carried, state, yielded } = own(DriveOwner::Joint(j));
             let displacement = found.twist[object + j] / length;
             let margin = margin(&linkage.joints[j], carried, state);
             let torque = exerted[object + j] * length;
@@ -122,8 +122,8 @@ impl Engine {
                 yielded,
             }
         };
-        let tendon = |(number, named): (usize, &Named)| {
-            let Own { carried, state, yielded } = own(Owner::Tendon(number));
+        let tendon = |(number, named): (usize, &NamedPart)| {
+            let CombinedDrives { carried, state, yielded } = own(DriveOwner::Tendon(number));
             let margin = margin(named, carried, state);
             let tendon = linkage.label(HandPart::Tendon(number));
             TendonAnswer { tendon, state, tension: carried + named.held_torque, margin, yielded }
@@ -132,16 +132,22 @@ impl Engine {
         (joints, indexed(&linkage.tendons, &tendon))
     }
 
-    fn owner_state(&self, linkage: &Linkage, problem: &Problem, found: &Found, owner: Owner) -> Own {
-        let mut own = Own { carried: 0.0, state: DriveState::Absent, yielded: 0.0 };
+    fn owner_state(
+        &self,
+        linkage: &Linkage,
+        problem: &Problem,
+        found: &SearchSolution,
+        owner: DriveOwner,
+    ) -> CombinedDrives {
+        let mut own = CombinedDrives { carried: 0.0, state: DriveState::Absent, yielded: 0.0 };
         for (k, drive) in linkage.drives.iter().enumerate().filter(|(_, drive)| drive.owner == owner) {
             let i = self.len() + k;
             let (state, force) = (&found.states[i], &found.forces[i]);
             let stretch = problem.stretch(i, &found.twist);
             own.carried = drive.carried(force).unwrap_or(own.carried);
-            let (does, along) = drive_state(drive, state, &stretch, force, &problem.slips[i]);
-            if does != DriveState::Holds || own.state == DriveState::Absent {
-                own.state = does;
+            let (drive_state, along) = drive_state(drive, state, &stretch, force, &problem.slips[i]);
+            if drive_state != DriveState::Holds || own.state == DriveState::Absent {
+                own.state = drive_state;
             }
             own.yielded += drive.displacement(along);
         }
@@ -151,7 +157,7 @@ impl Engine {
 
 /// The margin of a joint or tendon to the force limit of its drive, N m or N: the limit minus the magnitude of the force `carried`. Zero while the
 /// drive yields, infinite without a force limit.
-fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
+fn margin(named: &NamedPart, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,
         Some(_) if state == DriveState::Yields => 0.0,
@@ -170,16 +176,18 @@ fn drive_state(
 ) -> (DriveState, f64) {
     let open = state.is_open();
     match drive.role {
-        Role::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
-        Role::EndsAbove if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
+        DriveLaw::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
+        DriveLaw::EndsAbove if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
         // The lower limit of the tension of a tendon is zero; at this limit the tendon is slack.
-        Role::EndsBelow if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
-        Role::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
-        Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => (DriveState::Holds, 0.0),
-        Role::Slips if state.slides() => {
+        DriveLaw::EndsBelow if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
+        DriveLaw::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
+        DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::EndsAbove | DriveLaw::EndsBelow => {
+            (DriveState::Holds, 0.0)
+        }
+        DriveLaw::Slips if state.slides() => {
             let elastic = drive.deflection(force[1]);
             (DriveState::Yields, stretch[1] - elastic + slipped[1])
         }
-        Role::Slips => (DriveState::Holds, slipped[1]),
+        DriveLaw::Slips => (DriveState::Holds, slipped[1]),
     }
 }

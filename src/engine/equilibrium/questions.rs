@@ -13,8 +13,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, FoundBy, Settings, Settled, combinations, on_the_solution_interval, search, settle,
-    settle_at_rest,
+    Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, combinations,
+    on_the_solution_interval, search, settle, settle_at_rest,
 };
 
 impl Engine {
@@ -22,8 +22,8 @@ impl Engine {
     pub(crate) fn solve(&self, load: &Wrench<3>, settings: &Settings) -> Result<Outcome<3>, Error> {
         let problem = self.problem_under(load, settings)?;
         let (mut settled, effort) = settle_at_rest(&problem, settings);
-        if let Settled::Found(found, rule) = settled {
-            settled = Settled::Found(on_the_solution_interval(&problem, found), rule);
+        if let SearchOutcome::Found(found, rule) = settled {
+            settled = SearchOutcome::Found(on_the_solution_interval(&problem, found), rule);
         }
         let outcome = self.outcome(&problem, load, settled, &effort, AnswerFor::of(self.space(), settings));
         outcome.equilibrium().map_or(Ok(()), |state| self.refuse_kinetic_slides("solve", state))?;
@@ -55,9 +55,9 @@ impl Engine {
             });
         }
         let search = search(&problem, false);
-        let effort = Effort { combinations: search.tried, ..Effort::default() };
-        let (mut list, mut known) = (Vec::<Equilibrium<3>>::new(), Vec::<Found>::new());
-        let mut add = |found: Found, rule, effort: &Effort| {
+        let effort = SearchCounts { combinations: search.tried, ..SearchCounts::default() };
+        let (mut list, mut known) = (Vec::<Equilibrium<3>>::new(), Vec::<SearchSolution>::new());
+        let mut add = |found: SearchSolution, rule, effort: &SearchCounts| {
             if known.iter().any(|other| same(&problem, other, &found)) {
                 return;
             }
@@ -74,7 +74,7 @@ impl Engine {
         // The polygon lies inside the round cone. On the round cone there may be an equilibrium although there is none on the polygon, or an
         // equilibrium far from every equilibrium on the polygon.
         if problem.round
-            && let (Settled::Found(found, rule), effort) = settle(&problem, settings)
+            && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {
             add(found, rule, &effort);
         }
@@ -95,14 +95,14 @@ impl Engine {
         &self,
         problem: &Problem,
         load: &Wrench<3>,
-        settled: Settled,
-        effort: &Effort,
+        settled: SearchOutcome,
+        effort: &SearchCounts,
         answer_for: AnswerFor,
     ) -> Outcome<3> {
         let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
         let motion_and_work = |v: &Vector| (self.motion_outside(v), v.dot(&problem.wrench));
         match settled {
-            Settled::Found(found, rule) => {
+            SearchOutcome::Found(found, rule) => {
                 let equilibrium = self.equilibrium(problem, load, found, rule, effort, answer_for);
                 if accurate(&equilibrium) {
                     Outcome::Equilibrium(Box::new(equilibrium))
@@ -110,17 +110,19 @@ impl Engine {
                     Outcome::Undecided(Undecided { doubt: Doubt::Inaccurate, work: equilibrium.work })
                 }
             }
-            Settled::FreeMotion(v) => {
+            SearchOutcome::FreeMotion(v) => {
                 let (motion, work) = motion_and_work(&v);
                 none(Proof::FreeMotion { motion, work })
             }
-            Settled::Separating(v) => {
+            SearchOutcome::Separating(v) => {
                 let (motion, work) = motion_and_work(&v);
                 none(Proof::SeparatingMotion { motion, work })
             }
-            Settled::NoneOf(combinations) => none(Proof::EveryStateTried { combinations }),
-            Settled::Contradicted { cases, escape } => none(Proof::EveryCaseContradicted { cases, escape }),
-            Settled::Undecided(doubt) => {
+            SearchOutcome::NoneOf(combinations) => none(Proof::EveryStateTried { combinations }),
+            SearchOutcome::Contradicted { cases, escape } => {
+                none(Proof::EveryCaseContradicted { cases, escape })
+            }
+            SearchOutcome::Undecided(doubt) => {
                 let work = WorkDone {
                     pivots: effort.pivots,
                     rows_made: effort.rows,
@@ -141,8 +143,8 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
 }
 
 /// Whether two solutions are the same equilibrium: forces and twist agree. If both have free motions, their twists may differ.
-fn same(problem: &Problem, a: &Found, b: &Found) -> bool {
-    let size = |found: &Found| problem.largest_force(&found.forces, &found.twist);
+fn same(problem: &Problem, a: &SearchSolution, b: &SearchSolution) -> bool {
+    let size = |found: &SearchSolution| problem.largest_force(&found.forces, &found.twist);
     // Solutions are the same if forces and motions differ by less than this fraction of the largest force or motion.
     let force = NEGLIGIBLE * size(a).max(size(b));
     let motion = NEGLIGIBLE * a.twist.norm().max(b.twist.norm());

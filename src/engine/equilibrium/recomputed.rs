@@ -10,7 +10,7 @@ use crate::grasp::{Engine, Hold, Site, Wrench};
 use crate::numerics::{IntoList, Vector, numbered};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
-use crate::search::Found;
+use crate::search::SearchSolution;
 
 /// The force and displacements of one contact, or of one drive of a hand, from which its residuals are computed.
 struct SiteAnswer<'a> {
@@ -87,7 +87,7 @@ impl Engine {
         problem: &Problem,
         load: &Wrench<3>,
         twist: &Vector,
-        (answers, found): (&[ContactAnswer<3>], &Found),
+        (answers, found): (&[ContactAnswer<3>], &SearchSolution),
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
@@ -175,7 +175,7 @@ impl Engine {
         &self,
         problem: &Problem,
         twist: &Vector,
-        found: &'a Found,
+        found: &'a SearchSolution,
     ) -> Vec<SiteAnswer<'a>> {
         if self.linkage().is_none() {
             return Vec::new();
@@ -198,7 +198,7 @@ impl Engine {
         &self,
         load: &Wrench<3>,
         answers: &[ContactAnswer<3>],
-        found: &Found,
+        found: &SearchSolution,
         force_size: f64,
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
@@ -279,7 +279,7 @@ mod tests {
     use crate::equilibrium::Residuals;
     use crate::grasp::{Contact, Engine, Face, Space, Wrench};
     use crate::object::Load;
-    use crate::search::{Found, Settings};
+    use crate::search::{SearchSolution, Settings};
 
     /// A comparison of residuals with a bound must fail if any number of the answer is not finite.
     #[test]
@@ -295,7 +295,7 @@ mod tests {
         let polygon = Arc::new(Polygon::new(Space::Planar, &PolygonCone::default()));
         let problem = grasp.problem(polygon, false, grasp.offsets(), &Load::from(&wrench));
         let states = answer.local.states.clone();
-        let found = Found::new(states, answer.site_forces(), answer.local.twist.to());
+        let found = SearchSolution::new(states, answer.site_forces(), answer.local.twist.to());
         let moved = SVector::from([
             answer.twist.components()[0],
             answer.twist.components()[1],

@@ -38,7 +38,7 @@ impl<'g> StickingResponse<'g> {
     /// The linear response of the grasp while every contact and drive sticks, except those that are absent, with the friction cone of the settings.
     pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
         let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
-        let states = problem.unjumped();
+        let states = problem.trial_states();
         Self::of(grasp, problem, &states)
     }
 

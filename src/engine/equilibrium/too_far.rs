@@ -13,7 +13,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Vector, largest};
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Found, SmallMotions};
+use crate::search::{SearchSolution, SmallMotions};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words, printable};
@@ -71,7 +71,7 @@ impl fmt::Display for TooFar {
             Self::JointTurns { joint, .. } => joint.text().into(),
             Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
         };
-        write!(f, "{name} {}", self.does(Words::of(f)))
+        write!(f, "{name} {}", self.verb_phrase(Words::of(f)))
     }
 }
 
@@ -85,7 +85,7 @@ impl TooFar {
     /// The motion beyond its limit, with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant
     /// digits.
     #[must_use]
-    pub fn does(&self, words: Words) -> String {
+    pub fn verb_phrase(&self, words: Words) -> String {
         let words = words.rounded_to(2);
         match self {
             Self::Turns { limit, .. } | Self::JointTurns { limit, .. } => {
@@ -138,7 +138,7 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
 
 /// An equilibrium, given by the data from which its motions are measured: contact states, forces, finger offsets, slips and twist.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Standing<'s> {
+pub(crate) struct MotionData<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],
     pub(crate) slips: &'s [SVector<f64, 3>],
     pub(crate) states: &'s [State],
@@ -146,9 +146,9 @@ pub(crate) struct Standing<'s> {
     pub(crate) twist: &'s Vector,
 }
 
-impl<'s> Standing<'s> {
+impl<'s> MotionData<'s> {
     /// The equilibrium `found` of a problem, with the problem's finger offsets and slips.
-    pub(crate) fn found(problem: &'s Problem<'_>, found: &'s Found) -> Self {
+    pub(crate) fn found(problem: &'s Problem<'_>, found: &'s SearchSolution) -> Self {
         let (offsets, slips) = (&problem.offsets, &problem.slips);
         Self { offsets, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
     }
@@ -172,7 +172,7 @@ impl Engine {
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
-        standing: &Standing<'_>,
+        standing: &MotionData<'_>,
     ) -> Vec<CountedMotion> {
         let mut motions = Vec::with_capacity(self.len() + 1);
         let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);
@@ -215,7 +215,7 @@ impl Engine {
     fn push_joint_turns(
         &self,
         small: &SmallMotions,
-        standing: &Standing<'_>,
+        standing: &MotionData<'_>,
         motions: &mut Vec<CountedMotion>,
     ) {
         let Some(linkage) = self.linkage() else { return };
@@ -255,7 +255,7 @@ impl Engine {
     }
 
     /// The motion of an answer that is farthest beyond its limit; `None` if all motions are small.
-    pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &Standing<'_>) -> Option<TooFar> {
+    pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &MotionData<'_>) -> Option<TooFar> {
         let motions = self.counted_motions(small, standing);
         farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).map(|motion| self.too_far(motion))
     }

@@ -5,14 +5,14 @@ use nalgebra::{SMatrix, SVector};
 use super::answer::{Equilibrium, LocalAnswer, WorkDone};
 use super::cone::{AnswerFor, Cone};
 use super::contact_answer::{ContactAnswer, ContactState};
-use super::too_far::Standing;
+use super::too_far::MotionData;
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
-use crate::forms::{LeftOut, Why};
+use crate::forms::{OmissionReason, OmittedPairs};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
 use crate::numerics::{IntoList, Vector, by_axis, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Effort, Found, FoundBy};
+use crate::search::{FoundBy, SearchCounts, SearchSolution};
 
 impl Engine {
     /// The answer in physical quantities for `found`, a solution of the equilibrium problem in the engine's scaled units.
@@ -20,9 +20,9 @@ impl Engine {
         &self,
         problem: &Problem,
         load: &Wrench<3>,
-        found: Found,
+        found: SearchSolution,
         rule: FoundBy,
-        effort: &Effort,
+        effort: &SearchCounts,
         AnswerFor { cone, small }: AnswerFor,
     ) -> Equilibrium<3> {
         let with_joints = |i: usize| {
@@ -45,7 +45,7 @@ impl Engine {
             stored_energy += stored.sum::<f64>();
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
-        let too_far = self.farthest_beyond(&small, &Standing::found(problem, &found));
+        let too_far = self.farthest_beyond(&small, &MotionData::found(problem, &found));
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
@@ -88,25 +88,30 @@ impl Engine {
         }
     }
 
-    pub(super) fn left_out(&self, effort: &Effort, cone: Cone, everything_sticks: bool) -> Vec<LeftOut> {
+    pub(super) fn left_out(
+        &self,
+        effort: &SearchCounts,
+        cone: Cone,
+        everything_sticks: bool,
+    ) -> Vec<OmittedPairs> {
         let facets = if effort.facets > 0 { effort.facets } else { cone.facets() };
         let mut list = Vec::new();
         for (contact, site) in self.sites().iter().enumerate() {
-            let mut push = |rows, why| list.push(LeftOut { contact, rows, why });
+            let mut push = |rows, why| list.push(OmittedPairs { contact, rows, why });
             if everything_sticks && effort.rows == 0 {
-                push(1 + facets, Why::EverythingSticks);
+                push(1 + facets, OmissionReason::EverythingSticks);
                 continue;
             }
             match site.hold {
-                Hold::Bonded => push(1 + facets, Why::Bonded),
-                Hold::KeptClosed => push(1, Why::KeptClosed),
+                Hold::Bonded => push(1 + facets, OmissionReason::Bonded),
+                Hold::KeptClosed => push(1, OmissionReason::KeptClosed),
                 Hold::Unilateral => {}
             }
             if site.hold != Hold::Bonded {
                 if site.friction.is_frictionless() {
-                    push(facets, Why::Frictionless);
+                    push(facets, OmissionReason::Frictionless);
                 } else if site.friction.is_infinite() {
-                    push(facets, Why::InfiniteFriction);
+                    push(facets, OmissionReason::InfiniteFriction);
                 }
             }
         }
@@ -115,11 +120,14 @@ impl Engine {
 }
 
 /// States of all contacts in a solution, then of the drives of a hand, which obey contact laws, too.
-pub(crate) fn site_states(problem: &Problem, found: &Found) -> Vec<ContactState<3>> {
+pub(crate) fn site_states(problem: &Problem, found: &SearchSolution) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).list()
 }
 
-fn solved_sites<'s>(problem: &'s Problem<'s>, found: &'s Found) -> impl Iterator<Item = SolvedContact<'s>> {
+fn solved_sites<'s>(
+    problem: &'s Problem<'s>,
+    found: &'s SearchSolution,
+) -> impl Iterator<Item = SolvedContact<'s>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
     let history = problem.offsets.iter().zip(&problem.slips);
     solved.zip(history).map(move |((((local, site), state), force), (offset, memory))| SolvedContact {

@@ -67,7 +67,7 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
         let facets = local.facets().len();
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
-            _ if !slips[contact] => local.unjumped(),
+            _ if !slips[contact] => local.trial_state(),
             // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner.
             [corner] if local.is_planar() => Mode::Facet(corner),
             _ if local.is_planar() => Mode::Open,

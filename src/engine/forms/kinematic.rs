@@ -20,7 +20,7 @@ use crate::prelude::*;
 
 /// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. In energy coordinates, with the contact's
 /// stiffnesses K and its force F, the force is x = K^{-1/2} F. The unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
-struct Jump {
+struct GapOrSlip {
     contact: usize,
     row: SVector<f64, 3>,
     column: SVector<f64, 3>,
@@ -29,7 +29,7 @@ struct Jump {
 }
 
 /// The complementary pairs of these contacts in the kinematic form: the meaning of each, and its jump (a gap or slip).
-fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
+fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
         let local = problem.local(contact);
@@ -38,7 +38,7 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<Jump>) {
             let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
             let (row, column) = (row / w_unit, column * z_unit);
             rows.push(meaning);
-            jumps.push(Jump { contact, row, column, w_unit, z_unit });
+            jumps.push(GapOrSlip { contact, row, column, w_unit, z_unit });
         };
         if local.may_open() {
             let normal = root - tangential(&root);
@@ -82,7 +82,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
 /// Displacements of all coordinates under a unit of each jump (gap or slip) of a contact; `None` for contacts not yet computed. They are stored by
 /// contact, so that a later kinematic form of another set of contacts reuses them.
 #[derive(Debug, Default)]
-pub(crate) struct Moved(Vec<Option<Vec<Vec<f64>>>>);
+pub(crate) struct UnitDisplacements(Vec<Option<Vec<Vec<f64>>>>);
 
 /// The kinematic form of the given contacts in a problem with many coordinates. All other contacts keep the states of `trial`. Displacements under
 /// jumps are taken from `known`, or computed and stored there. `None` if a number overflows or the factorisation fails.
@@ -91,7 +91,7 @@ pub(crate) fn kinematic_form_among(
     trial: &Piece,
     state: &PieceState,
     contacts: &[usize],
-    Moved(known): &mut Moved,
+    UnitDisplacements(known): &mut UnitDisplacements,
 ) -> Option<Form> {
     let (rows, jumps) = jumps(problem, contacts);
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
@@ -129,7 +129,7 @@ fn form(
     problem: &Problem,
     state: &PieceState,
     rows: Vec<Row>,
-    jumps: &[Jump],
+    jumps: &[GapOrSlip],
     coupling: &dyn Fn(usize, usize) -> f64,
 ) -> Option<Form> {
     let n = jumps.len();
@@ -167,7 +167,7 @@ pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) ->
         if open[contact] {
             Mode::Open
         } else if slipping[contact].is_empty() {
-            local.unjumped()
+            local.trial_state()
         } else {
             local.slipping_state(&slipping[contact])
         }

@@ -28,7 +28,7 @@
 //! It is about twice as large as the kinematic form. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0
 //! at all contacts has W·q > 0.
 //!
-//! The forms have no rows that a contact does not need ([`Why`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
+//! The forms have no rows that a contact does not need ([`OmissionReason`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 
 mod force_form;
 mod kinematic;
@@ -36,8 +36,8 @@ mod questions;
 mod rows;
 mod ruled_out;
 
-pub use rows::{Form, LeftOut, Row, Why};
+pub use rows::{Form, OmissionReason, OmittedPairs, Row};
 
 pub(crate) use force_form::{force_form, force_states};
-pub(crate) use kinematic::{Moved, kinematic_form, kinematic_form_among, kinematic_states};
+pub(crate) use kinematic::{UnitDisplacements, kinematic_form, kinematic_form_among, kinematic_states};
 pub(crate) use ruled_out::clearly_breaks;

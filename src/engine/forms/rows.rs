@@ -53,19 +53,19 @@ pub enum Row {
 /// Complementary pairs of a contact that the linear complementarity problem does not contain because they are not needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct LeftOut {
+pub struct OmittedPairs {
     /// Index of the contact, from 0.
     pub contact: usize,
     /// The number of complementary pairs that a kinematic form saves at this contact: 1 for the gap, 1 for each facet.
     pub rows: usize,
     /// The reason why the pairs are not needed.
-    pub why: Why,
+    pub why: OmissionReason,
 }
 
 /// The reason why a contact needs fewer complementary pairs than a gap and its facets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Why {
+pub enum OmissionReason {
     /// Everything sticks: the elastic trial state is the answer.
     EverythingSticks,
     /// μ = 0: no tangential force, no facets.

@@ -41,14 +41,14 @@ pub(super) struct Arc<'s, 'g> {
     free_motions: Vec<(Vector, f64)>,
     /// The terms of `T q' = b λ'` from contacts that do not slide, computed on first use. The rates at which friction forces turn need only the
     /// sliding contacts.
-    fixed: OnceCell<Fixed>,
+    fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
 }
 
 /// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
 /// λ the load factor.
-struct Fixed {
+struct ConstantTerms {
     /// The tangent stiffness of the contacts that do not slide. Motions that no spring resists get an artificial stiffness. It keeps the object at
     /// rest along them, or at the velocities in `Arc::free_motions`.
     stiffness: PathStiffness,
@@ -92,11 +92,11 @@ impl<'s, 'g> Arc<'s, 'g> {
         Self { segment, states, sliding, unit, free_motions, fixed: OnceCell::new(), driven }
     }
 
-    fn fixed(&self) -> &Fixed {
+    fn fixed(&self) -> &ConstantTerms {
         self.fixed.get_or_init(|| self.fixed_anew())
     }
 
-    fn fixed_anew(&self) -> Fixed {
+    fn fixed_anew(&self) -> ConstantTerms {
         let Self { segment, states, free_motions, .. } = self;
         let (sites, size) = (self.sites(), segment.grasp.size());
         // An artificial stiffness against a free motion couples all coordinates that move in this motion, so that no band matrix is narrow.
@@ -133,7 +133,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             stiffness.add(&[0..size.count(), 0..0], |i, j| v[i] * held[j]);
             push += v * (stiffest * rate);
         }
-        Fixed { stiffness, push }
+        ConstantTerms { stiffness, push }
     }
 
     pub(super) fn sites(&self) -> &'g [Site] {
@@ -141,7 +141,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load and the constant terms
-    /// `Fixed::push`.
+    /// `ConstantTerms::push`.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
     }

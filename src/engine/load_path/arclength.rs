@@ -5,14 +5,14 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
 
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
 use super::segment::PathPoint;
 use super::trajectory::Trajectory;
 use crate::numerics::{largest, least};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-impl Pieces<'_> {
+impl PiecewiseFollower<'_> {
     /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, which gives twist and load factor
     /// equal weight in the arclength at this beginning. While the load turns, the present rate may be small. The norm of the rate a quarter
     /// revolution later is then added in quadrature. If the result is zero, one is returned.

@@ -21,7 +21,7 @@ use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
-    Doubt, Effort, Found, FoundBy, Settings, Settled, combinations, dense_is_affordable,
+    Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, combinations, dense_is_affordable,
     for_each_combination, for_each_condition, settle,
 };
 #[cfg(feature = "serde")]
@@ -86,7 +86,12 @@ pub struct Continuation<const C: usize> {
 
 /// [`Beyond::Continues`] with states and rates from `found`, the solution of `rates`, the rate problem after an event. [`Beyond::WithoutVacuum`] if a
 /// suction cup is open all around.
-pub(super) fn continuation(grasp: &Engine, rates: &Problem, found: Found, rule: FoundBy) -> Beyond<3> {
+pub(super) fn continuation(
+    grasp: &Engine,
+    rates: &Problem,
+    found: SearchSolution,
+    rule: FoundBy,
+) -> Beyond<3> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
     let cups = grasp.cups_open(|i| states[i] == ContactState::Separated);
@@ -116,7 +121,7 @@ pub(super) struct EquilibriumEnd<'f> {
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
-    (settled, effort): (Settled, &Effort),
+    (settled, effort): (SearchOutcome, &SearchCounts),
     end: &EquilibriumEnd<'_>,
     settings: &Settings,
 ) -> Beyond<3> {
@@ -140,10 +145,12 @@ pub(super) fn beyond_end(
     }
     // With many contacts the search may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove this.
     let settled = match settled {
-        Settled::Undecided(_) if effort.no_slips || no_rates(rates) => Settled::NoneOf(0),
+        SearchOutcome::Undecided(_) if effort.no_slips || no_rates(rates) => SearchOutcome::NoneOf(0),
         settled => settled,
     };
-    if !matches!(settled, Settled::Undecided(_)) && combinations(&problem) <= settings.most_states as f64 {
+    if !matches!(settled, SearchOutcome::Undecided(_))
+        && combinations(&problem) <= settings.most_states as f64
+    {
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
@@ -178,7 +185,7 @@ fn from_scratch<'g>(
 ) -> Beyond<3> {
     // Whether the search at the distance `part` finds an equilibrium whose forces differ from those at the end by more than on a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
-        Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
+        SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
@@ -186,9 +193,11 @@ fn from_scratch<'g>(
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would exceed the allowed number of pivots, too.
-            Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
-            Settled::Undecided(doubt) => why = doubt,
-            Settled::Found(found, _) => {
+            SearchOutcome::Undecided(Doubt::OutOfPivots) => {
+                return Beyond::Undecided { doubt: Doubt::OutOfPivots };
+            }
+            SearchOutcome::Undecided(doubt) => why = doubt,
+            SearchOutcome::Found(found, _) => {
                 // If the forces found are nearly the forces at the end, the search is repeated at shorter distances. Only the forces of another
                 // equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);

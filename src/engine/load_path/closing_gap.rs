@@ -14,9 +14,9 @@
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
-use super::journey::Journey;
 use super::jump_leg::JumpInProgress;
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Coordinates;
@@ -24,12 +24,12 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Vector, mapped};
 use crate::object::PieceState;
 use crate::prelude::*;
-use crate::search::Found;
+use crate::search::SearchSolution;
 
 use nalgebra::SVector;
 
 /// How far the object moves along a motion that nothing resists, up to the gap that closes first.
-struct FreeWay {
+struct FreeTravel {
     /// Length of the motion, as a multiple of the motion vector.
     length: f64,
     /// Indices of the contacts and drives whose gaps close at the end of the motion.
@@ -59,10 +59,10 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
     }
 }
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks it, if no gap
     /// closes, or if rotations or slips exceed the limits of small motions.
-    fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
+    fn free_way(&self, motion: &Vector) -> Option<FreeTravel> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
@@ -98,7 +98,7 @@ impl<'g> Pieces<'g> {
         let moves = grasp.each_moves(&(motion * length));
         let turns_little = moves.iter().all(|body| body.twist.parts().1.size() <= small.rotation);
         let is_small = turns_little && fastest * length <= small.slip * grasp.size_of_grasp();
-        is_small.then_some(FreeWay { length, closing, still })
+        is_small.then_some(FreeTravel { length, closing, still })
     }
 
     /// Makes contacts slide that are on the edge of their cones, and open those at the apex. Contacts without velocity in the motion keep their
@@ -106,10 +106,10 @@ impl<'g> Pieces<'g> {
     fn yield_along(
         &mut self,
         motion: &Vector,
-        way: &FreeWay,
-        journey: &Journey<'g>,
+        way: &FreeTravel,
+        run: &ProgramRun<'g>,
     ) -> Vec<(usize, Change<3>)> {
-        let rates = self.edge(journey).rates;
+        let rates = self.edge(run).rates;
         let mut states = rates.yielding();
         for (i, state) in states.iter_mut().enumerate() {
             if way.still[i] && matches!(rates.laws[i], Law::Edge(_)) {
@@ -117,13 +117,13 @@ impl<'g> Pieces<'g> {
             }
         }
         let forces = vec![SVector::zeros(); states.len()];
-        let found = Found::new(states, forces, motion.clone());
+        let found = SearchSolution::new(states, forces, motion.clone());
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
     /// Moves the object by `motion` times `way.length`, until the gap closes, at the same load. `None` if the linear system for the forces of the new
     /// states has no solution.
-    fn move_to_gap(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
+    fn move_to_gap(&mut self, motion: &Vector, way: &FreeTravel) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved for anew in the new states. Then the force of contacts that have opened is exactly zero, without a rounding error.
         let forces = mapped(&point.lines, &|line| line.force);
@@ -144,41 +144,41 @@ impl<'g> Pieces<'g> {
 
     /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues with this gap
     /// closed. `None` if no gap closes, after a failed jump, or if no integration steps are left.
-    pub(super) fn closing_gap_event(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
-        if self.failed_jump.is_some() || self.pace.steps >= journey.settings.most_steps {
+    pub(super) fn closing_gap_event(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
+        if self.failed_jump.is_some() || self.pace.steps >= run.settings.most_steps {
             return None;
         }
         let before = self.state_before_event();
-        let state = before.or_else(|| self.present_state(journey))?;
+        let state = before.or_else(|| self.present_state(run))?;
         let goal = self.segment.course.at(self.factor);
         let leg = Self::at_segment_start(self.segment.at_rest(self.factor), self.node.clone());
         let slips = leg.segment.problem.slips.clone();
         let mut jump = JumpInProgress::after(leg, &slips);
         jump.leg.pace.steps = self.pace.steps + 1;
-        let went = jump.follow_free_motion(loss, &goal, journey).and_then(|lets_go| {
+        let went = jump.follow_free_motion(loss, &goal, run).and_then(|lets_go| {
             let first = core::mem::take(&mut jump.changes);
-            if lets_go { jump.run(&goal, journey).map(|()| first) } else { Ok(first) }
+            if lets_go { jump.run(&goal, run).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
         // If the state at the closed gap cannot be computed because of rounding, the path ends with the loss.
-        let jump = self.end_jump(journey, &goal, jump).ok()?;
+        let jump = self.end_jump(run, &goal, jump).ok()?;
         self.at_node = true;
-        Some(Event { jump: Some(Box::new(jump)), ..self.caught(journey, changes, state) })
+        Some(Event { jump: Some(Box::new(jump)), ..self.caught(run, changes, state) })
     }
 
     /// The event that replaces a loss from which the path continues: `changes` of contact states at the loss, and the equilibrium `state` before
     /// them. The caller adds the jump.
     pub(super) fn caught(
         &self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         changes: Vec<(usize, Change<3>)>,
         state: Equilibrium<3>,
     ) -> Event<3> {
-        let (changes, drives) = journey.grasp.contacts_and_drives(changes);
+        let (changes, drives) = run.grasp.contacts_and_drives(changes);
         Event {
-            leg: journey.program.leg,
+            leg: run.program.leg,
             fraction: self.factor,
-            load: journey.program.load_at(self.factor),
+            load: run.program.load_at(self.factor),
             changes,
             drives,
             free_motions: Vec::new(),
@@ -198,16 +198,16 @@ impl<'g> JumpInProgress<'g> {
         &mut self,
         loss: &Loss<3>,
         goal: &Vector,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
     ) -> Result<bool, PathEnd<3>> {
         let lost = || PathEnd::Lost(Box::new(loss.clone()));
         let motion: Option<Vector> = loss.leaves.as_ref().map(Coordinates::to);
         let motion = motion.filter(|_| loss.kind != LossKind::LetsGo).ok_or_else(lost)?;
         let way = self.leg.free_way(&motion).ok_or_else(lost)?;
-        let changes = self.leg.yield_along(&motion, &way, journey);
+        let changes = self.leg.yield_along(&motion, &way, run);
         let begin = self.leg.begin_to_slide(&changes);
         if !begin.is_empty()
-            && let Some(leg) = self.leg.leg_of_release(goal, &begin, journey)?
+            && let Some(leg) = self.leg.leg_of_release(goal, &begin, run)?
         {
             self.leg = leg;
             self.note(&changes);

@@ -3,11 +3,11 @@
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
-use super::onset::{Departure, Leaving};
-use super::onset_margins::Leaver;
+use super::onset::{DepartingContact, Departure};
+use super::onset_margins::DepartingPart;
 use super::turn::EdgeOf;
 use crate::error::ContactLabel;
-use crate::grasp::{Engine, PartLabel, Role};
+use crate::grasp::{DriveLaw, Engine, PartLabel};
 use crate::numerics::IntoList;
 use crate::numerics::moved;
 use crate::prelude::*;
@@ -37,9 +37,12 @@ impl Engine {
 
     /// Separates contacts that stop sticking, whose labels are filled in, from drives that yield or slacken. A drive is labelled by its joint or
     /// tendon.
-    pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<3>>) -> (Vec<Leaving<3>>, Vec<PartChange>) {
+    pub(super) fn leaving_apart(
+        &self,
+        mut leaving: Vec<DepartingContact<3>>,
+    ) -> (Vec<DepartingContact<3>>, Vec<PartChange>) {
         let mut drives = Vec::new();
-        leaving.retain_mut(|Leaving { contact, how }| {
+        leaving.retain_mut(|DepartingContact { contact, how }| {
             let site = contact.index;
             if site < self.len() {
                 *contact = self.contacts()[site].label(site);
@@ -66,10 +69,10 @@ impl Engine {
 
     /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, i.e. a spring whose
     /// state never changes.
-    pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
+    pub(crate) fn leaver(&self, site: usize) -> Option<DepartingPart> {
         match self.linkage() {
-            Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),
-            _ => Some(Leaver::Contact(site)),
+            Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(DepartingPart::Drive),
+            _ => Some(DepartingPart::Contact(site)),
         }
     }
 
@@ -86,8 +89,8 @@ impl Engine {
         let linkage = self.linkage()?;
         let drive = &linkage.drives[site - self.len()];
         let what = match (frees, drive.role, drive.pulls_only()) {
-            (true, Role::Pulls | Role::EndsBelow, true) => DriveChange::Slackens,
-            (false, Role::Pulls | Role::EndsBelow, true) => DriveChange::Tightens,
+            (true, DriveLaw::Pulls | DriveLaw::EndsBelow, true) => DriveChange::Slackens,
+            (false, DriveLaw::Pulls | DriveLaw::EndsBelow, true) => DriveChange::Tightens,
             (true, ..) => DriveChange::Yields,
             (false, ..) => DriveChange::Holds,
         };

@@ -5,9 +5,9 @@
 //! bracket. States of the path are never interpolated.
 
 use super::flow::{Flow, FlowStep, Rule, StepGoal};
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
 use super::segment::PathPoint;
-use super::watch::{Watch, watch};
+use super::watched_condition::{ConditionValue, watch};
 use crate::prelude::*;
 
 /// A step along an arc: its arclength, the state at its end, and the watched conditions of contact states, evaluated at the end.
@@ -15,12 +15,12 @@ pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
     pub(super) reached: FlowStep,
-    pub(super) watches: Vec<Watch>,
+    pub(super) watches: Vec<ConditionValue>,
     /// The index in `watches` of the condition that is just met at the end, if the step was made to end there.
     pub(super) located: Option<usize>,
 }
 
-impl Pieces<'_> {
+impl PiecewiseFollower<'_> {
     /// Makes a step of this arclength from `point` along an arc, and evaluates the watched conditions at its end; `None` if the step fails.
     pub(super) fn step(
         &self,
@@ -37,7 +37,7 @@ impl Pieces<'_> {
 
     /// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between
     /// the ends of the step. `None` if no condition is violated.
-    pub(super) fn first_crossing(start: &[Watch], end: &StepEnd) -> Option<usize> {
+    pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
             from / (from - to)
@@ -51,7 +51,7 @@ impl Pieces<'_> {
     pub(super) fn locate(
         &self,
         point: &PathPoint,
-        start: &[Watch],
+        start: &[ConditionValue],
         mut end: StepEnd,
         mut k: usize,
     ) -> Option<StepEnd> {

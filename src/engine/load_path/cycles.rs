@@ -5,8 +5,8 @@ use nalgebra::{Matrix, SVector};
 use super::event::PathEnd;
 use super::following::{AnyPath, Following};
 use super::leg::Leg;
-use super::pieces::Pieces;
-use super::stretch::Stretch;
+use super::piecewise_follower::PiecewiseFollower;
+use super::stored_piece::StoredPiece;
 use crate::contact::{Coulomb, Mode, State};
 use crate::equilibrium::{Equilibrium, TooFar};
 use crate::error::Error;
@@ -19,7 +19,7 @@ use crate::search::{Doubt, Settings};
 /// The path along a closed cycle of legs that is followed again and again.
 #[derive(Debug)]
 pub(crate) struct Cycles<'g> {
-    path: Following<'g, Pieces<'g>>,
+    path: Following<'g, PiecewiseFollower<'g>>,
     legs: Vec<Leg<3>>,
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
@@ -90,18 +90,18 @@ impl<'g> Cycles<'g> {
         (base, legs): (&Wrench<3>, &[Leg<3>]),
         settings: &Settings,
     ) -> Result<Self, Error> {
-        let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
+        let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
         // A cycle is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
-        path.journey.program.check_closed(SOLVED_ROUNDING)?;
+        path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
     /// The cycle before it is followed, at the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would slide at once, or the
     /// equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
-        let grasp = self.path.journey.grasp;
+        let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
-        let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
+        let begin = Following::start(grasp, (&self.base, &self.legs), settings, |run, problem| {
             let mut slipped = problem.clone();
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
@@ -116,9 +116,9 @@ impl<'g> Cycles<'g> {
                     .is_some_and(|(_, margin)| margin < -NEGLIGIBLE * largest)
             };
             if from.forces.iter().enumerate().any(slides) {
-                return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
+                return Err(run.undecided(0.0, Doubt::OnTheBoundary));
             }
-            Pieces::at_start(journey, &slipped)
+            PiecewiseFollower::at_start(run, &slipped)
         });
         let path = begin.ok()?;
         let begun = Self { path, legs: self.legs.clone(), base: self.base, completed: 0 };
@@ -129,7 +129,7 @@ impl<'g> Cycles<'g> {
 
     /// Sets the number of integration steps along arcs, on which directions of sliding turn, that are allowed on each leg from now on.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
-        self.path.journey.settings.most_steps = most_steps;
+        self.path.run.settings.most_steps = most_steps;
     }
 
     /// The end of the path, if it has ended before all legs so far were completed; else `None`.
@@ -157,7 +157,7 @@ impl<'g> Cycles<'g> {
     /// Follows one more cycle and returns its totals; `None` if the path [ends](Self::end) before the cycle is complete.
     pub(crate) fn follow_cycle(&mut self) -> Option<CycleRecord> {
         if self.completed > 0 && self.path.end().is_some() {
-            self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
+            self.path.run.program.return_to(self.path.run.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
@@ -224,7 +224,7 @@ impl CycleState {
 impl CycleRecord {
     /// Adds a piece of the path to the totals and extremes. `after` are the accumulated slips at its end, and `first` is the index of the cycle's
     /// first leg among all legs followed.
-    fn add(&mut self, piece: &Stretch<'_>, after: &[SVector<f64, 3>], first: usize) {
+    fn add(&mut self, piece: &StoredPiece<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {
             for (i, _) in jump.slid.iter().enumerate().filter(|(_, slid)| **slid) {

@@ -5,7 +5,7 @@ use core::fmt;
 use super::beyond::Beyond;
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, Loss, LossKind, PathEnd};
-use super::onset::{Departure, Leaving, Onset, OnsetEvent};
+use super::onset::{DepartingContact, Departure, Onset, OnsetEvent};
 use crate::equilibrium::Proof;
 use crate::grasp::vacuum_is_gone;
 use crate::words::{Words, opens};
@@ -49,7 +49,7 @@ impl<const C: usize> fmt::Display for Change<C> {
     }
 }
 
-impl<const C: usize> Leaving<C> {
+impl<const C: usize> DepartingContact<C> {
     /// The verb for how the contact stops sticking: "slides", "opens" (or another verb for a link, such as "goes slack"), or "would have to pull".
     #[must_use]
     pub fn verb(&self) -> &'static str {

@@ -8,7 +8,7 @@ use crate::contact::State;
 use crate::numerics::{Each, Vector};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Settings, Settled};
+use crate::search::{SearchCounts, SearchOutcome, Settings};
 
 /// The end of a path at which no rates of forces and motion satisfy the contact laws, or the search `settled` for rates is undecided. The result is
 /// `loss` with kind and motions.
@@ -18,12 +18,12 @@ use crate::search::{Effort, Settings, Settled};
 /// Without such a proof the end is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
-    (settled, effort): (Settled, &Effort),
+    (settled, effort): (SearchOutcome, &SearchCounts),
     loss: Loss<3>,
     settings: &Settings,
 ) -> PathEnd<3> {
     let StateAtEdge { segment, rates, forces } = edge;
-    if let Settled::FreeMotion(v) = settled {
+    if let SearchOutcome::FreeMotion(v) = settled {
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
     }
@@ -33,12 +33,12 @@ pub(super) fn end_of_path(
     // bodies.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
-        if let Settled::Separating(v) = &settled {
+        if let SearchOutcome::Separating(v) = &settled {
             against = Some(v.clone());
         }
     }
     let corner = loss.leaving(segment.grasp, motion.as_ref()).and_virtually(against.as_ref());
-    let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
+    let SearchOutcome::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
     let doubt = *doubt;
     let end = EquilibriumEnd { factor: corner.fraction, forces, motion: against };
     if effort.no_slips

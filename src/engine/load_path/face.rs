@@ -5,8 +5,8 @@ use super::drive_change::PartChange;
 use super::event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
 use super::jump::{Jump, JumpSlip};
 use super::leg::{Leg, LegGoal, LegLoad};
-use super::onset::{Departure, Leaving, Onset, OnsetEvent, StickingState};
-use super::onset_margins::Leaver;
+use super::onset::{DepartingContact, Departure, Onset, OnsetEvent, StickingState};
+use super::onset_margins::DepartingPart;
 use super::ramp::Ramp;
 use super::sensitivity::Derivative;
 use super::stepped::Step;
@@ -14,7 +14,7 @@ use super::turn::{EdgeTouch, Turn};
 use super::turn_questions::TurnOnset;
 use crate::grasp::{Coordinates, Face, face_of_enum, face_of_struct, same_on_both_sides};
 
-same_on_both_sides! { Coordinates, Leaver, LossKind, PartChange, StickingState, EdgeTouch }
+same_on_both_sides! { Coordinates, DepartingPart, LossKind, PartChange, StickingState, EdgeTouch }
 
 face_of_struct! {
     Continuation { states, force_rates, twist_rate, rule }
@@ -25,7 +25,7 @@ face_of_struct! {
     JumpSlip { contact, slip }
     Leg { load, commands, joints, torques, bodies }
     OnsetEvent { factor, load, leaving, drives, cone, local }
-    Leaving { contact, how }
+    DepartingContact { contact, how }
     Ramp { base, direction, command_change, joint_change }
     Derivative { twist, joints, forces }
     Step { leg, fraction, load, sliding, open, error }
@@ -102,7 +102,7 @@ impl<const C: usize> OnsetEvent<C> {
         self.exchange(inside);
         (self.factor, self.load, self.cone) = (inside.factor, Face::from_inside(inside.load), inside.cone);
         self.leaving.clear();
-        self.leaving.extend(inside.leaving.iter().cloned().map(Leaving::from_inside));
+        self.leaving.extend(inside.leaving.iter().cloned().map(DepartingContact::from_inside));
     }
 }
 

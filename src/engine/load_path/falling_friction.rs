@@ -2,21 +2,21 @@
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::ExitsReached;
-use super::journey::Journey;
 use super::jump::Jump;
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// Begins to store the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
     /// kinetic friction. This may cause a jump, which the path then reports as its first event. Changes nothing if the cones are stored already. The
     /// error is the end of the path in that jump.
-    pub(super) fn with_falling_friction(mut self, journey: &Journey<'g>) -> Result<Self, PathEnd<3>> {
-        let grasp = journey.grasp;
+    pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
+        let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
             return Ok(self);
         }
@@ -24,15 +24,15 @@ impl<'g> Pieces<'g> {
         let slides = |i| Some((i, Change::Slides { direction: self.node.directions[i]? }));
         let changes: Vec<_> = grasp.weaker_once_they_slide().filter_map(slides).list();
         let begin = self.begin_to_slide(&changes);
-        let before = self.present_state(journey);
-        if let Some(jump) = self.jump(journey, &begin)?
+        let before = self.present_state(run);
+        if let Some(jump) = self.jump(run, &begin)?
             && let Some(state) = before
         {
             let (changes, drives) = grasp.contacts_and_drives(changes);
             self.first = Some(Box::new(Event {
                 leg: 0,
                 fraction: 0.0,
-                load: journey.program.load_at(0.0),
+                load: run.program.load_at(0.0),
                 changes,
                 drives,
                 free_motions: Vec::new(),
@@ -108,12 +108,12 @@ impl<'g> Pieces<'g> {
     /// jump that follows, else `None`. The error is the end of the path in that jump.
     pub(super) fn friction_after(
         &mut self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         changes: &[(usize, Change<3>)],
     ) -> Result<Option<Box<Jump<3>>>, PathEnd<3>> {
         self.friction_of_rest();
         let begin = self.begin_to_slide(changes);
-        Ok(self.jump(journey, &begin)?.map(Box::new))
+        Ok(self.jump(run, &begin)?.map(Box::new))
     }
 
     /// Indices of those contacts among `changes` that begin to slide, and have kinetic friction but still the static friction cone.

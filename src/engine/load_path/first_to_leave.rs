@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::onset::{Leaving, Onset, OnsetEvent};
+use super::onset::{DepartingContact, Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
 use super::segment::Segment;
 use super::tolerances::LARGEST_CORRECTION;
@@ -18,7 +18,7 @@ use crate::grasp::{Site, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
-use crate::search::{Found, FoundBy};
+use crate::search::{FoundBy, SearchSolution};
 
 /// The contact (or drive) that stops sticking first, and forces and twist at this onset. `factor` is the load factor or, while a load turns, the
 /// angle in rad.
@@ -41,7 +41,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     let OnsetMemory { solution, base, rate, there, offsets, .. } = memory;
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
-    let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
+    let FirstContact { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
     // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces under the
     // base load.
     let mut factor = exit.step;
@@ -78,7 +78,7 @@ pub(super) fn first_to_leave_on_turn(
     if !piece.free_motions().is_empty() {
         return None;
     }
-    let states = problem.unjumped();
+    let states = problem.trial_states();
     let at_rest = vec![SVector::zeros(); problem.len()];
     let parts = Harmonic {
         constant: piece.solve_roughly(&problem.offsets, &inside.constant),
@@ -135,13 +135,13 @@ impl FirstToLeave {
         let Self { factor, contact, exit, there } = self;
         let OnsetMemory { states, active_sets, leaving, sites, .. } = memory;
         cleared_for(states, segment.problem.len());
-        states.extend(segment.problem.locals().map(|local| local.unjumped()));
+        states.extend(segment.problem.locals().map(|local| local.trial_state()));
         active_sets.iter_mut().for_each(ActiveSet::clear);
         active_sets.resize(states.len(), ActiveSet::EMPTY);
         active_sets[contact].add_exits(segment.problem.space().axes(), &states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
         cleared_for(leaving, 1);
-        leaving.push(Leaving::driven_out(
+        leaving.push(DepartingContact::driven_out(
             contact,
             &active_sets[contact],
             &segment.problem.local(contact),
@@ -149,7 +149,7 @@ impl FirstToLeave {
         ));
         cleared_for(sites, 1);
         sites.push(contact);
-        let found = Found::new(core::mem::take(states), there.forces, there.twist);
+        let found = SearchSolution::new(core::mem::take(states), there.forces, there.twist);
         let leaving = (core::mem::take(leaving), core::mem::take(sites));
         let active_sets = core::mem::take(active_sets);
         memory.lists.laws = core::mem::take(&mut segment.problem.laws);
@@ -165,13 +165,13 @@ impl FirstToLeave {
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // If the margin of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
-    local.for_each_condition(&local.unjumped(), at, |value, size| clear &= value > NEGLIGIBLE * size);
+    local.for_each_condition(&local.trial_state(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
 /// The contact that reaches the edge of its cone before all others, with the exit (edge and step), and its force as an affine function of the load
 /// factor.
-struct First {
+struct FirstContact {
     contact: usize,
     exit: Exit,
     line: Line,
@@ -183,11 +183,11 @@ fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,
     (direction, rate): (&Vector, &PieceState),
-) -> Option<First> {
+) -> Option<FirstContact> {
     let problem = &segment.problem;
     let largest = problem.largest_force(&base.forces, &base.twist);
     let fastest = rate.forces.iter().map(Matrix::norm).fold(direction.norm(), f64::max);
-    let mut first: Option<First> = None;
+    let mut first: Option<FirstContact> = None;
     let mut next = f64::INFINITY;
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
         let at = problem.at(contact, &base.forces[contact], &base.twist, largest);
@@ -207,11 +207,11 @@ fn first_exit(
             Some(nearest) if exit.step >= nearest.exit.step => next = next.min(exit.step),
             _ => {
                 next = first.map_or(next, |nearest| next.min(nearest.exit.step));
-                first = Some(First { contact, exit, line });
+                first = Some(FirstContact { contact, exit, line });
             }
         }
     }
-    first.filter(|First { exit, .. }| {
+    first.filter(|FirstContact { exit, .. }| {
         // The next exit must come later than the first, by more than the fraction `NEGLIGIBLE` of the load factor of the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;

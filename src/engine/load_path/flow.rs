@@ -18,7 +18,7 @@ use super::energy::LegEnergy;
 use super::relaxation::Relaxation;
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
-use super::watch::is_vanishing;
+use super::watched_condition::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Each, IntoList, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
@@ -38,7 +38,7 @@ pub(super) enum Rule {
 
 impl Rule {
     /// This rule; the allowed error of an implicit rule is multiplied by `times`.
-    fn looser(self, times: f64) -> Self {
+    fn with_larger_error(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
         } else {
@@ -343,7 +343,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             // After many trials a step may end at a larger distance from the goal and still be extended to it.
             let goal_here = StepGoal::after(goal, trial);
             // The allowed error of an implicit rule is multiplied by these factors, tried in turn: rounding may prevent smaller errors.
-            let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.looser(times));
+            let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.with_larger_error(times));
             let reached = rules.find_map(|rule| self.step(length, goal_here, rule))?;
             if reached.to == goal {
                 return Some(reached);

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::PathEnd;
-use super::journey::Journey;
+use super::program_run::ProgramRun;
 use super::segment::Segment;
 use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
@@ -37,7 +37,7 @@ pub(crate) struct StateAtEdge<'g> {
 }
 
 /// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place (the fraction of
-/// the present leg) and the accumulated slips; the [`Journey`] stores the legs.
+/// the present leg) and the accumulated slips; the [`ProgramRun`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
     /// The type of the items that the path returns to its caller: events, or steps.
     type Report;
@@ -46,25 +46,25 @@ pub(crate) trait Follower<'g>: Debug {
     ///
     /// # Errors
     /// The end of the path, if the leg cannot start.
-    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>>;
+    fn start_leg(&mut self, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>>;
 
     /// Advances to the next event or by one step, or only computes how the path continues from the present place.
     ///
     /// # Errors
     /// The end of the path, if it ends here.
-    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
+    fn advance(&mut self, run: &ProgramRun<'g>) -> Result<Advance<Self::Report>, PathEnd<3>>;
 
     /// The fraction of the present leg that is done, from 0 to 1.
     fn fraction(&self) -> f64;
 
     /// The equilibrium at the present place of the path; `None` if it cannot be computed because of rounding.
-    fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>>;
+    fn state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>>;
 
     /// Forces of all contacts and drives at the present place, N, in the contact frames.
-    fn forces(&self, journey: &Journey<'g>) -> Vec<SVector<f64, 3>>;
+    fn forces(&self, run: &ProgramRun<'g>) -> Vec<SVector<f64, 3>>;
 
     /// The forces and the rate problem at the present place. In the rate problem, contacts on the edge of their cones may slide or open.
-    fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g>;
+    fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond the end of the path, if it ended in a jump to kinetic friction that found no equilibrium. Otherwise `None`, as always
     /// from a follower without kinetic friction.
@@ -95,7 +95,7 @@ pub(crate) trait Follower<'g>: Debug {
 
     /// Suction cups whose lips are open all around at the present place, so that their vacuum is gone. Empty from a follower that does not check
     /// them.
-    fn cups_open(&self, _journey: &Journey<'g>) -> Vec<WholeContact> {
+    fn cups_open(&self, _journey: &ProgramRun<'g>) -> Vec<WholeContact> {
         Vec::new()
     }
 

@@ -8,8 +8,8 @@ use super::beyond::{Beyond, EquilibriumEnd, beyond_end};
 use super::energy::LegEnergy;
 use super::event::{LossKind, PathEnd};
 use super::follower::{Advance, Follower, StateAtEdge};
-use super::journey::Journey;
 use super::leg::Leg;
+use super::program_run::ProgramRun;
 use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
@@ -21,7 +21,7 @@ use crate::search::{Settings, settle};
 /// A load path: the load program in progress, the follower (the method in progress that advances along the program), and the end of the path.
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
-    pub(super) journey: Journey<'g>,
+    pub(super) run: ProgramRun<'g>,
     /// `None` if no equilibrium was found from which the path could start.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
@@ -34,23 +34,23 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         grasp: &'g Engine,
         (start, legs): (&Wrench<3>, &[Leg<3>]),
         settings: &Settings,
-        begin: impl FnOnce(&Journey<'g>, &Problem<'g>) -> Result<F, PathEnd<3>>,
+        begin: impl FnOnce(&ProgramRun<'g>, &Problem<'g>) -> Result<F, PathEnd<3>>,
     ) -> Result<Self, Error> {
-        Self::of(Journey::new(grasp, start, settings)?, legs, begin)
+        Self::of(ProgramRun::new(grasp, start, settings)?, legs, begin)
     }
 
-    /// As [`Self::start`], for the load program `journey`, which has no legs yet.
+    /// As [`Self::start`], for the load program `run`, which has no legs yet.
     pub(super) fn of(
-        mut journey: Journey<'g>,
+        mut run: ProgramRun<'g>,
         legs: &[Leg<3>],
-        begin: impl FnOnce(&Journey<'g>, &Problem<'g>) -> Result<F, PathEnd<3>>,
+        begin: impl FnOnce(&ProgramRun<'g>, &Problem<'g>) -> Result<F, PathEnd<3>>,
     ) -> Result<Self, Error> {
-        journey.extend(legs)?;
-        let problem = journey.problem_at_start();
-        let has_leg = journey.program.begin_leg();
-        let mut path = match begin(&journey, &problem) {
-            Ok(follower) => Self { journey, follower: Some(follower), end: None },
-            Err(end) => Self { journey, follower: None, end: Some(end) },
+        run.extend(legs)?;
+        let problem = run.problem_at_start();
+        let has_leg = run.program.begin_leg();
+        let mut path = match begin(&run, &problem) {
+            Ok(follower) => Self { run, follower: Some(follower), end: None },
+            Err(end) => Self { run, follower: None, end: Some(end) },
         };
         path.start_leg(has_leg);
         path.end_without_vacuum();
@@ -60,18 +60,17 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
     /// Starts the present leg if `has_leg`, otherwise ends the path as completed. Does nothing without a follower.
     fn start_leg(&mut self, has_leg: bool) {
         if let Some(follower) = &mut self.follower {
-            self.end =
-                if has_leg { follower.start_leg(&self.journey).err() } else { Some(PathEnd::Completed) };
+            self.end = if has_leg { follower.start_leg(&self.run).err() } else { Some(PathEnd::Completed) };
         }
     }
 
     /// Ends the path, as a loss, if the lip of a suction cup is open all around. The grasp with its vacuum then no longer describes the object.
     fn end_without_vacuum(&mut self) {
         let Some(follower) = &self.follower else { return };
-        let open = follower.cups_open(&self.journey);
+        let open = follower.cups_open(&self.run);
         if !open.is_empty() {
-            let points = self.journey.grasp.points_of(&open);
-            let loss = self.journey.loss(follower.fraction(), LossKind::LetsGo, points, None);
+            let points = self.run.grasp.points_of(&open);
+            let loss = self.run.loss(follower.fraction(), LossKind::LetsGo, points, None);
             self.end = Some(PathEnd::Lost(Box::new(loss)));
         }
     }
@@ -80,16 +79,16 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
     /// leg has begun, or the path has ended.
     pub(super) fn advance_with(
         &mut self,
-        advance: impl FnOnce(&mut F, &Journey<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,
+        advance: impl FnOnce(&mut F, &ProgramRun<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,
     ) -> Option<F::Report> {
-        match advance(self.follower.as_mut()?, &self.journey) {
+        match advance(self.follower.as_mut()?, &self.run) {
             Ok(Advance::Reached(report)) => {
                 self.end_without_vacuum();
                 return Some(report);
             }
             Ok(Advance::OnTheWay) => {}
             Ok(Advance::EndOfLeg) => {
-                let has_leg = self.journey.program.next_leg();
+                let has_leg = self.run.program.next_leg();
                 self.start_leg(has_leg);
             }
             Err(end) => self.end = Some(end),
@@ -132,11 +131,11 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn place(&self) -> (usize, f64) {
         let fraction = self.follower.as_ref().map_or(0.0, Follower::fraction);
-        self.journey.program.place(fraction)
+        self.run.program.place(fraction)
     }
 
     fn state(&self) -> Option<Equilibrium<3>> {
-        self.follower.as_ref()?.state(&self.journey)
+        self.follower.as_ref()?.state(&self.run)
     }
 
     fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
@@ -149,32 +148,32 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn forces(&self) -> Vec<SVector<f64, 3>> {
         let mut forces =
-            self.follower.as_ref().map(|follower| follower.forces(&self.journey)).unwrap_or_default();
-        forces.truncate(self.journey.grasp.len());
+            self.follower.as_ref().map(|follower| follower.forces(&self.run)).unwrap_or_default();
+        forces.truncate(self.run.grasp.len());
         forces
     }
 
     fn continue_with(&mut self, legs: &[Leg<3>]) -> Result<(), Error> {
-        self.journey.extend(legs)?;
+        self.run.extend(legs)?;
         if matches!(self.end, Some(PathEnd::Completed)) {
-            let has_leg = self.journey.program.begin_leg();
+            let has_leg = self.run.program.begin_leg();
             self.start_leg(has_leg);
         }
         Ok(())
     }
 
     fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<3>> {
-        let settings = settings.unwrap_or(&self.journey.settings);
+        let settings = settings.unwrap_or(&self.run.settings);
         let loss = self.end.as_ref()?.loss()?;
         let follower = self.follower.as_ref()?;
-        let cups = follower.cups_open(&self.journey);
+        let cups = follower.cups_open(&self.run);
         if !cups.is_empty() {
             return Some(Beyond::WithoutVacuum { cups });
         }
         if let beyond @ Some(_) = follower.beyond_a_jump(settings) {
             return beyond;
         }
-        let StateAtEdge { segment, rates, forces } = follower.edge(&self.journey);
+        let StateAtEdge { segment, rates, forces } = follower.edge(&self.run);
         let motion = loss.against.as_ref().map(Coordinates::to);
         let end = EquilibriumEnd { factor: loss.fraction, forces: &forces, motion };
         let (settled, effort) = settle(&rates, settings);

@@ -22,7 +22,7 @@ use super::pace::Pace;
 use super::ramp::Ramp;
 use super::slip_rates::{MOST_SLIDING, Slips};
 use super::slip_steps::{GOES_ON, GROWS, SMALL};
-use super::snapping_over::{RestsAgain, a_little};
+use super::snapping_over::{StateAfterSnap, a_little};
 use super::trajectory::Trajectory;
 use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
@@ -148,7 +148,8 @@ impl Slips<'_> {
                 None => {}
                 Some(GOES_ON) => return Some(()),
                 Some(GROWS) => {
-                    path.end = self.lost_by(LossKind::Fold, &at, &self.twist(&rates).normalize(), ramp)?;
+                    path.end =
+                        self.loss_of_kind(LossKind::Fold, &at, &self.twist(&rates).normalize(), ramp)?;
                     return Some(());
                 }
                 Some(SMALL) => {
@@ -232,12 +233,12 @@ impl Slips<'_> {
         // opposes the slips.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
-        self.lost_by(LossKind::Corner, at, &motion, ramp)
+        self.loss_of_kind(LossKind::Corner, at, &motion, ramp)
     }
 
     /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. The object leaves with the motion `motion`. `None` if
     /// the object then snaps over to another equilibrium, or for a malformed ramp.
-    fn lost_by(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
+    fn loss_of_kind(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;
         }
@@ -277,7 +278,7 @@ impl Slips<'_> {
             problem.slips[*i] += slip;
             problem.offsets[*i] -= slip;
         }
-        Some(RestsAgain::near(self.grasp, &self.small, problem, &self.twist(at)).is_some())
+        Some(StateAfterSnap::near(self.grasp, &self.small, problem, &self.twist(at)).is_some())
     }
 }
 

@@ -18,22 +18,22 @@ use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::{Change, ContactChange, Loss, PathEnd};
 use super::flow::Rule;
-use super::journey::Journey;
 use super::jump::{Jump, JumpSlip};
 use super::node::Node;
-use super::pieces::Pieces;
-use super::stretch::{ArcStep, JumpRecord};
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
+use super::stored_piece::{ArcStep, JumpRecord};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::numerics::{IntoList, Vector, chosen, largest};
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Doubt, Found, Settings, Settled, settle};
+use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 
 /// A jump at constant load in progress.
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the external force in place of the lost friction is removed.
-    pub(super) leg: Pieces<'g>,
+    pub(super) leg: PiecewiseFollower<'g>,
     /// For all contacts and drives: slips before the jump, whether they have slid in the jump so far, and the successive lists of their states.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -44,7 +44,7 @@ pub(super) struct JumpInProgress<'g> {
 impl<'g> JumpInProgress<'g> {
     /// A jump at the beginning of its leg `leg`. `slips` are the accumulated slips before the jump. Contacts whose slips at the beginning of the leg
     /// differ from these have slid in the jump already.
-    pub(super) fn after(leg: Pieces<'g>, slips: &[SVector<f64, 3>]) -> Self {
+    pub(super) fn after(leg: PiecewiseFollower<'g>, slips: &[SVector<f64, 3>]) -> Self {
         let mut slid = vec![false; slips.len()];
         for (i, slip) in slips.iter().enumerate() {
             slid[i] = leg.segment.problem.slips[i] != *slip;
@@ -56,24 +56,24 @@ impl<'g> JumpInProgress<'g> {
     /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on the leg are removed as well.
     /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too
     /// often.
-    pub(super) fn run(&mut self, goal: &Vector, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
+    pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
         // A lost force is removed at most sixteen times for each contact or drive. Each jump loses energy, so contacts could only stick and slide
         // again more often because of rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
-            let begin = match self.advance_to_node(journey) {
+            let begin = match self.advance_to_node(run) {
                 Ok(None) => return Ok(()),
                 Ok(Some(begin)) if begin.is_empty() => continue,
                 Ok(Some(begin)) => begin,
                 Err(PathEnd::Lost(loss)) => {
-                    self.follow_free_motion(&loss, goal, journey)?;
+                    self.follow_free_motion(&loss, goal, run)?;
                     Vec::new()
                 }
                 Err(end) => return Err(end),
             };
-            left = left.checked_sub(1).ok_or_else(|| journey.undecided(0.0, Doubt::OnTheBoundary))?;
+            left = left.checked_sub(1).ok_or_else(|| run.undecided(0.0, Doubt::OnTheBoundary))?;
             if !begin.is_empty()
-                && let Some(leg) = self.leg.leg_of_release(goal, &begin, journey)?
+                && let Some(leg) = self.leg.leg_of_release(goal, &begin, run)?
             {
                 self.leg = leg;
             }
@@ -82,14 +82,13 @@ impl<'g> JumpInProgress<'g> {
 
     /// Advances along the leg towards its next event and returns an empty list, or computes at an event how the leg continues. In the second case
     /// returns the contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
-    fn advance_to_node(&mut self, journey: &Journey<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
+    fn advance_to_node(&mut self, run: &ProgramRun<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
-            let done =
-                if leg.node.turns() { leg.advance_along_arc(journey) } else { leg.advance_straight(journey) };
+            let done = if leg.node.turns() { leg.advance_along_arc(run) } else { leg.advance_straight(run) };
             return Ok(if done? { None } else { Some(Vec::new()) });
         }
-        let next = leg.node.continue_path(&mut leg.segment, journey, leg.factor)?;
+        let next = leg.node.continue_path(&mut leg.segment, run, leg.factor)?;
         leg.point = Some(next.point);
         leg.pace = leg.pace.at_node();
         leg.friction_of_rest();
@@ -106,14 +105,14 @@ impl<'g> JumpInProgress<'g> {
     }
 
     /// For each contact that has slid in the jump so far, its slip since the beginning of the jump.
-    fn slips(&self, journey: &Journey<'g>) -> Vec<JumpSlip<3>> {
-        let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.record.slid[*i]);
+    fn slips(&self, run: &ProgramRun<'g>) -> Vec<JumpSlip<3>> {
+        let contacts = run.grasp.contacts().iter().enumerate().filter(|(i, _)| self.record.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.record.slips[i];
         contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).list()
     }
 }
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// The leg along which the friction forces lost by the contacts `begin`, which begin to slide, are removed as an external force. At its end the
     /// load is `goal`. `None` if these contacts are at the apex of their cones, with no force to lose. The caller then computes again how the path
     /// continues, now with kinetic friction.
@@ -121,7 +120,7 @@ impl<'g> Pieces<'g> {
         &mut self,
         goal: &Vector,
         begin: &[usize],
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
     ) -> Result<Option<Self>, PathEnd<3>> {
         self.at_node = true;
         let mut any = false;
@@ -149,13 +148,14 @@ impl<'g> Pieces<'g> {
         // A contact that starts to slide on a round cone just here has no friction force, and so no direction of slip.
         let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
         if (0..states.len()).any(has_none) {
-            return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
+            return Err(run.undecided(0.0, Doubt::OnTheBoundary));
         }
         problem.wrench.clone_from(&from);
         let rate = goal - &from;
         segment.course = Trajectory::Straight { from, rate };
         let slide_on: Vec<_> = chosen(states.len(), &|i| states[*i].slides() && !begin.contains(i));
-        let mut node = Node::at_start(&mut segment, Found::new(states, forces, self.node.at.twist.clone()));
+        let mut node =
+            Node::at_start(&mut segment, SearchSolution::new(states, forces, self.node.at.twist.clone()));
         node.holds.clone_from(&self.node.holds);
         for i in slide_on {
             if node.active_sets[i].is_empty() {
@@ -172,7 +172,7 @@ impl<'g> Pieces<'g> {
     /// have no force to lose. The error is the end of the path, if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         begin: &[usize],
     ) -> Result<Option<Jump<3>>, PathEnd<3>> {
         if begin.is_empty() {
@@ -180,39 +180,39 @@ impl<'g> Pieces<'g> {
         }
         // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Each jump is
         // therefore counted as a step.
-        if self.pace.steps >= journey.settings.most_steps {
-            return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
+        if self.pace.steps >= run.settings.most_steps {
+            return Err(run.undecided(self.factor, Doubt::OutOfSteps));
         }
         let goal = self.segment.course.at(self.factor);
         let factor = self.factor;
         let end_here = |end| match end {
-            PathEnd::Undecided { doubt, .. } => journey.undecided(factor, doubt),
+            PathEnd::Undecided { doubt, .. } => run.undecided(factor, doubt),
             end => end,
         };
-        let Some(leg) = self.leg_of_release(&goal, begin, journey).map_err(end_here)? else {
+        let Some(leg) = self.leg_of_release(&goal, begin, run).map_err(end_here)? else {
             return Ok(None);
         };
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.note(&[]);
-        if let Err(end) = jump.run(&goal, journey) {
+        if let Err(end) = jump.run(&goal, run) {
             let PathEnd::Lost(loss) = end else { return Err(end_here(end)) };
-            let (fraction, load) = (self.factor, journey.program.load_at(self.factor));
-            let loss = Loss { fraction, load, jumped: jump.slips(journey), ..*loss };
+            let (fraction, load) = (self.factor, run.program.load_at(self.factor));
+            let loss = Loss { fraction, load, jumped: jump.slips(run), ..*loss };
             self.failed_jump = Some(jump.leg.segment.problem_at(1.0));
             return Err(PathEnd::Lost(Box::new(loss)));
         }
-        self.end_jump(journey, &goal, jump).map(Some)
+        self.end_jump(run, &goal, jump).map(Some)
     }
 
     /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. Returns an error if the state there
     /// is not accurate enough.
     pub(super) fn end_jump(
         &mut self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         goal: &Vector,
         jump: JumpInProgress<'g>,
     ) -> Result<Jump<3>, PathEnd<3>> {
-        let slips = jump.slips(journey);
+        let slips = jump.slips(run);
         let mut segment = self.segment.clone();
         let (problem, leg) = (&mut segment.problem, jump.leg);
         let relaxed = leg.segment.problem;
@@ -223,8 +223,8 @@ impl<'g> Pieces<'g> {
         segment.largest = segment.largest.max(leg.segment.largest);
         let mut after_jump = Self { factor: self.factor, ..Self::at_segment_start(segment, leg.node) };
         after_jump.let_go_of_rounding();
-        let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
-        let mut place = after_jump.present_stretch(journey).ok_or_else(inaccurate)?;
+        let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
+        let mut place = after_jump.present_stretch(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
             // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the leg is
             // kept, as along an arc.
@@ -244,10 +244,10 @@ impl<'g> Pieces<'g> {
         }
         self.point = Some(place.here.clone());
         self.behind.push(place);
-        self.note_how_far(journey);
-        let (changes, _): (Vec<ContactChange<3>>, _) = journey.grasp.contacts_and_drives(jump.changes);
-        let moved = journey.grasp.each_moves(&(&self.node.at.twist - &before.twist));
-        let (reaches, _) = journey.grasp.sites_apart(jump.reaches);
+        self.record_motion_ratio(run);
+        let (changes, _): (Vec<ContactChange<3>>, _) = run.grasp.contacts_and_drives(jump.changes);
+        let moved = run.grasp.each_moves(&(&self.node.at.twist - &before.twist));
+        let (reaches, _) = run.grasp.sites_apart(jump.reaches);
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
@@ -267,8 +267,8 @@ impl<'g> Pieces<'g> {
 /// friction. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
-        Settled::Found(..) => Beyond::Snap,
-        Settled::Undecided(doubt) => Beyond::Undecided { doubt },
+        SearchOutcome::Found(..) => Beyond::Snap,
+        SearchOutcome::Undecided(doubt) => Beyond::Undecided { doubt },
         _ => Beyond::LimitLoad,
     }
 }

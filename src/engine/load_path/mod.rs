@@ -35,11 +35,11 @@
 //! | load factor on a leg | the fraction of the leg that is done, from 0 to 1 |
 //! | place | a point of the path, given by a leg and a fraction of it |
 //! | segment | the loads and commands along one leg (or ramp, or turn) in the engine's coordinates, with the slips so far |
-//! | piece | a part of a leg on which all contacts keep their states; its stored form is called a stretch |
+//! | piece | a part of a leg on which all contacts keep their states; its stored form is a `StoredPiece` |
 //! | arc | a piece on which contacts slide on the round cone, so that directions of sliding turn |
 //! | step | a numerical step: on a [`LoadPath`] a part of an arc, stored as a piece of its own; on a [`SteppedPath`] a part of a leg |
 //! | node | the place between two pieces: an [`Event`], or the start of a leg |
-//! | follower | the part of a path that advances; it stores its place on the present leg, while a journey stores the whole program |
+//! | follower | the part of a path that advances; it stores its place on the present leg, while a `ProgramRun` stores the whole program |
 //!
 //! | path | advances by | reports | takes acceptable time for |
 //! |---|---|---|---|
@@ -78,7 +78,6 @@ mod follower;
 mod following;
 mod held_torques;
 mod in_slips;
-mod journey;
 mod jump;
 mod jump_leg;
 mod leg;
@@ -91,9 +90,9 @@ mod pace;
 mod path;
 mod path_state;
 mod path_stiffness;
-mod pieces;
+mod piecewise_follower;
 mod program;
-mod pushed;
+mod program_run;
 mod ramp;
 mod relaxation;
 mod rigid_motion;
@@ -106,8 +105,8 @@ mod snapping_over;
 mod stepped;
 mod sticking_path;
 mod stopped;
+mod stored_piece;
 mod straight;
-mod stretch;
 mod tolerances;
 mod trajectory;
 mod transition;
@@ -116,7 +115,8 @@ mod turn_questions;
 mod turning;
 mod turning_load;
 mod turning_state;
-mod watch;
+mod unresisted_twist;
+mod watched_condition;
 mod whole_change;
 mod within_a_step;
 #[cfg(feature = "serde")]
@@ -131,8 +131,8 @@ pub use event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};
 pub(crate) use in_slips::{InSlips, SlipEnd};
 pub use jump::{Jump, JumpSlip};
 pub use leg::Leg;
-pub use onset::{Departure, Leaving, Onset, OnsetEvent};
-pub use onset_margins::{Leaver, OnsetMargins};
+pub use onset::{DepartingContact, Departure, Onset, OnsetEvent};
+pub use onset_margins::{DepartingPart, OnsetMargins};
 pub(crate) use path::path_outside;
 pub use path::{LoadPath, Path, SteppedPath};
 pub use ramp::Ramp;

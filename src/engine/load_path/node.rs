@@ -6,8 +6,8 @@ use nalgebra::{Matrix, SVector};
 use super::end_of_path::end_of_path;
 use super::event::{Change, LossKind, PathEnd};
 use super::follower::StateAtEdge;
-use super::journey::Journey;
 use super::path_state::forces_are_rounding;
+use super::program_run::ProgramRun;
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, other_solutions};
@@ -18,19 +18,19 @@ use crate::numerics::{IntoList, chosen, moved, numbered};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, FoundBy, Judged, Settings, Settled, on_the_solution_interval, polish, settle,
-    solution_near, try_states,
+    CandidateOutcome, Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings,
+    on_the_solution_interval, polish, settle, solution_near, try_states,
 };
 
 /// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
 /// solution.
-struct Decided<'g> {
+struct NodeRates<'g> {
     /// The load factor at which the rates of load and commands in `rates` are taken: the node's load factor or, while the load turns, a slightly
     /// larger one.
     ahead: f64,
     rates: Problem<'g>,
-    settled: Settled,
-    effort: Effort,
+    settled: SearchOutcome,
+    effort: SearchCounts,
 }
 
 /// The state of the path at a node, or at the end of the last piece. Each list has an entry for each contact and drive.
@@ -67,18 +67,18 @@ impl Node {
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
-        journey: &Journey<'_>,
+        run: &ProgramRun<'_>,
         factor: f64,
     ) -> Result<NextPiece, PathEnd<3>> {
-        let settings = &journey.settings;
-        let Decided { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
+        let settings = &run.settings;
+        let NodeRates { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
         self.ahead = ahead;
         let is_at_edge = |i: &usize| matches!(rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let loss = |kind, motion| {
             let edge = chosen(self.states.len(), &is_at_edge);
-            journey.loss(factor, kind, edge, motion)
+            run.loss(factor, kind, edge, motion)
         };
-        let Settled::Found(found, _) = settled else {
+        let SearchOutcome::Found(found, _) = settled else {
             let loss = loss(LossKind::Corner, None);
             let edge = StateAtEdge { segment: segment.clone(), rates, forces: self.at.forces.clone() };
             return Err(end_of_path(&edge, (settled, &effort), loss, settings));
@@ -101,10 +101,10 @@ impl Node {
         let other_continuations = other_solutions(&rates, &found);
         let changes = self.apply_rates(segment, factor, &rates, &found);
         let point = self.point_at(segment, factor, Some(&found.twist));
-        let point = point.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
+        let point = point.map_err(|_| run.undecided(factor, Doubt::Inaccurate))?;
         if self.neither_slides_nor_sticks(segment, &point).is_some() {
             let motion = (point.twist_rate.norm() > 0.0).then(|| point.twist_rate.normalize());
-            return Err(PathEnd::Lost(Box::new(journey.loss(
+            return Err(PathEnd::Lost(Box::new(run.loss(
                 factor,
                 LossKind::Corner,
                 core::mem::take(&mut self.stopped),
@@ -123,15 +123,17 @@ impl Node {
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
     /// cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
-    fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> Decided<'g> {
+    fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> NodeRates<'g> {
         let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
             let (settled, effort) = match self.guess(segment, factor, &rates) {
-                Judged::Holds(found) => (Settled::Found(found, FoundBy::LoadPath), Effort::default()),
+                CandidateOutcome::Holds(found) => {
+                    (SearchOutcome::Found(found, FoundBy::LoadPath), SearchCounts::default())
+                }
                 _ => settle(&rates, settings),
             };
-            Decided { ahead, rates, settled, effort }
+            NodeRates { ahead, rates, settled, effort }
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
@@ -139,7 +141,7 @@ impl Node {
         // next, because another event may occur before the larger angle.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
-            let Settled::Found(found, _) = &decided.settled else {
+            let SearchOutcome::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
@@ -148,11 +150,11 @@ impl Node {
             // have the wrong sign.
             let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
-                || matches!(try_states(&rates_behind, found.states.clone()), Judged::Holds(_))
+                || matches!(try_states(&rates_behind, found.states.clone()), CandidateOutcome::Holds(_))
             {
                 return decided;
             }
-            last = Some(Decided { settled: Settled::Undecided(Doubt::OnTheBoundary), ..decided });
+            last = Some(NodeRates { settled: SearchOutcome::Undecided(Doubt::OnTheBoundary), ..decided });
         }
         match last {
             Some(last) if !segment.problem.round => last,
@@ -162,12 +164,12 @@ impl Node {
     }
 
     /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
-    /// [`Judged::Holds`] with the first solution that meets all conditions.
-    fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> Judged {
+    /// [`CandidateOutcome::Holds`] with the first solution that meets all conditions.
+    fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> CandidateOutcome {
         // Only at the start of a leg may all states stay as they are: within a leg the present state of some contact has just stopped being valid.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
-        if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
+        if let Some(holds @ CandidateOutcome::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
         let sliding = rates.yielding();
@@ -176,16 +178,16 @@ impl Node {
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
-                return Judged::Unbalanced;
+                return CandidateOutcome::Unbalanced;
             }
-            if let holds @ Judged::Holds(_) = try_states(rates, sliding.clone()) {
+            if let holds @ CandidateOutcome::Holds(_) = try_states(rates, sliding.clone()) {
                 return holds;
             }
             let closed = (0..rates.len()).map(|i| if at_the_apex(i) { Mode::Sticking } else { sliding[i] });
             let found = [closed.list(), sliding.clone()]
                 .iter()
                 .find_map(|states| polish(rates, states, &solution_near(rates, states)?));
-            return found.map_or(Judged::Unbalanced, Judged::Holds);
+            return found.map_or(CandidateOutcome::Unbalanced, CandidateOutcome::Holds);
         }
         try_states(rates, sliding)
     }
@@ -193,7 +195,7 @@ impl Node {
     /// Opens contacts in the solution `found` of the rate problem that touch and gain no force, so that they do not drag the object along. They open
     /// if a solution exists in which they are open and the object moves less. If no contact gains a force, and a contact would slide on the round
     /// cone, all contacts that may open are opened.
-    fn without_dragging(&self, rates: &Problem, found: Found) -> Found {
+    fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone a contact slides along its friction force, and a zero force has no direction.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
@@ -213,14 +215,14 @@ impl Node {
             !states[i].is_open() || nearer <= ZERO_SLACK * rates.span(i, &found.twist)
         };
         if nothing && (0..states.len()).all(comes_no_nearer) {
-            return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
+            return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
         // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the motion without sliding contacts
         // that carry no force is chosen, since the direction of such a slide would be rounding.
         let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {
-            Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * most => parted,
+            CandidateOutcome::Holds(parted) if parted.twist.norm() < found.twist.norm() * most => parted,
             _ => found,
         }
     }
@@ -232,7 +234,7 @@ impl Node {
         segment: &mut Segment<'_>,
         factor: f64,
         rates: &Problem,
-        found: &Found,
+        found: &SearchSolution,
     ) -> Vec<(usize, Change<3>)> {
         let mut changes = Vec::new();
         self.starts_at_apex = false;
@@ -259,7 +261,7 @@ impl Node {
 
 /// Lets contacts of `found` slide whose force, if they stuck, would leave the round cone along a tangent, see
 /// [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
-fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
+fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {
         let (local, rate) = (rates.local(i), &found.forces[i]);
@@ -271,7 +273,7 @@ fn slide_where_they_graze(rates: &Problem, found: &mut Found) {
 }
 
 /// For each contact the unit direction in which it slides in `found`, in coordinate axes; `None` if it does not slide.
-pub(super) fn directions(problem: &Problem, found: &Found) -> Vec<Option<SVector<f64, 3>>> {
+pub(super) fn directions(problem: &Problem, found: &SearchSolution) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };
     moved(site_states(problem, found), &direction)

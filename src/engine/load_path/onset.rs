@@ -9,7 +9,7 @@ use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Wrench};
 use crate::prelude::*;
-use crate::search::{Found, FoundBy, Kept};
+use crate::search::{FoundBy, SearchSolution, StoredSolution};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -72,7 +72,7 @@ pub struct OnsetEvent<const C: usize> {
     /// The load at the onset.
     pub load: Wrench<C>,
     /// The contacts that stop sticking, all at this load factor. Contacts that have closed before and stick are not among them.
-    pub leaving: Vec<Leaving<C>>,
+    pub leaving: Vec<DepartingContact<C>>,
     /// Drives of a hand that change their state at the onset: drives of joints and tendons that yield at their greatest torque or force, and tendons
     /// that slacken.
     pub drives: Vec<PartChange>,
@@ -86,7 +86,7 @@ pub struct OnsetEvent<const C: usize> {
 /// unit of the load factor. Moments are about the centroid of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
-    pub(super) found: Kept,
+    pub(super) found: StoredSolution,
     pub(super) rule: FoundBy,
     /// For each contact or drive its active set: the edges of its cone that its force has reached.
     pub(super) active_sets: Vec<ActiveSet>,
@@ -106,9 +106,9 @@ impl OnsetEvent<3> {
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
-        (leaving, sites): (Vec<Leaving<3>>, Vec<usize>),
+        (leaving, sites): (Vec<DepartingContact<3>>, Vec<usize>),
         active_sets: Vec<ActiveSet>,
-        (found, rule): (Found, FoundBy),
+        (found, rule): (SearchSolution, FoundBy),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
         let mut lists = lists.iter_mut();
@@ -117,7 +117,7 @@ impl OnsetEvent<3> {
         let mut offsets = problem.offsets;
         offsets.iter_mut().zip(&offset_rates).for_each(|(offset, rate)| *offset += rate * factor);
         let local = StickingState {
-            found: Kept::of(found, list()),
+            found: StoredSolution::of(found, list()),
             rule,
             active_sets,
             leaving: sites,
@@ -132,7 +132,7 @@ impl OnsetEvent<3> {
     }
 }
 
-impl Leaving<3> {
+impl DepartingContact<3> {
     /// The contact or drive with the index `site`, which stops sticking as given in `how`; the rest of its label is filled in later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
@@ -163,7 +163,7 @@ impl Leaving<3> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Leaving<const C: usize> {
+pub struct DepartingContact<const C: usize> {
     /// The contact that stops sticking.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,

@@ -14,7 +14,7 @@ use crate::prelude::*;
 /// A contact or a drive of a hand that stops sticking at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Leaver {
+pub enum DepartingPart {
     /// A contact, by its index, from 0.
     Contact(usize),
     /// The drive of a joint or tendon of a hand.
@@ -43,7 +43,7 @@ pub struct OnsetMargins<'g> {
 /// The margin of a contact or drive that stops sticking, linearised in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h (on the round
 /// cone along F_t), or F_n alone if friction is absent or unlimited.
 struct Margin {
-    leaver: Leaver,
+    leaver: DepartingPart,
     site: usize,
     row: SVector<f64, 3>,
     /// The rate of the margin along the ramp, N per unit of the load factor.
@@ -80,7 +80,7 @@ impl<'g> OnsetMargins<'g> {
     /// margin vanishes; the onset is the least of these load factors. Thus, if the data change, the one-sided derivative of the onset is the least
     /// derivative of these load factors.
     #[must_use]
-    pub fn leavers(&self) -> Vec<Leaver> {
+    pub fn leavers(&self) -> Vec<DepartingPart> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 

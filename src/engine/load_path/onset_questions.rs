@@ -8,9 +8,9 @@
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;
 use super::first_to_leave::first_to_leave;
-use super::journey::Rest;
 use super::onset::{Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
+use super::program_run::SearchAtRest;
 use super::ramp::Ramp;
 use super::segment::Segment;
 use super::sticking_path::StickingPath;
@@ -25,7 +25,7 @@ use crate::numerics::IntoList;
 use crate::numerics::Memory;
 use crate::object::{Load, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, FoundBy, Settings, Settled, settle, settle_at_rest};
+use crate::search::{FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, settle, settle_at_rest};
 
 impl Engine {
     /// Implements [`Grasp::onset`](crate::ask::Grasp::onset).
@@ -55,7 +55,7 @@ impl Engine {
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
-    ) -> Result<(Onset<3>, Option<Rest>), Error> {
+    ) -> Result<(Onset<3>, Option<SearchAtRest>), Error> {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
         Ok((onset, memory.rest))
@@ -88,7 +88,7 @@ impl Engine {
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
-        rest: &Rest,
+        rest: &SearchAtRest,
         (course, end): (Trajectory<Wrench<3>>, f64),
         settings: &'a Settings,
     ) -> TurnOnset<3> {
@@ -112,7 +112,7 @@ impl Engine {
         let problem = self.problem_at_onset(event)?;
         let (found, rule) = (event.local.found.found(), event.local.rule);
         let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
-        Some(self.equilibrium(&problem, &event.load, found, rule, &Effort::default(), answer_for))
+        Some(self.equilibrium(&problem, &event.load, found, rule, &SearchCounts::default(), answer_for))
     }
 
     /// Implements [`Grasp::beyond`](crate::ask::Grasp::beyond).
@@ -125,7 +125,7 @@ impl Engine {
         let segment = Segment { grasp: self, answer_for, problem, change, course, largest: 0.0 };
         let rates = segment.rates(0.0, segment.laws_of_rates(&local.active_sets, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
-            (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
+            (SearchOutcome::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
             lost => lost,
         };
         let motions = leaving_motions(&rates, &segment.problem.wrench, &rates.yielding());
@@ -149,12 +149,12 @@ impl Engine {
         &self,
         segment: &Segment<'_>,
         course: &Trajectory<Wrench<3>>,
-        (settled, effort): &Rest,
-    ) -> Result<(Found, FoundBy), Box<Onset<3>>> {
+        (settled, effort): &SearchAtRest,
+    ) -> Result<(SearchSolution, FoundBy), Box<Onset<3>>> {
         let (problem, answer_for) = (&segment.problem, segment.answer_for);
-        let slides = |found: &Found| found.states.iter().any(State::slides);
+        let slides = |found: &SearchSolution| found.states.iter().any(State::slides);
         match settled {
-            Settled::Found(found, rule) if !slides(found) => {
+            SearchOutcome::Found(found, rule) if !slides(found) => {
                 return Ok((found.clone(), *rule));
             }
             _ => {}

@@ -4,22 +4,22 @@ use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::journey::Rest;
-use super::onset::{Leaving, Onset, OnsetEvent};
+use super::onset::{DepartingContact, Onset, OnsetEvent};
+use super::program_run::SearchAtRest;
 use super::segment::Segment;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
 use crate::equilibrium::{AnswerFor, Cone};
 use crate::grasp::{Coordinates, Engine, Space};
 use crate::numerics::{Each, Vector};
-use crate::object::{Lists, Load, PieceState, SolutionMemory};
+use crate::object::{Load, PieceState, ProblemLists, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
 /// The lists that the computation of an onset needs. Their memory is reused by the next computation; only `rest` is a result.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnsetMemory {
-    pub(super) lists: Lists,
+    pub(super) lists: ProblemLists,
     pub(super) change: Vec<SVector<f64, 3>>,
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
@@ -33,14 +33,14 @@ pub(super) struct OnsetMemory {
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
     pub(super) active_sets: Vec<ActiveSet>,
-    pub(super) leaving: Vec<Leaving<3>>,
+    pub(super) leaving: Vec<DepartingContact<3>>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
     /// Memory for the coordinates beyond those of one object (of joints and further bodies) of three vectors: twist, load and load rate at the onset.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
     /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.
-    pub(super) rest: Option<Rest>,
+    pub(super) rest: Option<SearchAtRest>,
 }
 
 impl OnsetMemory {

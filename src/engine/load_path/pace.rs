@@ -53,7 +53,7 @@ impl Pace {
 
     /// Called when steps have become too short to advance; `rest` is the rest of the leg. Allows a larger error, at most twice between two events.
     /// Returns whether it was allowed.
-    pub(super) fn loosen(&mut self, rest: f64) -> bool {
+    pub(super) fn allow_larger_error(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
             // Rounding may be the reason why steps are refused. Therefore the allowed error grows by this factor, at most twice. The estimated error
@@ -79,7 +79,7 @@ impl Pace {
 
     /// Whether explicit steps are too short: `patience` is used up, and the rest `rest` of the leg is more than fifty times `stable`, the longest
     /// stable step.
-    pub(super) fn is_cramped(&self, stable: f64, rest: f64) -> bool {
+    pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest
     }

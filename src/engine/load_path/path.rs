@@ -65,20 +65,20 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
 /// A path of the engine, whose vectors have three components, for a caller whose vectors have `C` components.
-struct AtTheDoor<'g, const C: usize, T: Face> {
+struct ConvertedPath<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
     /// Memory in which legs added by the caller are converted to three components.
     legs: Vec<Leg<3>>,
 }
 
-impl<const C: usize, T: Face> fmt::Debug for AtTheDoor<'_, C, T> {
+impl<const C: usize, T: Face> fmt::Debug for ConvertedPath<'_, C, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.inside.fmt(f)
     }
 }
 
-impl<const C: usize, T: Face> AtTheDoor<'_, C, T> {
+impl<const C: usize, T: Face> ConvertedPath<'_, C, T> {
     /// Converts and stores the end of the path, once it has ended.
     fn keep_end(&mut self) {
         if self.end.is_none() {
@@ -87,7 +87,7 @@ impl<const C: usize, T: Face> AtTheDoor<'_, C, T> {
     }
 }
 
-impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
+impl<const C: usize, T: Face> AnyPath<C, T> for ConvertedPath<'_, C, T> {
     fn next(&mut self) -> Option<T> {
         let next = self.inside.next();
         self.keep_end();
@@ -156,7 +156,7 @@ impl<const C: usize, T: Face> AnyPath<C, T> for AtTheDoor<'_, C, T> {
 
 /// Converts a path of the engine for a caller with vectors of `C` components.
 pub(crate) fn path_outside<const C: usize, T: Face>(path: Path<'_, 3, T::Inside>) -> Path<'_, C, T> {
-    let mut path = AtTheDoor { inside: path.0, end: None, legs: Vec::new() };
+    let mut path = ConvertedPath { inside: path.0, end: None, legs: Vec::new() };
     path.keep_end();
     Path(Box::new(path))
 }

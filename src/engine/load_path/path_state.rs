@@ -9,14 +9,14 @@ use super::node::{Node, directions};
 use super::segment::{PathPoint, Segment};
 use super::tolerances::GATHERED_MARGIN;
 use super::trajectory::Trajectory;
-use super::watch::{has_vanished, is_vanishing};
+use super::watched_condition::{has_vanished, is_vanishing};
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::Vector;
 use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
-use crate::search::Found;
+use crate::search::SearchSolution;
 
 /// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring. Rounding
 /// alone would then determine which contacts press, so no contact is treated as pressing. For a rate problem load, forces and motions are rates.
@@ -35,7 +35,7 @@ pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64
 impl Node {
     /// The node at the start of the path, in the equilibrium `found`. Active sets are derived from forces and gaps, since the search for an
     /// equilibrium does not return them. The slip of sliding contacts in `found` becomes slip memory.
-    pub(super) fn at_start(segment: &mut Segment<'_>, found: Found) -> Self {
+    pub(super) fn at_start(segment: &mut Segment<'_>, found: SearchSolution) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
             directions: directions(&segment.problem, &found),

@@ -28,7 +28,7 @@ use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 /// A sliding contact at the start of a step, with the derivatives with respect to the angle of its friction force.
-struct Turning {
+struct SlidingContact {
     contact: usize,
     tangent: Tangent,
     /// Size of the friction force, |F_t|, N.
@@ -48,7 +48,7 @@ struct Turning {
 /// The matrix J of this file at the start of a step: the derivative of the rates along an arc with respect to the friction forces.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
-    contacts: Vec<Turning>,
+    contacts: Vec<SlidingContact>,
     /// The tangent stiffness T of the object, with all contacts in their present states and directions of sliding.
     stiffness: PathStiffness,
     /// The right-hand side b of `T q' = b λ'` at the start of the step, with the twist q and the load factor λ.
@@ -57,13 +57,13 @@ pub(super) struct Relaxation<'f, 's, 'g> {
 }
 
 /// The factors of the matrix 1 - hJ for the length h = `length`, with the matrix J of [`Relaxation`].
-pub(super) struct Damped {
+pub(super) struct ImplicitFactors {
     length: f64,
     /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are the tangent stiffness T and the
     /// right-hand side b with the terms of the implicit step.
     bordered: PathFactors,
     /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: the size of its friction force minus a term
-    /// of the implicit step. Here d_i is `Turning::across`, v_i is `Turning::change`, and h is `length`.
+    /// of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
@@ -93,7 +93,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             let change = (more - less) / (2.0 * small);
             let gradient = tangent.matrix().tr_mul(&across);
             let map = &arc.sites()[contact].map;
-            Turning {
+            SlidingContact {
                 contact,
                 tangent,
                 size,
@@ -109,7 +109,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     }
 
     /// The factors of 1 - hJ for the step length h = `length`, with the matrix J of this file. `None` if the bordered matrix is singular.
-    pub(super) fn damped(&self, length: f64) -> Option<Damped> {
+    pub(super) fn damped(&self, length: f64) -> Option<ImplicitFactors> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
         for turning in &self.contacts {
@@ -123,13 +123,13 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             }
         }
         let (bordered, _) = self.arc.factored(stiffness, &load, &self.way)?;
-        Some(Damped { length, bordered, sizes })
+        Some(ImplicitFactors { length, bordered, sizes })
     }
 
     /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds the right-hand side g before, and Δ after. Its entries are
     /// changes of friction forces, two for each sliding contact, then of twist and load factor. The works after them stay unchanged, because no rate
     /// depends on works.
-    pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
+    pub(super) fn solve(&self, damped: &ImplicitFactors, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();
         let mut angles = Vec::with_capacity(self.contacts.len());

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::contact::{Mode, State, tangential, tangential_norm};
-use crate::equilibrium::{CountedMotion, Standing};
+use crate::equilibrium::{CountedMotion, MotionData};
 use crate::grasp::Engine;
 use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, solved};
 use crate::object::{Piece, PieceState, Problem};
@@ -15,7 +15,7 @@ use crate::search::SmallMotions;
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
-pub(super) type OfSliding = [SVector<f64, 3>; MOST_SLIDING];
+pub(super) type SlipVector = [SVector<f64, 3>; MOST_SLIDING];
 
 /// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of the weights of these terms:
 /// 1, the load factor, and two tangential slips (m) of each sliding contact.
@@ -80,8 +80,8 @@ impl Slips<'_> {
     }
 
     /// For each sliding contact the unit direction of its friction force in the state `at`.
-    pub(super) fn directions(&self, at: &[f64]) -> OfSliding {
-        let mut directions = OfSliding::default();
+    pub(super) fn directions(&self, at: &[f64]) -> SlipVector {
+        let mut directions = SlipVector::default();
         for (direction, i) in directions.iter_mut().zip(&self.sliding) {
             let friction = tangential(&self.force(*i, at));
             *direction = friction / tangential_norm(&friction);
@@ -92,7 +92,7 @@ impl Slips<'_> {
     /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`. The first derivative is with respect to the load factor. The others
     /// are with respect to the slip of each sliding contact along its friction force, in units of `unit`. They are the coefficients of the equations
     /// that keep these margins zero.
-    pub(super) fn margin_rates(&self, directions: &OfSliding) -> [Equation; MOST_UNKNOWNS] {
+    pub(super) fn margin_rates(&self, directions: &SlipVector) -> [Equation; MOST_UNKNOWNS] {
         let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
         for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {
             let margin = self.problem.cone(*i).facet_row(p);
@@ -131,7 +131,7 @@ impl Slips<'_> {
         }
         // The slips are known already. If every contact is treated as sticking, no further slip is derived from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
-        let standing = Standing { offsets, slips: &slips, states: &states, forces, twist };
+        let standing = MotionData { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)
     }
 

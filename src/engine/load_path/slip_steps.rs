@@ -3,7 +3,7 @@
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
-use super::within_a_step::Bounded;
+use super::within_a_step::BoundedCubic;
 use crate::contact::tangential_norm;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Each, Stepped, explicit_step, largest, numbered, paired, regula_falsi};
@@ -157,7 +157,7 @@ impl Slips<'_> {
             let values = [at, &end.at].each(|at| self.force(i, at));
             let changes = [rates, &end.rates].each(|rates| self.force(i, rates) * end.length);
             let cone = Some(self.problem.cone(i));
-            let dip = Bounded::new((values, changes), cone, (self.largest, tolerance)).dip();
+            let dip = BoundedCubic::new((values, changes), cone, (self.largest, tolerance)).violated_at();
             first = dip.map_or(first, |dip| Some(first.map_or(dip, |first| first.min(dip))));
         }
         first

@@ -6,11 +6,11 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::journey::Journey;
-use super::pieces::Pieces;
-use super::stretch::Stretch;
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
+use super::stored_piece::StoredPiece;
 use crate::contact::WEIGHTLESS;
-use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
+use crate::equilibrium::{AnswerFor, CountedMotion, MotionData, TooFar, farthest};
 use crate::grasp::{Engine, Hold};
 use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric, regula_falsi};
@@ -37,17 +37,17 @@ pub struct EndOfSmallMotions {
 /// A fraction of the leg, and the rotation, slip or opening that exceeds its limit of small motions beyond it.
 type Place = (f64, CountedMotion);
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// Updates the largest ratio of a motion to its limit of small motions, and records the first place where a motion exceeds its limit. It must be
     /// called at the start and after each piece of the path.
-    pub(super) fn note_how_far(&mut self, journey: &Journey<'g>) {
+    pub(super) fn record_motion_ratio(&mut self, run: &ProgramRun<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);
         let (slips, states) = (&self.segment.problem.slips, &self.node.states);
         let (forces, twist) = (&self.node.at.forces, &self.node.at.twist);
         let motions = grasp.counted_motions(
             &answer_for.small,
-            &Standing { offsets: &offsets, slips, states, forces, twist },
+            &MotionData { offsets: &offsets, slips, states, forces, twist },
         );
         let here = farthest(&motions).copied();
         self.farthest = here.map_or(self.farthest, |motion| self.farthest.max(motion.over_the_limit()));
@@ -62,7 +62,7 @@ impl<'g> Pieces<'g> {
                 turning.or_else(|| Some(last.first_too_far(grasp, answer_for, here?)))
             }
         };
-        let leg = self.behind.last().map_or(journey.program.leg, |last| last.leg);
+        let leg = self.behind.last().map_or(run.program.leg, |last| last.leg);
         let end = |(fraction, motion): Place| {
             Some(EndOfSmallMotions { leg, fraction, what: grasp.too_far(&motion) })
         };
@@ -86,7 +86,7 @@ impl<'g> Pieces<'g> {
     }
 }
 
-impl<'g> Stretch<'g> {
+impl<'g> StoredPiece<'g> {
     /// The first place on a piece of the path where a rotation, slip or opening exceeds its limit. `at_the_end` is the motion that exceeds its limit
     /// most at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
@@ -95,7 +95,7 @@ impl<'g> Stretch<'g> {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
                 return at_the_end;
             };
-            let motions = grasp.counted_motions(&answer_for.small, &Standing::found(&problem, &found));
+            let motions = grasp.counted_motions(&answer_for.small, &MotionData::found(&problem, &found));
             farthest(&motions).copied().unwrap_or(at_the_end)
         };
         let excess = |motion: &CountedMotion| motion.over_the_limit() - 1.0;
@@ -124,7 +124,7 @@ impl<'g> Stretch<'g> {
             let there = self.here.after(angle / turned.angle);
             let (offsets, slips) = (&self.problem.offsets, &self.problem.slips);
             let (forces, twist) = (&there.forces, &there.twist);
-            let standing = Standing { offsets, slips, states: &self.states, forces, twist };
+            let standing = MotionData { offsets, slips, states: &self.states, forces, twist };
             grasp.counted_motions(small, &standing)
         };
         let (begin, quarter, half) = (at(0.0), at(FRAC_PI_2), at(PI));

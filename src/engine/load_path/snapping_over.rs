@@ -16,12 +16,12 @@
 use nalgebra::SVector;
 
 use super::event::{Change, Event, Loss, LossKind};
-use super::journey::Journey;
 use super::jump::Jump;
 use super::jump_leg::JumpInProgress;
 use super::node::{Node, directions};
 use super::path_state::softest_spring_force;
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
 use super::segment::Segment;
 use super::tolerances::{
     AS_EXPECTED, AT_REST_AGAIN, FASTEST_GROWTH, LEAST_FORCE, LITTLE_BEYOND, MOST_SNAPPING_STEPS, MOST_SNAPS,
@@ -34,7 +34,7 @@ use crate::grasp::{Engine, Site};
 use crate::numerics::{PartialPivoting, Vector, largest};
 use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
-use crate::search::{Found, SmallMotions};
+use crate::search::{SearchSolution, SmallMotions};
 
 /// The moving object at one time: its twist, the force and state of each contact, and the imbalance `left` of contact forces and load.
 struct MovingObject {
@@ -44,14 +44,14 @@ struct MovingObject {
 }
 
 /// The state in which the object rests again after it has snapped over, with forces in balance up to a small remainder.
-pub(super) struct RestsAgain<'g> {
+pub(super) struct StateAfterSnap<'g> {
     /// The static problem with the slips after the motion. Its load is exactly what the contact forces balance, and nearly the load of the leg.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
 }
 
-impl<'g> RestsAgain<'g> {
+impl<'g> StateAfterSnap<'g> {
     /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance, as with viscous contacts.
     /// `None` if the motion exceeds the limits `small` or does not end, or if there are very many coordinates.
     pub(super) fn near(
@@ -66,7 +66,7 @@ impl<'g> RestsAgain<'g> {
         }
         let damper = |problem: &Problem, i: usize| {
             let local = problem.local(i);
-            local.tangent(&local.unjumped()).matrix()
+            local.tangent(&local.trial_state()).matrix()
         };
         let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
@@ -131,7 +131,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
 
 /// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor of the last time.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Snapped {
+pub(super) struct SnapCount {
     count: usize,
     /// Load factor at which the object last came to rest after it had snapped over.
     at: f64,
@@ -139,7 +139,7 @@ pub(super) struct Snapped {
     step: f64,
 }
 
-impl Snapped {
+impl SnapCount {
     /// The value before the object has snapped over on a leg.
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
@@ -166,11 +166,11 @@ impl MovingObject {
     }
 }
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
     /// continues. `None` if the object does not come to rest within small motions. `None` also, without a trial, for other kinds of loss, for suction
     /// cups, at the end of a leg, after a failed jump, and after [`MOST_SNAPS`] snaps.
-    pub(super) fn snaps_over(&mut self, journey: &Journey<'g>, loss: &Loss<3>) -> Option<Event<3>> {
+    pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
         let has_cups = self.segment.grasp.vacuum().is_some();
@@ -192,7 +192,7 @@ impl<'g> Pieces<'g> {
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
-            if let event @ Some(_) = self.snaps_within(step, journey) {
+            if let event @ Some(_) = self.snaps_within(step, run) {
                 return event;
             }
             if step <= least {
@@ -203,8 +203,8 @@ impl<'g> Pieces<'g> {
     }
 
     /// The event at which the object snaps over and comes to rest at a load factor larger by `step`, at most 1. `None` if it does not come to rest.
-    fn snaps_within(&mut self, step: f64, journey: &Journey<'g>) -> Option<Event<3>> {
-        let state = self.state_before_event().or_else(|| self.present_state(journey))?;
+    fn snaps_within(&mut self, step: f64, run: &ProgramRun<'g>) -> Option<Event<3>> {
+        let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
         let goal = self.segment.course.at(beyond);
         let rests = self.rests_again(beyond)?;
@@ -214,40 +214,41 @@ impl<'g> Pieces<'g> {
         jump.note(&changes);
         // The event itself lists the changes of contact states at the end of the path; the jump lists only the changes after them.
         jump.changes.clear();
-        jump.run(&goal, journey).ok()?;
-        let event = self.caught(journey, changes, state);
+        jump.run(&goal, run).ok()?;
+        let event = self.caught(run, changes, state);
         // A leg that begins with a snap has no piece yet from which the state at its start can be computed.
-        let is_first = self.stretch_behind(journey.program.leg, self.factor).is_none();
-        let start = is_first.then(|| self.present_stretch(journey)).flatten();
+        let is_first = self.stretch_behind(run.program.leg, self.factor).is_none();
+        let start = is_first.then(|| self.present_stretch(run)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);
-        let Ok(jump) = self.end_jump(journey, &goal, jump) else {
+        let Ok(jump) = self.end_jump(run, &goal, jump) else {
             self.factor = end;
             return None;
         };
         let rests = self.behind.pop();
         self.behind.extend(start.into_iter().chain(rests));
         self.at_node = true;
-        self.snapped = Snapped { count: self.snapped.count + 1, at: beyond, step };
+        self.snapped = SnapCount { count: self.snapped.count + 1, at: beyond, step };
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
     /// The state in which the object, moving from its present twist, comes to rest under the load at the factor `beyond`, slightly larger than at the
     /// loss. `None` if it does not come to rest.
-    fn rests_again(&self, beyond: f64) -> Option<RestsAgain<'g>> {
+    fn rests_again(&self, beyond: f64) -> Option<StateAfterSnap<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
-        RestsAgain::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
+        StateAfterSnap::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
     /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. The second value has the changes from
     /// the present contact states to the states of `rests`.
-    fn back_to_balance(&self, rests: RestsAgain<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
-        let RestsAgain { problem, contacts, twist } = rests;
+    fn back_to_balance(&self, rests: StateAfterSnap<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
+        let StateAfterSnap { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);
         let (from, goal) = (problem.wrench.clone(), segment.course.at(0.0));
         segment.course = Trajectory::Straight { rate: goal - &from, from };
         segment.problem = problem;
         let forces = contacts.iter().map(|contact| contact.force).collect();
-        let found = Found::new(contacts.iter().map(|contact| contact.state).collect(), forces, twist);
+        let found =
+            SearchSolution::new(contacts.iter().map(|contact| contact.state).collect(), forces, twist);
         let (states, before) = (found.states.clone(), &self.node);
         let ways = directions(&segment.problem, &found);
         let node = Node { holds: before.holds.clone(), ..Node::at_start(&mut segment, found) };

@@ -4,7 +4,7 @@ use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::first_exits::ExitsReached;
-use super::onset::{Departure, Leaving, Onset, OnsetEvent};
+use super::onset::{DepartingContact, Departure, Onset, OnsetEvent};
 use super::segment::{PathPoint, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, State, ZERO_SLACK};
@@ -13,7 +13,7 @@ use crate::grasp::Wrench;
 use crate::numerics::mapped;
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Doubt, Found, FoundBy, Settings, Settled, settle};
+use crate::search::{Doubt, FoundBy, SearchOutcome, SearchSolution, Settings, settle};
 
 /// A ramp or a turn being followed while nothing slides, and the load factor reached so far.
 pub(super) struct StickingPath<'a> {
@@ -46,7 +46,7 @@ impl StickingPath<'_> {
                 let laws = self.segment.laws_of_rates(&active_sets, &states);
                 let rates = self.segment.rates(self.factor, laws);
                 let (settled, _) = settle(&rates, self.settings);
-                let stays = |found: &Found| {
+                let stays = |found: &SearchSolution| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
                         // A contact that carries no force under the base load and opens at once is not listed as a contact that stops sticking.
@@ -54,7 +54,7 @@ impl StickingPath<'_> {
                     })
                 };
                 match settled {
-                    Settled::Found(found, _) if stays(&found) => {
+                    SearchOutcome::Found(found, _) if stays(&found) => {
                         for &(i, _) in &at_edge {
                             if states[i].is_open() && found.states[i].is_sticking() {
                                 let nothing = SVector::zeros();
@@ -105,34 +105,34 @@ impl StickingPath<'_> {
         point: &PathPoint,
         active_sets: Vec<ActiveSet>,
         rates: &Problem,
-        settled: &Settled,
+        settled: &SearchOutcome,
     ) -> Onset<3> {
         let (segment, sites) = (&self.segment, self.segment.grasp.sites());
         let next = match settled {
-            Settled::Found(found, _) => Some(site_states(rates, found)),
+            SearchOutcome::Found(found, _) => Some(site_states(rates, found)),
             _ => None,
         };
         let at_edge = (0..states.len()).filter(|&i| !active_sets[i].is_empty());
         let leaves = |site: usize| match next.as_ref().map(|states| states[site]) {
             None => {
                 let (local, frame) = (segment.problem.local(site), &sites[site].frame);
-                Some(Leaving::driven_out(site, &active_sets[site], &local, frame))
+                Some(DepartingContact::driven_out(site, &active_sets[site], &local, frame))
             }
             Some(ContactState::Sliding { direction }) => {
-                Some(Leaving::new(site, Departure::Slides { direction }))
+                Some(DepartingContact::new(site, Departure::Slides { direction }))
             }
             Some(ContactState::Separated) if states[site].is_sticking() => {
-                Some(Leaving::new(site, Departure::Opens))
+                Some(DepartingContact::new(site, Departure::Opens))
             }
             Some(_) => None,
         };
         let leaving: Vec<_> = at_edge.filter_map(leaves).list();
         let sites = mapped(&leaving, &|leaving| leaving.contact.index);
         let forces = mapped(&point.lines, &|line| line.force);
-        let found = Found {
+        let found = SearchSolution {
             free_motions: point.free_motions.clone(),
             sizes: point.sizes,
-            ..Found::new(states, forces, point.twist.clone())
+            ..SearchSolution::new(states, forces, point.twist.clone())
         };
         let place = (self.factor, self.course.at(self.factor));
         let event = OnsetEvent::new(

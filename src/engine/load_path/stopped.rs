@@ -5,11 +5,11 @@
 //! the path ends.
 
 use super::flow::{Flow, Rule, StepGoal};
-use super::pieces::Pieces;
-use super::watch::{Watch, WatchedCondition, watch};
+use super::piecewise_follower::PiecewiseFollower;
+use super::watched_condition::{ConditionValue, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
-impl Pieces<'_> {
+impl PiecewiseFollower<'_> {
     /// Whether a contact whose slip has ended at the present place can neither stick nor slide on. This is so if each of both states violates its
     /// condition in trial steps along the path. Only trial steps whose estimated relative error is at most `tolerance` are used.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
@@ -38,7 +38,7 @@ impl Pieces<'_> {
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };
             let watches = watch(&self.segment, &states, (reached.to, &reached.point));
             let of_it = watches.iter().find(|watch| watch.what == WatchedCondition::Contact(contact));
-            if !of_it.is_some_and(Watch::is_broken) {
+            if !of_it.is_some_and(ConditionValue::is_broken) {
                 return false;
             }
             failures += 1;

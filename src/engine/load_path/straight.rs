@@ -3,8 +3,8 @@
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;
-use super::journey::Journey;
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
 use super::segment::PathPoint;
 use super::tolerances::LARGEST_CORRECTION;
 use crate::contact::Exit;
@@ -12,12 +12,12 @@ use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Doubt;
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Stores the
     /// piece. Returns whether the leg is complete.
-    pub(super) fn advance_straight(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
+    pub(super) fn advance_straight(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
-            return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
+            return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
@@ -49,20 +49,20 @@ impl<'g> Pieces<'g> {
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
             // The path alternates between continuations, and only rounding would determine which one it finally takes.
-            return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
+            return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);
         if let Some(energy) = self.energy.last_mut() {
             energy.add(&self.segment, &self.node.states, &point, self.factor, step);
         }
-        self.behind.push(self.stretch(journey, point.clone(), to, end.clone()));
+        self.behind.push(self.stretch(run, point.clone(), to, end.clone()));
         self.node.move_to_end(&mut self.segment, &point, to, &end);
         self.node.add_exits(self.segment.problem.space().axes(), &reached);
         if piled_up {
             self.put_at_apex(&reached);
         }
         self.factor = to;
-        self.note_how_far(journey);
+        self.record_motion_ratio(run);
         self.at_node = true;
         Ok(leg_done)
     }

@@ -9,7 +9,7 @@ use crate::grasp::{Site, Space};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Found, combinations, search_among};
+use crate::search::{SearchSolution, combinations, search_among};
 
 /// The contact states in `rates`, the problem for the rates of forces and motion, if every contact keeps its state in `states`. `None` if the laws of
 /// the rates exclude that for some contact.
@@ -41,7 +41,7 @@ pub(super) fn change(
 /// Number of solutions of the rate problem `rates` that differ from `found` in rates of forces, or in twist rates apart from free motions. Zero if
 /// the matrix is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None` if there are too many
 /// combinations, or with a contact at the apex of a round cone.
-pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
+pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
     // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
     if rates.round {
         return None;
@@ -56,7 +56,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
         return None;
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
-    let mut distinct: Vec<Found> = vec![found.clone()];
+    let mut distinct: Vec<SearchSolution> = vec![found.clone()];
     // With many coordinates, solving for one combination of states takes long. A test on the kinematic form, which has few complementary pairs, first
     // excludes most combinations.
     let is_planar = rates.space() == Space::Planar;
@@ -64,7 +64,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &Found) -> Option<usize> {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
     };
     for other in search_among(rates, false, &|states| !ruled_out(states)).found {
-        let same = |known: &Found| {
+        let same = |known: &SearchSolution| {
             let mut apart = &known.twist - &other.twist;
             for v in known.free_motions.iter().chain(&other.free_motions) {
                 apart -= v * v.dot(&apart);

@@ -19,28 +19,28 @@ use super::crossing::StepEnd;
 use super::event::{LossKind, PathEnd};
 use super::first_exits::ExitsReached;
 use super::flow::{Flow, Rule};
-use super::journey::Journey;
-use super::pieces::Pieces;
+use super::piecewise_follower::PiecewiseFollower;
+use super::program_run::ProgramRun;
 use super::segment::PathPoint;
 use super::tolerances::STANDS_STILL;
 use super::trajectory::Trajectory;
-use super::watch::{Watch, WatchedCondition, watch};
+use super::watched_condition::{ConditionValue, WatchedCondition, watch};
 use super::within_a_step::first_dip;
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// Tries one step along the arc, which ends early if an event comes first; a refused step only changes the next length. Returns whether the leg
     /// is complete. The error is the end of the path.
-    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g>) -> Result<bool, PathEnd<3>> {
+    pub(super) fn advance_along_arc(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         // An object that snaps over may come to rest under the load at the end of the leg.
         if self.factor >= 1.0 {
             return Ok(true);
         }
         let Some(point) = self.point.take() else {
-            return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
+            return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         };
         // After an event the unit of displacement is chosen so that the object's motion and the load factor have equal weight in the arclength.
         let point = if self.pace.unit.is_some() {
@@ -52,31 +52,31 @@ impl<'g> Pieces<'g> {
         };
         self.point = Some(point.clone());
         if self.slides_away(&point) {
-            return Err(self.loss_at_end(journey, LossKind::Asymptote, &point));
+            return Err(self.loss_at_end(run, LossKind::Asymptote, &point));
         }
-        if self.pace.steps >= journey.settings.most_steps {
-            return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
+        if self.pace.steps >= run.settings.most_steps {
+            return Err(run.undecided(self.factor, Doubt::OutOfSteps));
         }
         if let Some(length) = self.straight_length(&point)
             && let Some(end) = self.step(&point, (length, 0), Rule::Straight)
         {
             self.node.starts_at_apex = false;
-            return self.finish_step(journey, &point, &end);
+            return self.finish_step(run, &point, &end);
         }
         let length = self.pace.length.unwrap_or_else(|| self.first_length(&point));
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
-        let tolerance = journey.settings.step_error * self.pace.looser;
+        let tolerance = run.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&point, length, tolerance);
         // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further in these states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
             } else if self.stops_for_good(tolerance) {
-                return Err(self.loss_at_end(journey, LossKind::Corner, &point));
-            } else if !self.pace.loosen(1.0 - self.factor) {
+                return Err(self.loss_at_end(run, LossKind::Corner, &point));
+            } else if !self.pace.allow_larger_error(1.0 - self.factor) {
                 let gathered = if self.may_gather() { self.node.gather(&self.segment, &point) } else { None };
                 let Some(apart) = gathered else {
-                    return Err(journey.undecided(self.factor, Doubt::Inaccurate));
+                    return Err(run.undecided(self.factor, Doubt::Inaccurate));
                 };
                 self.step_error += apart;
                 (self.at_node, self.gathered) = (true, self.factor);
@@ -94,7 +94,7 @@ impl<'g> Pieces<'g> {
             self.pace.refuse(length, f64::INFINITY);
             return Ok(false);
         };
-        self.finish_step(journey, &point, &end)
+        self.finish_step(run, &point, &end)
     }
 
     /// The step `end` from `point`, shortened to end where the first watched condition is just met. That condition may be violated only within the
@@ -152,7 +152,7 @@ impl<'g> Pieces<'g> {
         // integration is unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
-        self.pace.stiff |= self.pace.is_cramped(stable, rest);
+        self.pace.stiff |= self.pace.needs_implicit_steps(stable, rest);
         if self.pace.stiff && length > stable {
             (length, Rule::Implicit { tolerance })
         } else {
@@ -228,16 +228,16 @@ impl<'g> Pieces<'g> {
     /// sets. Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
     fn finish_step(
         &mut self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         point: &PathPoint,
         end: &StepEnd,
     ) -> Result<bool, PathEnd<3>> {
-        let tolerance = journey.settings.step_error * self.pace.looser;
+        let tolerance = run.settings.step_error * self.pace.looser;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
         // Whether the load factor has a maximum at the end of the step, where the rate of the load factor is zero.
-        let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
+        let grows = |watch: &ConditionValue| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();
         let mut at_edge: ExitsReached = Vec::new();
@@ -276,7 +276,7 @@ impl<'g> Pieces<'g> {
         if !sticks.is_empty() {
             self.stopped = (to, sticks.clone());
         }
-        self.take_step(journey, point, (end.length, end.rule), &end.reached);
+        self.take_step(run, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
         // If another event happens at the same place, contacts that have not slipped during the step get their states from the solution at that
         // event.
@@ -285,7 +285,7 @@ impl<'g> Pieces<'g> {
         }
         self.at_node = leg_done || stops;
         // A maximum at the end of a leg does not end the path: the next leg may change the load in another direction.
-        let lost = (tops && !leg_done).then(|| self.loss_at_end(journey, LossKind::Fold, &next));
+        let lost = (tops && !leg_done).then(|| self.loss_at_end(run, LossKind::Fold, &next));
         self.point = Some(next);
         lost.map_or(Ok(leg_done), Err)
     }
@@ -303,10 +303,10 @@ impl<'g> Pieces<'g> {
     }
 
     /// The loss of the kind `kind` at the present place, the end of an arc; the object leaves with the twist rate of `point`.
-    fn loss_at_end(&self, journey: &Journey<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
+    fn loss_at_end(&self, run: &ProgramRun<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();
-        PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.list(), Some(&motion))))
+        PathEnd::Lost(Box::new(run.loss(self.factor, kind, slides.list(), Some(&motion))))
     }
 }
 

@@ -15,11 +15,11 @@ use crate::contact::{Coulomb, Mode, State};
 use crate::numerics::{Each, least};
 
 /// The four Bézier points of a piece of the cubic.
-type Points = [SVector<f64, 3>; 4];
+type BezierPoints = [SVector<f64, 3>; 4];
 
 /// The cubic of a contact force or a gap along a step; its margin must stay positive.
-pub(super) struct Bounded {
-    points: Points,
+pub(super) struct BoundedCubic {
+    points: BezierPoints,
     /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
     cone: Option<Coulomb>,
     /// The factor g of the bound `s²(1 - s)² g` on the error of the margin at the fraction s of the step, in N or m.
@@ -52,8 +52,8 @@ pub(super) fn first_dip(
             }
             _ => continue,
         };
-        let bounded = Bounded::new((values, rates.each(|rate| rate * length)), cone, (size, step_error));
-        if let Some(part) = bounded.dip() {
+        let bounded = BoundedCubic::new((values, rates.each(|rate| rate * length)), cone, (size, step_error));
+        if let Some(part) = bounded.violated_at() {
             first = Some(first.map_or(part, |first| first.min(part)));
         }
     }
@@ -66,7 +66,7 @@ fn along(value: f64) -> SVector<f64, 3> {
     vector
 }
 
-impl Bounded {
+impl BoundedCubic {
     /// The cubic with the values a, b and the changes per step da, db at both ends of a step. `size` is the size of the terms of the margin, and
     /// `step_error` the allowed relative error of a step.
     pub(super) fn new(
@@ -94,19 +94,19 @@ impl Bounded {
 
     /// A fraction of the step at which the margin is certainly below `-nothing`; one half if this is not decided. `None` if the margin is nowhere
     /// below `-nothing`.
-    pub(super) fn dip(&self) -> Option<f64> {
+    pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // At most two hundred pieces of the cubic are examined; then the step is taken as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));
             let farthest = if to <= 0.5 { to } else { from.max(0.5) };
-            if least - self.off(farthest) >= -self.nothing {
+            if least - self.margin_error(farthest) >= -self.nothing {
                 continue;
             }
             let middle = 0.5 * (from + to);
             let [before, after] = halves(&points);
-            if self.margin(&after[0]) + self.off(middle) < -self.nothing {
+            if self.margin(&after[0]) + self.margin_error(middle) < -self.nothing {
                 return Some(middle);
             }
             pieces.push((middle, to, after));
@@ -117,14 +117,14 @@ impl Bounded {
     }
 
     /// Bound on the error of the margin of the cubic at the fraction `part` of the step.
-    fn off(&self, part: f64) -> f64 {
+    fn margin_error(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square
     }
 }
 
 /// The Bézier points of both halves of a piece of the cubic, by De Casteljau's algorithm.
-fn halves(points: &Points) -> [Points; 2] {
+fn halves(points: &BezierPoints) -> [BezierPoints; 2] {
     let mean = |a: &SVector<f64, 3>, b: &SVector<f64, 3>| (a + b) * 0.5;
     let [p, q, r, s] = points;
     let [pq, qr, rs] = [mean(p, q), mean(q, r), mean(r, s)];

@@ -40,9 +40,9 @@ pub(crate) struct BandPiece {
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
-    pub(super) right: Side,
+    pub(super) right: StiffnessFactor,
     /// The matrix B of the tangent stiffness `BᵀA`: the directions in which springs push. `None` if no contact slides, since then B = A.
-    pub(super) left: Option<Side>,
+    pub(super) left: Option<StiffnessFactor>,
     pub(super) factors: BandFactors,
 }
 
@@ -55,13 +55,13 @@ pub(super) struct SpringLists {
     first: Vec<usize>,
     /// For each contact the number of its springs in its state.
     pub(super) counts: Vec<usize>,
-    /// For each contact the index of its first number in [`Side::rows`]; the last entry is the length of that list.
+    /// For each contact the index of its first number in [`StiffnessFactor::rows`]; the last entry is the length of that list.
     first_rows: Vec<usize>,
 }
 
 /// One factor of the tangent stiffness `BᵀA`: the matrix A or B, with a row for each spring.
 #[derive(Debug, Clone)]
-pub(super) struct Side {
+pub(super) struct StiffnessFactor {
     /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
     /// map.
     rows: Vec<f64>,
@@ -209,7 +209,7 @@ impl BandPiece {
 
     /// The rows of the matrix A and, if a contact slides, of the matrix B. Each row has an entry for each coordinate in its usual order.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
-        let whole = |side: &Side| {
+        let whole = |side: &StiffnessFactor| {
             let mut list = Vec::new();
             self.springs.for_each(|_, coordinates, range| {
                 let mut whole = vec![0.0; self.numbers.len()];
@@ -223,8 +223,8 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`Side::rows`]. `coordinates`
-    /// has the position of each entry of this row in the order that makes the band narrow.
+    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`StiffnessFactor::rows`].
+    /// `coordinates` has the position of each entry of this row in the order that makes the band narrow.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -246,19 +246,19 @@ impl SpringLists {
     }
 
     /// The matrix A or B of this file from the entries of its rows, spring after spring; `count` is the number of coordinates.
-    fn side(&self, rows: Vec<f64>, count: usize) -> Side {
+    fn side(&self, rows: Vec<f64>, count: usize) -> StiffnessFactor {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
             coordinates.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
             longest = longest.max(rows[range].iter().map(|x| x * x).sum());
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
-        Side { rows, units: moved(squares, &unit), longest: longest.sqrt() }
+        StiffnessFactor { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
     /// Adds to q the wrench of the scaled spring forces x: Aᵀx or Bᵀx, with the matrix A or B in `side`. Then multiplies each entry of q by the
     /// factor that scales its column of the matrix to length one.
-    pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
+    pub(super) fn add(&self, side: &StiffnessFactor, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
         });
@@ -267,7 +267,7 @@ impl SpringLists {
 
     /// Multiplies each entry of the motion q by the factor that scales its column of the matrix to length one. Then calls `visit(spring, stretch)`
     /// for every spring with its scaled stretch, an entry of A q or B q.
-    pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+    pub(super) fn stretch(&self, side: &StiffnessFactor, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {
             visit(spring, coordinates.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());

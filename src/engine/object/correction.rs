@@ -93,7 +93,7 @@ impl Piece {
         for (contact, springs, range) in self.of_each_contact() {
             let (site, force) = (&problem.sites[contact], &mut forces[contact]);
             put_on_cone(&problem.local(contact), &states[contact], force);
-            let mut across = Across::of(&states[contact], force);
+            let mut across = TransverseResidual::of(&states[contact], force);
             let mut along = [DoubleDouble::default(); 3];
             for (a, force) in force.iter().enumerate().take(site.springs.axes()) {
                 if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
@@ -121,13 +121,13 @@ impl Piece {
 
 /// For a contact that slides on the round cone: the tangential component of its residual displacement w across the friction force F_t, `c·w` with
 /// `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
-struct Across {
+struct TransverseResidual {
     along: [DoubleDouble; 3],
     length: f64,
     sum: DoubleDouble,
 }
 
-impl Across {
+impl TransverseResidual {
     fn of(state: &State, force: &[DoubleDouble; 3]) -> Option<Self> {
         let Mode::Round(_) = state else { return None };
         let mut along = [DoubleDouble::default(); 3];

@@ -11,7 +11,7 @@ pub(super) struct Limited {
     pub(super) stiffness: SVector<f64, 3>,
     pub(super) offset: SVector<f64, 3>,
     opens: bool,
-    slides: Slides,
+    slides: SlideDirections,
     cone: Coulomb,
     /// Whether the contact is on the edge of its cone in a rate problem. Its friction limit is then the rate of the actual limit, and may be
     /// negative.
@@ -19,7 +19,7 @@ pub(super) struct Limited {
 }
 
 /// The directions in which a contact may slide, according to the shape of its friction cone.
-enum Slides {
+enum SlideDirections {
     Never,
     /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t. `None` without such a facet:
     /// friction in this direction has no limit.
@@ -58,21 +58,22 @@ impl Limited {
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
-            let (stiffness, slides) = (SVector::zeros(), Slides::Never);
+            let (stiffness, slides) = (SVector::zeros(), SlideDirections::Never);
             return Some(Self { stiffness, offset, opens: false, slides, cone, is_rate: false });
         }
         let facet =
             |sign: f64| (0_u16..).zip(local.facets()).find(|(_, h)| sign * h[1] > 0.0).map(|(j, _)| j);
         let (stiffness, opens) = (local.springs.diagonal(), local.may_open());
         let slides = match [facet(-1.0), facet(1.0)] {
-            _ if local.is_round() && !on_polygons => Slides::Round,
-            _ if !local.is_planar() && !local.facets().is_empty() => {
-                Slides::OnPolygon { normals: local.facets().to_vec(), corners: local.polygon.corners.clone() }
-            }
-            [None, None] => Slides::Never,
-            facets => Slides::Along(facets),
+            _ if local.is_round() && !on_polygons => SlideDirections::Round,
+            _ if !local.is_planar() && !local.facets().is_empty() => SlideDirections::OnPolygon {
+                normals: local.facets().to_vec(),
+                corners: local.polygon.corners.clone(),
+            },
+            [None, None] => SlideDirections::Never,
+            facets => SlideDirections::Along(facets),
         };
-        let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
+        let keeps = opens && stiffness[1] > 0.0 && matches!(slides, SlideDirections::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
         // In a rate problem, the facets of a contact on the edge of its friction cone do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
@@ -129,10 +130,10 @@ impl Limited {
             state: Mode::Facet(facet),
         };
         match &self.slides {
-            Slides::Along([_, Some(facet)]) if force[1] > limit => Some(on_axis(*facet, limit)),
-            Slides::Along([Some(facet), _]) if force[1] < -limit => Some(on_axis(*facet, -limit)),
-            Slides::Never | Slides::Along(_) => None,
-            Slides::Round => {
+            SlideDirections::Along([_, Some(facet)]) if force[1] > limit => Some(on_axis(*facet, limit)),
+            SlideDirections::Along([Some(facet), _]) if force[1] < -limit => Some(on_axis(*facet, -limit)),
+            SlideDirections::Never | SlideDirections::Along(_) => None,
+            SlideDirections::Round => {
                 let (tangential, size) = (tangential(force), tangential_norm(force));
                 (size > limit).then(|| AtLimit {
                     friction: tangential * (limit / size),
@@ -140,7 +141,7 @@ impl Limited {
                     state: Mode::Facet(0),
                 })
             }
-            Slides::OnPolygon { normals, corners } => {
+            SlideDirections::OnPolygon { normals, corners } => {
                 let friction = tangential(force);
                 let beyond = |j: usize, at: &SVector<f64, 3>| normals[j].dot(at) - limit;
                 let all = 0..normals.len();

@@ -41,7 +41,7 @@ pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, newton, newton_on_cones};
 pub(crate) use piece::{Piece, least_forces};
 pub(crate) use precise::PreciseTwist;
-pub(crate) use problem::{Lists, Problem};
+pub(crate) use problem::{Problem, ProblemLists};
 pub(crate) use relaxing::ViscousRelaxation;
 pub(crate) use sizes::{largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};

@@ -9,7 +9,7 @@
 //! B z ≠ 0, Tᵀz = 0    no motion changes the work of the springs along z: if offsets and load do work along z, there is no solution
 //! ```
 
-use super::band_piece::{BandPiece, Side};
+use super::band_piece::{BandPiece, StiffnessFactor};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{
@@ -33,7 +33,7 @@ pub(super) struct NullMotions {
 }
 
 /// Null vectors in two lists.
-struct Apart {
+struct SortedNullVectors {
     /// Null vectors that stretch no spring.
     unstretched: Vec<Vector>,
     /// All other null vectors, each with the stretches of all springs, scaled so that these stretches have norm one.
@@ -54,9 +54,14 @@ impl NullMotions {
             return Some(nothing);
         }
         let (right, left) = (&band.right, band.left.as_ref().unwrap_or(&band.right));
-        let of_right = apart(band, [right, left], band.factors.null_vectors(), BandFactors::solve)?;
-        let of_left =
-            apart(band, [left, right], band.factors.left_null_vectors(), BandFactors::solve_transposed)?;
+        let of_right =
+            sorted_null_vectors(band, [right, left], band.factors.null_vectors(), BandFactors::solve)?;
+        let of_left = sorted_null_vectors(
+            band,
+            [left, right],
+            band.factors.left_null_vectors(),
+            BandFactors::solve_transposed,
+        )?;
         let mut found = Self {
             free: of_right.unstretched,
             unbalanced: of_left.unstretched,
@@ -99,12 +104,12 @@ impl NullMotions {
 /// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. `side` is A for null vectors of T, and
 /// B for null vectors of the transpose; `other` is the other of these two matrices. The entries of `vectors` refer to columns of `side` that are
 /// scaled to length one. `None` if a vector that stretches springs is not a null vector to within rounding.
-fn apart(
+fn sorted_null_vectors(
     band: &BandPiece,
-    [side, other]: [&Side; 2],
+    [side, other]: [&StiffnessFactor; 2],
     vectors: Vec<Vec<f64>>,
     solve: fn(&BandFactors, &mut [f64]),
-) -> Option<Apart> {
+) -> Option<SortedNullVectors> {
     let springs = &band.springs;
     let mut found: Vec<(Vector, Vec<f64>)> = Vec::new();
     for mut q in vectors {
@@ -136,7 +141,7 @@ fn apart(
     }
     let count = found.len();
     let axes = Singular::new(&matrix_of(count, count, &|i, j| dot(&found[i].1, &found[j].1))).right;
-    let mut apart = Apart { unstretched: Vec::new(), stretched: Vec::new() };
+    let mut apart = SortedNullVectors { unstretched: Vec::new(), stretched: Vec::new() };
     for axis in axes.column_iter() {
         let mut v = Vector::zeros();
         let mut stretches = vec![0.0; springs.counts.iter().sum()];

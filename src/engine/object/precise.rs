@@ -36,7 +36,7 @@ impl Precise {
 
     /// The vectors `high` and `low` as arrays of fixed size; `None` if there are more coordinates than those of one object.
     #[inline(always)]
-    fn arrays(&self) -> Option<Twice<'_>> {
+    fn arrays(&self) -> Option<DoublePrecisionPair<'_>> {
         Some([self.high.array()?, self.low.array()?])
     }
 
@@ -101,7 +101,11 @@ impl PreciseTwist {
 
 /// The stretch `v - g·q` in twice the working precision; the scalar product has the first N components of the vectors `g` and `q`.
 #[inline(always)]
-fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>) -> DoubleDouble {
+fn less_products<const N: usize>(
+    mut v: DoubleDouble,
+    g: DoublePrecisionPair<'_>,
+    q: DoublePrecisionPair<'_>,
+) -> DoubleDouble {
     for k in 0..N {
         v.add_product_of_twice((-g[0][k], -g[1][k]), DoubleDouble { high: q[0][k], low: q[1][k] });
     }
@@ -109,7 +113,7 @@ fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>
 }
 
 /// A vector in twice the working precision, the sum of two arrays `[high, low]`, with at most the coordinates of one object.
-type Twice<'v> = [&'v [f64; WHOLE]; 2];
+type DoublePrecisionPair<'v> = [&'v [f64; WHOLE]; 2];
 
 /// The sum of the load and of contact forces, a wrench in twice the working precision; zero in equilibrium.
 pub(super) struct PreciseBalance(Precise);
@@ -149,7 +153,7 @@ impl PreciseBalance {
 /// Adds `times` times g to the first N components of the vector `high + low`.
 #[inline(always)]
 fn add_multiple<const N: usize>(
-    g: Twice<'_>,
+    g: DoublePrecisionPair<'_>,
     times: DoubleDouble,
     high: &mut [f64; WHOLE],
     low: &mut [f64; WHOLE],

@@ -17,7 +17,7 @@ use super::load::Load;
 use super::precise::PreciseTwist;
 use crate::contact::{Coulomb, Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
-use crate::grasp::{Engine, Remembered, Site, Space, Wrench, size_of};
+use crate::grasp::{CachedValue, Engine, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
@@ -50,7 +50,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) round: bool,
     /// Memory of the grasp for the factorised elastic trial, in which all contacts stick; the trial is stored once it is computed. `None` in the rate
     /// problem.
-    pub(crate) trial: Option<&'g Remembered>,
+    pub(crate) trial: Option<&'g CachedValue>,
     /// Contact states of a similar grasp, from which a search with many coordinates starts. Empty in the rate problem, and if no such states are
     /// given.
     pub(crate) near: &'g [State],
@@ -58,7 +58,7 @@ pub(crate) struct Problem<'g> {
 
 /// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier problem.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Lists {
+pub(crate) struct ProblemLists {
     pub(crate) laws: Vec<Law>,
     pub(crate) offsets: Vec<SVector<f64, 3>>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
@@ -74,14 +74,14 @@ impl Engine {
         offsets: Vec<SVector<f64, 3>>,
         load: &Load,
     ) -> Problem<'_> {
-        let lists = Lists { offsets, ..Lists::default() };
+        let lists = ProblemLists { offsets, ..ProblemLists::default() };
         self.problem_in(lists, polygon, round, load)
     }
 
     /// [`Self::problem`] in reused lists: `lists.offsets` holds the offsets, and the two other lists are overwritten.
     pub(crate) fn problem_in(
         &self,
-        lists: Lists,
+        lists: ProblemLists,
         polygon: Arc<Polygon>,
         round: bool,
         load: &Load,
@@ -108,7 +108,7 @@ impl<'g> Problem<'g> {
         sites: &'g [Site],
         polygon: Arc<Polygon>,
         round: bool,
-        Lists { mut laws, offsets, mut slips }: Lists,
+        ProblemLists { mut laws, offsets, mut slips }: ProblemLists,
         load: &Load,
     ) -> Self {
         cleared_for(&mut laws, sites.len());
@@ -197,8 +197,8 @@ impl<'g> Problem<'g> {
     }
 
     /// An iterator over the laws [`Self::local`] of all contacts, in the order of contacts.
-    pub(crate) fn locals(&self) -> Locals<'_> {
-        Locals { problem: self, next: 0 }
+    pub(crate) fn locals(&self) -> LocalLaws<'_> {
+        LocalLaws { problem: self, next: 0 }
     }
 
     /// The values of the function `of` for the laws of all contacts, in the order of contacts.
@@ -217,8 +217,8 @@ impl<'g> Problem<'g> {
     }
 
     /// The contact states of the elastic trial: contacts whose law is [`Law::Absent`] are open, all others stick.
-    pub(crate) fn unjumped(&self) -> Vec<State> {
-        self.each(|local| local.unjumped())
+    pub(crate) fn trial_states(&self) -> Vec<State> {
+        self.each(|local| local.trial_state())
     }
 
     /// Contact states proposed for a rate problem: contacts on the edge of their cone slide, contacts at its apex open, and all others stick. This is
@@ -271,12 +271,12 @@ impl<'g> Problem<'g> {
 
 /// An iterator over the laws of all contacts, in the order of contacts. It is a named type so that iterator adapters are compiled once, not for each
 /// closure.
-pub(crate) struct Locals<'p> {
+pub(crate) struct LocalLaws<'p> {
     problem: &'p Problem<'p>,
     next: usize,
 }
 
-impl<'p> Iterator for Locals<'p> {
+impl<'p> Iterator for LocalLaws<'p> {
     type Item = LocalLaw<'p>;
 
     #[inline]
@@ -294,4 +294,4 @@ impl<'p> Iterator for Locals<'p> {
     }
 }
 
-impl ExactSizeIterator for Locals<'_> {}
+impl ExactSizeIterator for LocalLaws<'_> {}

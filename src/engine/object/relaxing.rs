@@ -44,7 +44,7 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
     /// The relaxation from the twist `stuck`, at which everything sticks and is in balance. `None` if no spring resists some motion of the stuck
     /// grasp.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
-        let factors = problem.tangent_factors(&|i| problem.local(i).unjumped());
+        let factors = problem.tangent_factors(&|i| problem.local(i).trial_state());
         let contacts = vec![ContactResponse::open(); problem.len()];
         let (stuck, twist) = (stuck.clone(), stuck.clone());
         let (last, pace, steps, nearly) = (None, 1.0, 0, NEARLY_RELAXED);

@@ -41,7 +41,7 @@ struct GivenLimits {
 }
 
 /// The forces and states of all contacts after a motion of the object, with the friction limits given.
-struct Answers {
+struct ContactResponses {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W` of contact forces and load.
     imbalance: Vec<f64>,
@@ -110,7 +110,11 @@ impl GivenLimits {
     }
 
     /// Forces and states of all contacts at the twist `q`; `answer(i, stretch)` is the law of contact i.
-    fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer) -> Answers {
+    fn answers_by(
+        &self,
+        q: &[f64],
+        answer: impl Fn(usize, &SVector<f64, 3>) -> LimitedAnswer,
+    ) -> ContactResponses {
         let (mut of, mut imbalance) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
             let stretch = self.coupled(i).iter().fold(contact.offset, |stretch, (k, g)| stretch - g * q[*k]);
@@ -120,10 +124,10 @@ impl GivenLimits {
             }
             of.push(answer);
         }
-        Answers { of, imbalance }
+        ContactResponses { of, imbalance }
     }
 
-    fn answers(&self, q: &[f64]) -> Answers {
+    fn answers(&self, q: &[f64]) -> ContactResponses {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
@@ -191,7 +195,11 @@ impl GivenLimits {
 
     /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends when the imbalance is at most `enough`, or
     /// after ten steps. `None` if the stiffness matrix is not positive definite.
-    fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers> {
+    fn least_energy(
+        &mut self,
+        q: &mut Vec<f64>,
+        (kept, enough): (&mut f64, f64),
+    ) -> Option<ContactResponses> {
         let mut present = self.answers(q);
         // Upper limit of the number of Newton steps for the same friction limits.
         for _ in 0..10 {

@@ -10,7 +10,7 @@ impl Problem<'_> {
     /// The factorised linear problem in which every contact sticks, except absent contacts, which stay open. In the static problem it depends on
     /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later questions.
     pub(crate) fn trial(&self) -> Arc<Piece> {
-        let make = || Piece::new(self, &self.unjumped());
+        let make = || Piece::new(self, &self.trial_states());
         match self.trial {
             // Only grasps with few contacts and drives keep these factors, which take memory: most repeated questions are about small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
@@ -21,7 +21,7 @@ impl Problem<'_> {
     /// The factorised linear problem with these contact states. For the states of the elastic trial it is the linear problem of `trial`, which the
     /// grasp may have kept.
     pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
-        let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
-        if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }
+        let trial_states = || self.locals().zip(states).all(|(local, state)| local.trial_state() == *state);
+        if self.trial.is_some() && trial_states() { self.trial() } else { Arc::new(Piece::new(self, states)) }
     }
 }

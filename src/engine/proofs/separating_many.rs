@@ -27,7 +27,7 @@ use crate::prelude::*;
 
 /// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion with a
 /// force.
-struct Pushing {
+struct PenalisedCone {
     /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
@@ -36,7 +36,7 @@ struct Pushing {
     multiplier: SVector<f64, 3>,
 }
 
-impl Pushing {
+impl PenalisedCone {
     /// The projection of x onto the cone, and its derivative.
     fn nearest(&self, x: &SVector<f64, 3>) -> (SVector<f64, 3>, SMatrix<f64, 3, 3>) {
         let Some(mu) = self.cone else {
@@ -67,8 +67,8 @@ impl Pushing {
 
 /// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) that makes the band of the Newton matrix
 /// narrow.
-struct PushedBack {
-    contacts: Vec<Pushing>,
+struct AugmentedLagrangian {
+    contacts: Vec<PenalisedCone>,
     numbers: Vec<usize>,
     /// The load, scaled to length one.
     load: Vec<f64>,
@@ -90,7 +90,7 @@ pub(super) enum Residual {
 /// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian, or the reason why it proves nothing; `is_proof`
 /// decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
-    let Some(mut pushed) = PushedBack::of(problem) else {
+    let Some(mut pushed) = AugmentedLagrangian::of(problem) else {
         return Residual::Nothing;
     };
     let mut v = pushed.load.clone();
@@ -121,7 +121,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     proof.map_or(Residual::Unclear, Residual::Proof)
 }
 
-impl PushedBack {
+impl AugmentedLagrangian {
     fn of(problem: &Problem) -> Option<Self> {
         let count = problem.size().count();
         let couplings: Vec<_> = mapped(problem.sites, &|site| site.support.ranges());
@@ -138,7 +138,11 @@ impl PushedBack {
         };
         let ray = |Generator { contact, wrench, .. }: Generator| {
             let along = |(k, number): &(usize, usize)| (*number, unit::<3>(0) * wrench[*k]);
-            Pushing { coupled: mapped(&coupled(contact), &along), cone: None, multiplier: SVector::zeros() }
+            PenalisedCone {
+                coupled: mapped(&coupled(contact), &along),
+                cone: None,
+                multiplier: SVector::zeros(),
+            }
         };
         let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).list();
         for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
@@ -148,7 +152,7 @@ impl PushedBack {
             let size = site.map.column(0).norm();
             let entry = |(k, number): &(usize, usize)| (*number, by_axis(|a| site.map[(*k, a)] / size));
             let cone = Some(local.cone().limit(1.0));
-            contacts.push(Pushing {
+            contacts.push(PenalisedCone {
                 coupled: mapped(&coupled(contact), &entry),
                 cone,
                 multiplier: SVector::zeros(),

@@ -60,7 +60,7 @@ pub enum Doubt {
 
 /// A solution of an equilibrium problem, in the engine's units: states and forces of contacts and drives, twist of the object.
 #[derive(Debug, Clone)]
-pub(crate) struct Found {
+pub(crate) struct SearchSolution {
     pub(crate) states: Vec<State>,
     pub(crate) forces: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
@@ -74,7 +74,7 @@ pub(crate) struct Found {
     pub(crate) from_polygon: Option<f64>,
 }
 
-impl Found {
+impl SearchSolution {
     /// A solution of a single search: no load path or polygonal cones led to it, and every motion of the object is resisted.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
@@ -89,9 +89,9 @@ impl Found {
     }
 }
 
-/// A [`Found`] whose motions (twist, free and neutral motions) are lists of numbers, as answers store them.
+/// A [`SearchSolution`] whose motions (twist, free and neutral motions) are lists of numbers, as answers store them.
 #[derive(Debug, Clone)]
-pub(crate) struct Kept {
+pub(crate) struct StoredSolution {
     pub(crate) states: Vec<State>,
     pub(crate) forces: Vec<SVector<f64, 3>>,
     pub(crate) twist: Coordinates,
@@ -101,9 +101,9 @@ pub(crate) struct Kept {
     from_polygon: Option<f64>,
 }
 
-impl Kept {
+impl StoredSolution {
     /// Converts a solution to lists of numbers; `list` is memory that its twist reuses.
-    pub(crate) fn of(found: Found, list: Vec<f64>) -> Self {
+    pub(crate) fn of(found: SearchSolution, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
             forces: found.forces,
@@ -115,8 +115,8 @@ impl Kept {
         }
     }
 
-    pub(crate) fn found(&self) -> Found {
-        Found {
+    pub(crate) fn found(&self) -> SearchSolution {
+        SearchSolution {
             states: self.states.clone(),
             forces: self.forces.clone(),
             twist: self.twist.to(),
@@ -130,8 +130,8 @@ impl Kept {
 
 /// The result of a search for an equilibrium under a load.
 #[derive(Debug, Clone)]
-pub(crate) enum Settled {
-    Found(Found, FoundBy),
+pub(crate) enum SearchOutcome {
+    Found(SearchSolution, FoundBy),
     /// No equilibrium exists: the load does work along this motion, which no spring resists if every contact sticks.
     FreeMotion(Vector),
     /// No equilibrium exists, since no admissible forces balance the load: this motion separates the load from the friction wrench cone.
@@ -151,7 +151,7 @@ pub(crate) enum Settled {
 
 /// Counts of the work of one search for an equilibrium.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Effort {
+pub(crate) struct SearchCounts {
     pub(crate) pivots: usize,
     /// Number of rows of the largest complementarity problem solved.
     pub(crate) rows: usize,

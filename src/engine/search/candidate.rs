@@ -4,7 +4,7 @@ use core::cell::OnceCell;
 
 use nalgebra::{Matrix, SVector};
 
-use super::answer::Found;
+use super::answer::SearchSolution;
 use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
@@ -13,8 +13,8 @@ use crate::prelude::*;
 
 /// Result of checking proposed contact states: an equilibrium, a violated condition, or no balance.
 #[derive(Debug, Clone)]
-pub(crate) enum Judged {
-    Holds(Found),
+pub(crate) enum CandidateOutcome {
+    Holds(SearchSolution),
     Violated {
         /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
         doubtful: bool,
@@ -24,22 +24,22 @@ pub(crate) enum Judged {
 }
 
 /// Solves the linear problem of these contact states for forces and twist, and checks every inequality of the states.
-pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> Judged {
+pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutcome {
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
-        return Judged::Violated { doubtful: false };
+        return CandidateOutcome::Violated { doubtful: false };
     }
     let piece = Piece::new(problem, &states);
     match piece.solve(problem.sites, &problem.offsets, problem.load()) {
         Ok(state) => match admit(problem, states, &piece, state) {
-            Ok(found) => Judged::Holds(found),
-            Err(Refused { doubtful, .. }) => Judged::Violated { doubtful },
+            Ok(found) => CandidateOutcome::Holds(found),
+            Err(RejectedStates { doubtful, .. }) => CandidateOutcome::Violated { doubtful },
         },
-        Err(_) => Judged::Unbalanced,
+        Err(_) => CandidateOutcome::Unbalanced,
     }
 }
 
 /// Proposed contact states whose solution `at` breaks a condition, or does not balance the load.
-pub(super) struct Refused {
+pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
     /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
@@ -53,7 +53,7 @@ pub(super) fn admit(
     states: Vec<State>,
     piece: &Piece,
     at: PieceState,
-) -> Result<Found, Refused> {
+) -> Result<SearchSolution, RejectedStates> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
     // The factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need the factor, so it
@@ -89,26 +89,30 @@ pub(super) fn admit(
     if exceeds(worst, ZERO_SLACK) {
         // A violation below this fraction (times the amplification of rounding errors) is neither rounding nor clear. The proposal is refused, but
         // its failure proves nothing.
-        return Err(Refused { states, at, doubtful: !exceeds(worst, 1e-12) });
+        return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
     // Forces that fail to balance the load by more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
-        return Err(Refused { states, at, doubtful: true });
+        return Err(RejectedStates { states, at, doubtful: true });
     }
     let PieceState { forces, twist } = shifted.unwrap_or(at);
-    Ok(Found { free_motions, neutral_motions, ..Found::new(states, forces, twist) })
+    Ok(SearchSolution { free_motions, neutral_motions, ..SearchSolution::new(states, forces, twist) })
 }
 
 /// Returns the solution if it satisfies every condition of the contact states. The linear problem must be regular and well conditioned: the tolerance
 /// does not allow for an amplification of rounding errors.
-pub(super) fn admit_regular(problem: &Problem, states: Vec<State>, state: PieceState) -> Option<Found> {
+pub(super) fn admit_regular(
+    problem: &Problem,
+    states: Vec<State>,
+    state: PieceState,
+) -> Option<SearchSolution> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
         // For NaN the comparison is false, so the states are refused.
         holds &= value >= -ZERO_SLACK * size;
     });
-    holds.then(|| Found::new(states, state.forces, state.twist))
+    holds.then(|| SearchSolution::new(states, state.forces, state.twist))
 }
 
 /// The contacts and drives that break a condition of their states by more than rounding, by index in ascending order.

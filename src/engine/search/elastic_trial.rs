@@ -5,7 +5,7 @@ use core::cell::OnceCell;
 
 use nalgebra::SVector;
 
-use super::answer::{Doubt, Effort, Found, Settled};
+use super::answer::{Doubt, SearchCounts, SearchOutcome, SearchSolution};
 use super::settings::Settings;
 use crate::contact::{Polygon, PolygonCone, State, tangential_norm};
 use crate::numerics::mapped;
@@ -18,7 +18,7 @@ pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
     /// The contact states of the elastic trial, in which every contact that is not absent sticks.
-    pub(super) unjumped: Vec<State>,
+    pub(super) trial_states: Vec<State>,
     pub(super) trial: Arc<Piece>,
     pub(super) state: PieceState,
     proposing: OnceCell<Problem<'g>>,
@@ -29,12 +29,12 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
     pub(super) fn new(
         problem: &'s Problem<'g>,
         settings: &'s Settings,
-        unjumped: Vec<State>,
+        trial_states: Vec<State>,
         trial: Arc<Piece>,
         state: PieceState,
     ) -> Self {
         let (proposing, with_edges) = (OnceCell::new(), OnceCell::new());
-        Self { problem, settings, unjumped, trial, state, proposing, with_edges }
+        Self { problem, settings, trial_states, trial, state, proposing, with_edges }
     }
 
     /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic
@@ -58,22 +58,22 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
 
 /// Result of one method (rung) of the ladder for one problem.
 pub(super) enum Attempt {
-    Found(Found),
+    Found(SearchSolution),
     /// A proof that no equilibrium exists.
-    Proof(Settled),
+    Proof(SearchOutcome),
     /// Neither an equilibrium nor a proof; the next method is tried.
     Nothing,
 }
 
 impl Attempt {
-    pub(super) fn of(found: Option<Found>) -> Self {
+    pub(super) fn of(found: Option<SearchSolution>) -> Self {
         found.map_or(Self::Nothing, Self::Found)
     }
 }
 
 /// Counts of the work of the search so far, and the reason that an undecided result would have.
-pub(super) struct Log {
-    pub(super) effort: Effort,
+pub(super) struct SearchLog {
+    pub(super) effort: SearchCounts,
     /// The reason that the search returns if no method finds an equilibrium or a proof.
     pub(super) doubt: Doubt,
     /// Whether the last complementarity problem that was solved with a dense matrix was proved to have no solution.

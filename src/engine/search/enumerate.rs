@@ -1,7 +1,7 @@
 //! Trying every combination of contact states: a complete search, which takes acceptable time for a few contacts.
 
-use super::answer::Found;
-use super::candidate::Judged;
+use super::answer::SearchSolution;
+use super::candidate::CandidateOutcome;
 use super::polish::accept;
 use crate::contact::State;
 use crate::numerics::paired;
@@ -32,7 +32,7 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
 /// Result of trying combinations of contact states.
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
-    pub(crate) found: Vec<Found>,
+    pub(crate) found: Vec<SearchSolution>,
     /// Number of combinations tried. Combinations that the caller's test `may_hold` has excluded are not included.
     pub(crate) tried: usize,
     /// Whether some combination that was tried broke a condition by so little that rounding may be the cause.
@@ -58,15 +58,15 @@ pub(crate) fn search_among(
         }
         search.tried += 1;
         match accept(problem, states) {
-            Judged::Holds(found) => {
+            CandidateOutcome::Holds(found) => {
                 search.found.push(found);
                 first_only
             }
-            Judged::Violated { doubtful } => {
+            CandidateOutcome::Violated { doubtful } => {
                 search.doubtful |= doubtful;
                 false
             }
-            Judged::Unbalanced => false,
+            CandidateOutcome::Unbalanced => false,
         }
     });
     search

@@ -4,20 +4,20 @@
 //! The elastic trial, in which everything sticks, is tried before the first rung. A rung costs more than the rungs before it, or ends the search less
 //! often.
 
-use super::answer::{Doubt, Effort, Found, FoundBy, Settled};
-use super::candidate::{Refused, admit};
-use super::elastic_trial::{Attempt, ElasticTrial, Log};
+use super::answer::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution};
+use super::candidate::{RejectedStates, admit};
+use super::elastic_trial::{Attempt, ElasticTrial, SearchLog};
 use super::enumerate::search;
 use super::least_motion::at_the_least_motion;
 use super::leaving::{propose_near_a_similar_one, propose_of_the_leaving};
 use super::polish::polish_from;
-use super::proposals::{climb, dense_is_affordable, enumerable, propose_dense};
+use super::proposals::{dense_is_affordable, enumerable, equilibrium_by_proposals, propose_dense};
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
 use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK, SEVERAL_CONTACTS};
 use super::touching::touching_contacts;
-use super::tree::{Tree, has_round_cones, most_cases, search_tree};
+use super::tree::{BranchAndBound, has_round_cones, most_cases, search_tree};
 use crate::forms;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{WHOLE, mapped};
@@ -33,7 +33,7 @@ pub(super) struct Rung {
     )]
     pub(super) name: &'static str,
     pub(super) applies: fn(&ElasticTrial<'_, '_>) -> bool,
-    pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut Log) -> Attempt,
+    pub(super) climb: fn(&ElasticTrial<'_, '_>, &mut SearchLog) -> Attempt,
     /// The [`FoundBy`] of the method's equilibria; `None` for a method that can only prove that no equilibrium exists.
     finds: Option<FoundBy>,
 }
@@ -91,32 +91,32 @@ pub(super) const LADDER: [Rung; 9] = [
 
 /// Tries the methods in order, starting with the elastic trial, until an equilibrium, or a proof that none exists, is found. Otherwise the result is
 /// undecided.
-pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
-    let effort = Effort { facets: problem.polygon.normals.len(), ..Effort::default() };
-    let mut log = Log { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
-    let unjumped = problem.unjumped();
+pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (SearchOutcome, SearchCounts) {
+    let effort = SearchCounts { facets: problem.polygon.normals.len(), ..SearchCounts::default() };
+    let mut log = SearchLog { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
+    let trial_states = problem.trial_states();
     let trial = problem.trial();
     let state = match trial.solve(problem.sites, &problem.offsets, problem.load()) {
         Ok(state) => state,
         Err(unbalanced) => {
-            let on_the_boundary = Settled::Undecided(Doubt::OnTheBoundary);
-            return (unbalanced.motion.map_or(on_the_boundary, Settled::FreeMotion), log.effort);
+            let on_the_boundary = SearchOutcome::Undecided(Doubt::OnTheBoundary);
+            return (unbalanced.motion.map_or(on_the_boundary, SearchOutcome::FreeMotion), log.effort);
         }
     };
-    let (unjumped, state) = match admit(problem, unjumped, &trial, state) {
+    let (trial_states, state) = match admit(problem, trial_states, &trial, state) {
         Ok(found) => {
             let found = at_the_least_motion(problem, found);
-            return (Settled::Found(found, FoundBy::EverythingSticks), log.effort);
+            return (SearchOutcome::Found(found, FoundBy::EverythingSticks), log.effort);
         }
-        Err(Refused { states, at, .. }) => (states, at),
+        Err(RejectedStates { states, at, .. }) => (states, at),
     };
-    let scene = ElasticTrial::new(problem, settings, unjumped, trial, state);
+    let scene = ElasticTrial::new(problem, settings, trial_states, trial, state);
     let mut decided = None;
     for (number, rung) in LADDER.iter().enumerate().filter(|(_, rung)| (rung.applies)(&scene)) {
         let settled = match (rung.climb)(&scene, &mut log) {
             Attempt::Found(found) => {
                 let found_by = rung.finds.unwrap_or(FoundBy::Enumeration);
-                Settled::Found(at_the_least_motion(problem, found), found_by)
+                SearchOutcome::Found(at_the_least_motion(problem, found), found_by)
             }
             Attempt::Proof(proof) => proof,
             Attempt::Nothing => continue,
@@ -126,7 +126,7 @@ pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (Settled, Effort
     }
     #[cfg(feature = "std")]
     record(&scene, decided.as_ref().map(|(number, _)| *number));
-    (decided.map_or(Settled::Undecided(log.doubt), |(_, settled)| settled), log.effort)
+    (decided.map_or(SearchOutcome::Undecided(log.doubt), |(_, settled)| settled), log.effort)
 }
 
 fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
@@ -155,26 +155,26 @@ fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
 }
 
 /// Lemke's method on the contacts that break a condition in the contact states of a similar grasp.
-fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
-    let propose = |problem: &Problem, log: &mut Log| propose_near_a_similar_one(scene, problem, log);
-    Attempt::of(climb(scene.problem, &propose, log))
+fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
+    let propose = |problem: &Problem, log: &mut SearchLog| propose_near_a_similar_one(scene, problem, log);
+    Attempt::of(equilibrium_by_proposals(scene.problem, &propose, log))
 }
 
 /// Tries the states in which contacts that would pull are open and all others stick.
-fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
-    Attempt::of(touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone()))
+fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
+    Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
 /// Newton's method for the motion of the object, of which each contact force is a function. It starts at points of the relaxation of the stuck grasp,
 /// then at the elastic trial, and last at the twist from Tresca friction.
-fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
+fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
-        let propose = |problem: &Problem, _: &mut Log| {
+        let propose = |problem: &Problem, _: &mut SearchLog| {
             let mut contacts = Vec::new();
             newton_on_cones(problem, (scene.state.twist.clone(), NEGLIGIBLE), &mut contacts)?;
             Some(mapped(&contacts, &|contact| contact.state))
         };
-        return Attempt::of(climb(scene.proposing(), &propose, log));
+        return Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
     // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
@@ -187,7 +187,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
 /// The equilibrium to which the grasp relaxes from the elastic trial if its contacts are viscous (`ViscousRelaxation`). Newton's method starts from
 /// points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near equilibrium. `None`
 /// if Newton's method finds no equilibrium.
-fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
+fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
     while let Some(twist) = way.next() {
@@ -202,69 +202,71 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<Found> {
 
 /// Searches for a proof in a rate problem at a limit load. If all contacts on the edge of their cones slide, nothing resists a motion along which the
 /// rate of the load does work.
-fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
+fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
-    proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
+    proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
 /// The proof by a motion that separates the load from all admissible contact forces, found by the augmented Lagrangian or the nearest forces.
-fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
+fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
-    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
+    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
 /// The proof by a motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
-fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut Log) -> Attempt {
+fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
-    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
+    motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
 /// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that break a condition in the elastic trial, then on
 /// the matrix of all contacts if that takes acceptable time. The form with facets for infinite friction is tried last.
-fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
-    let of_the_leaving = |problem: &Problem, log: &mut Log| propose_of_the_leaving(scene, problem, log);
-    let on_a_matrix = |problem: &Problem, log: &mut Log| {
+fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
+    let of_the_leaving = |problem: &Problem, log: &mut SearchLog| propose_of_the_leaving(scene, problem, log);
+    let on_a_matrix = |problem: &Problem, log: &mut SearchLog| {
         let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
         propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
     };
     let mut found = None;
     if scene.trial.is_banded() {
-        found = climb(scene.proposing(), &of_the_leaving, log);
+        found = equilibrium_by_proposals(scene.proposing(), &of_the_leaving, log);
     }
     if found.is_none() && !may_be_dense(scene) {
         log.doubt = Doubt::OutOfPivots;
         return Attempt::Nothing;
     }
     if found.is_none() {
-        found = climb(scene.proposing(), &on_a_matrix, log);
+        found = equilibrium_by_proposals(scene.proposing(), &on_a_matrix, log);
         log.effort.no_slips = log.is_infeasible && !scene.proposing().round;
     }
     if found.is_none()
         && let Some(with_edges) = scene.with_edges()
     {
-        found = climb(with_edges, &on_a_matrix, log);
+        found = equilibrium_by_proposals(with_edges, &on_a_matrix, log);
     }
     Attempt::of(found)
 }
 
 /// Proposes contact states by Lemke's method on the force form, and checks them.
-fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
-    let propose = |problem: &Problem, log: &mut Log| {
+fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
+    let propose = |problem: &Problem, log: &mut SearchLog| {
         let form = forms::force_form(problem);
         propose_dense(problem, scene.settings, (form, MOST_WORK), forms::force_states, log)
     };
-    Attempt::of(climb(scene.proposing(), &propose, log))
+    Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log))
 }
 
 /// Tries every case, if they are few. On the round cone branch and bound divides contact states and directions of friction; elsewhere cases are
 /// combinations of contact states.
-fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
+fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
     if most > 0 {
         return match search_tree(scene.problem, &scene.trial, &scene.state, most, None) {
-            Tree::Found(found) => Attempt::Found(found),
-            Tree::Contradicted { cases, escape } => Attempt::Proof(Settled::Contradicted { cases, escape }),
-            Tree::Unresolved(doubt) => {
+            BranchAndBound::Found(found) => Attempt::Found(found),
+            BranchAndBound::Contradicted { cases, escape } => {
+                Attempt::Proof(SearchOutcome::Contradicted { cases, escape })
+            }
+            BranchAndBound::Unresolved(doubt) => {
                 log.doubt = doubt;
                 Attempt::Nothing
             }
@@ -283,5 +285,5 @@ fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut Log) -> Attempt {
         log.doubt = Doubt::OnTheBoundary;
         return Attempt::Nothing;
     }
-    Attempt::Proof(Settled::NoneOf(search.tried))
+    Attempt::Proof(SearchOutcome::NoneOf(search.tried))
 }

@@ -7,7 +7,7 @@
 
 use nalgebra::SVector;
 
-use super::answer::Found;
+use super::answer::SearchSolution;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -17,7 +17,7 @@ use crate::prelude::*;
 
 /// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀ (see the top of the file). At q₀ contacts that
 /// touched before anything moved touch again, as far as possible.
-pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found {
+pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) -> SearchSolution {
     // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
@@ -54,7 +54,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: Found) -> Found 
 
 /// The shortest motion that no spring resists and that closes, in the sense of least squares, the gaps of open contacts which touched before anything
 /// moved.
-fn to_what_touches(problem: &Problem, found: &Found, base: &Vector) -> Vector {
+fn to_what_touches(problem: &Problem, found: &SearchSolution, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];
         let open = found.states[*i].is_open() && problem.local(*i).may_open();

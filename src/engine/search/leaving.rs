@@ -9,24 +9,24 @@ use crate::numerics::IntoList;
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
-use super::elastic_trial::{ElasticTrial, Log};
+use super::elastic_trial::{ElasticTrial, SearchLog};
 use super::proposals::propose_dense;
 use super::settings::Settings;
 use super::tolerances::MOST_WORK;
 use crate::contact::{Mode, State};
-use crate::forms::{Moved, kinematic_form_among, kinematic_states};
+use crate::forms::{UnitDisplacements, kinematic_form_among, kinematic_states};
 use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
 /// The start of a run of Lemke's method: states in which the contacts that pivot stick, with the solution `at` of the linear problem `piece`.
-struct Base {
+struct PivotStart {
     states: Vec<State>,
     piece: Arc<Piece>,
     at: PieceState,
 }
 
-impl Base {
+impl PivotStart {
     /// The start with these states; `None` if no forces balance the load in these states.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let piece = problem.piece(&states);
@@ -35,15 +35,15 @@ impl Base {
     }
 
     /// This start, but with the contacts in `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
-    fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut Moved) -> Option<Self> {
+    fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
-            states[*i] = problem.local(*i).unjumped();
+            states[*i] = problem.local(*i).trial_state();
         }
         if states == self.states {
             return Some(self);
         }
-        *moved = Moved::default();
+        *moved = UnitDisplacements::default();
         problem.tangent_in_a_band(&|i| states[i])?.is_regular().then(|| Self::of(problem, states))?
     }
 }
@@ -53,14 +53,14 @@ impl Base {
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
-    log: &mut Log,
+    log: &mut SearchLog,
 ) -> Option<Vec<State>> {
-    let leaving = breaking(problem, &scene.unjumped, &scene.state);
+    let leaving = breaking(problem, &scene.trial_states, &scene.state);
     // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. A run of Lemke's method costs the cube
     // of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
-        && let Some(base) = Base::of(problem, near)
+        && let Some(base) = PivotStart::of(problem, near)
     {
         let among = breaking(problem, &base.states, &base.at);
         if among.is_empty() {
@@ -71,8 +71,8 @@ pub(super) fn propose_of_the_leaving(
             return Some(states);
         }
     }
-    let (states, piece, at) = (scene.unjumped.clone(), scene.trial.clone(), scene.state.clone());
-    pivoted(problem, scene.settings, (Base { states, piece, at }, leaving, 0), log)
+    let (states, piece, at) = (scene.trial_states.clone(), scene.trial.clone(), scene.state.clone());
+    pivoted(problem, scene.settings, (PivotStart { states, piece, at }, leaving, 0), log)
 }
 
 /// Contact states in which no contact breaks a condition, from Lemke's method that starts at the states of a similar grasp. `None` if it finds no
@@ -80,9 +80,9 @@ pub(super) fn propose_of_the_leaving(
 pub(super) fn propose_near_a_similar_one(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
-    log: &mut Log,
+    log: &mut SearchLog,
 ) -> Option<Vec<State>> {
-    let base = Base::of(problem, regular(problem, problem.near.to_vec())?)?;
+    let base = PivotStart::of(problem, regular(problem, problem.near.to_vec())?)?;
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
@@ -97,10 +97,10 @@ pub(super) fn propose_near_a_similar_one(
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
-    (mut base, mut among, most): (Base, Vec<usize>, usize),
-    log: &mut Log,
+    (mut base, mut among, most): (PivotStart, Vec<usize>, usize),
+    log: &mut SearchLog,
 ) -> Option<Vec<State>> {
-    let mut moved = Moved::default();
+    let mut moved = UnitDisplacements::default();
     // Upper limit of the number of rounds in which further contacts begin to pivot. A changed state disturbs neighbouring contacts, but less in each
     // further round.
     for _ in 0..32 {
@@ -117,7 +117,7 @@ fn pivoted(
             log,
         );
         let Some(mut states) = proposed else {
-            among = beside(problem, &among);
+            among = with_neighbours(problem, &among);
             if among.len() > most {
                 return None;
             }
@@ -136,7 +136,7 @@ fn pivoted(
 }
 
 /// The contacts in `among` and their neighbours, by ascending index. Neighbours share a coordinate with a contact in `among`.
-fn beside(problem: &Problem, among: &[usize]) -> Vec<usize> {
+fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {
         for range in problem.sites[*i].support.ranges() {

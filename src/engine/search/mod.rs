@@ -44,8 +44,8 @@ pub use answer::{Doubt, FoundBy};
 pub use settings::Settings;
 pub use small_motions::SmallMotions;
 
-pub(crate) use answer::{Effort, Found, Kept, Settled};
-pub(crate) use candidate::{Judged, for_each_condition, try_states};
+pub(crate) use answer::{SearchCounts, SearchOutcome, SearchSolution, StoredSolution};
+pub(crate) use candidate::{CandidateOutcome, for_each_condition, try_states};
 pub(crate) use enumerate::{combinations, for_each_combination, search, search_among};
 pub(crate) use ladder::settle;
 pub(crate) use polish::{polish, solution_near};

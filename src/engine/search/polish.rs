@@ -4,8 +4,8 @@
 //! the contacts on the round cone. Solving the linear problem of these states gives the last digits ([`super::round_pieces`]). Newton's method fails
 //! if stiffnesses differ so widely that the twist does not determine the forces. Then `round_pieces` starts from the states of the polygons.
 
-use super::answer::Found;
-use super::candidate::{Judged, try_states};
+use super::answer::SearchSolution;
+use super::candidate::{CandidateOutcome, try_states};
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -15,14 +15,15 @@ use crate::prelude::*;
 
 /// Checks proposed contact states: their solution with polygonal friction cones must satisfy every condition. With round cones Newton's method
 /// continues from that solution, and must converge.
-pub(super) fn accept(problem: &Problem, states: Vec<State>) -> Judged {
+pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome {
     if !problem.round {
         return try_states(problem, states);
     }
     match try_states(problem, states) {
-        Judged::Holds(found) => {
+        CandidateOutcome::Holds(found) => {
             let near = PieceState { forces: found.forces, twist: found.twist };
-            polish(problem, &found.states, &near).map_or(Judged::Violated { doubtful: false }, Judged::Holds)
+            polish(problem, &found.states, &near)
+                .map_or(CandidateOutcome::Violated { doubtful: false }, CandidateOutcome::Holds)
         }
         other => other,
     }
@@ -35,11 +36,11 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Piece
         return Some(near);
     }
     match try_states(problem, states.to_vec()) {
-        Judged::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
-        Judged::Violated { .. } => {
+        CandidateOutcome::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
+        CandidateOutcome::Violated { .. } => {
             Piece::new(problem, states).solve(problem.sites, &problem.offsets, problem.load()).ok()
         }
-        Judged::Unbalanced => None,
+        CandidateOutcome::Unbalanced => None,
     }
 }
 
@@ -56,16 +57,16 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
 }
 
 /// The solution on the round cone at which Newton's method ends if it starts from a twist; `None` if it does not converge.
-pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<Found> {
+pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<SearchSolution> {
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
 /// The solution with round friction cones near `near`, the solution with polygonal cones and these contact states. Newton's method starts from the
 /// twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
-pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<Found> {
+pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<SearchSolution> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
-    Some(Found { from_polygon: Some(change.fold(0.0, f64::max)), ..found })
+    Some(SearchSolution { from_polygon: Some(change.fold(0.0, f64::max)), ..found })
 }

@@ -1,8 +1,8 @@
 //! Contact states proposed by Lemke's method, then solved and checked; on the round cone refined by Newton's method.
 
-use super::answer::{Doubt, Found};
-use super::candidate::{Judged, try_states};
-use super::elastic_trial::Log;
+use super::answer::{Doubt, SearchSolution};
+use super::candidate::{CandidateOutcome, try_states};
+use super::elastic_trial::SearchLog;
 use super::enumerate::combinations;
 use super::polish::{polish, solution_near};
 use super::settings::Settings;
@@ -27,20 +27,24 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
 }
 
 /// A method that proposes contact states, or returns `None` if it finds no states to propose.
-type Propose<'p> = dyn Fn(&Problem, &mut Log) -> Option<Vec<State>> + 'p;
+type ProposalMethod<'p> = dyn Fn(&Problem, &mut SearchLog) -> Option<Vec<State>> + 'p;
 
 /// Lets `propose` propose contact states, solves the linear problem with them and checks the solution; on the round cone Newton's method continues
 /// from this solution. `None` if no solution passes the check.
-pub(super) fn climb(problem: &Problem, propose: &Propose<'_>, log: &mut Log) -> Option<Found> {
+pub(super) fn equilibrium_by_proposals(
+    problem: &Problem,
+    propose: &ProposalMethod<'_>,
+    log: &mut SearchLog,
+) -> Option<SearchSolution> {
     let proposed = propose(problem, log)?;
     if !problem.round {
         return match try_states(problem, proposed) {
-            Judged::Holds(found) => Some(found),
-            Judged::Violated { doubtful: true } => {
+            CandidateOutcome::Holds(found) => Some(found),
+            CandidateOutcome::Violated { doubtful: true } => {
                 log.doubt = Doubt::OnTheBoundary;
                 None
             }
-            Judged::Violated { doubtful: false } | Judged::Unbalanced => None,
+            CandidateOutcome::Violated { doubtful: false } | CandidateOutcome::Unbalanced => None,
         };
     }
     let near = solution_near(problem, &proposed)?;
@@ -53,7 +57,7 @@ pub(super) fn propose_dense(
     settings: &Settings,
     (form, most_work): (Option<Form>, usize),
     states: fn(&Problem, &Form, &Basis) -> Vec<State>,
-    log: &mut Log,
+    log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     log.is_infeasible = false;
     let form = form?;

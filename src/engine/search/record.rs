@@ -5,8 +5,8 @@ use crate::numerics::mapped;
 use std::cell::RefCell;
 use std::time::Instant;
 
-use super::answer::{Doubt, Effort};
-use super::elastic_trial::{Attempt, ElasticTrial, Log};
+use super::answer::{Doubt, SearchCounts};
+use super::elastic_trial::{Attempt, ElasticTrial, SearchLog};
 use super::ladder::LADDER;
 
 /// The result of one method (rung) of the search ladder in one search.
@@ -54,7 +54,8 @@ pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;
     }
-    let mut log = Log { effort: Effort::default(), doubt: Doubt::RayWithoutProof, is_infeasible: false };
+    let mut log =
+        SearchLog { effort: SearchCounts::default(), doubt: Doubt::RayWithoutProof, is_infeasible: false };
     let mut rungs = Vec::with_capacity(LADDER.len());
     for rung in &LADDER {
         let start = Instant::now();

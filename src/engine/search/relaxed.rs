@@ -29,7 +29,7 @@ use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
 /// A generator of the hull of a contact law: the index of its contact, and its index among the generators of that contact.
-pub(super) type Tag = (usize, usize);
+pub(super) type GeneratorIndex = (usize, usize);
 
 /// The equation `e + P (f - e) = f⁰`, which expresses balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
@@ -86,7 +86,7 @@ impl BalanceEquation {
     }
 
     /// The start of the search for the nearest point of the cone: its apex, without any generator.
-    pub(super) fn start(&self) -> NearestPoint<Tag> {
+    pub(super) fn start(&self) -> NearestPoint<GeneratorIndex> {
         NearestPoint::new(&self.target)
     }
 
@@ -120,7 +120,7 @@ impl BalanceEquation {
         y: &'r [f64],
         projected: &'r [f64],
         hulls: &'r [impl AsRef<[HullRay]>],
-    ) -> impl Iterator<Item = (Tag, f64)> + 'r {
+    ) -> impl Iterator<Item = (GeneratorIndex, f64)> + 'r {
         hulls.iter().enumerate().flat_map(move |(contact, hull)| {
             let on_force = SVector::<f64, 3>::from_column_slice(&projected[3 * contact..][..3]);
             let on_stretch = SVector::<f64, 3>::from_column_slice(&y[3 * contact..][..3]) - on_force;
@@ -134,11 +134,15 @@ impl BalanceEquation {
     /// Moves `nearest` to the point nearest to f⁰ of the elastic trial in the cone that the generators of these hulls span. Each contact has one
     /// hull. Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ contradicts the case, otherwise the stretches and forces at this
     /// point.
-    pub(super) fn relax(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &mut NearestPoint<Tag>) -> Relaxed {
+    pub(super) fn relax(
+        &self,
+        hulls: &[impl AsRef<[HullRay]>],
+        nearest: &mut NearestPoint<GeneratorIndex>,
+    ) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
         // Generators that have been added since the distance last shrank. They are not tried again before it shrinks, so that the loop cannot cycle.
-        let mut tried: Vec<Tag> = Vec::new();
+        let mut tried: Vec<GeneratorIndex> = Vec::new();
         let mut least = f64::INFINITY;
         // At most forty generators are added for each row of the equation.
         for _ in 0..40 * self.target.len() {
@@ -181,7 +185,7 @@ impl BalanceEquation {
         self.sum(hulls, nearest)
     }
 
-    fn sum(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &NearestPoint<Tag>) -> Relaxed {
+    fn sum(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &NearestPoint<GeneratorIndex>) -> Relaxed {
         let mut stretches = vec![SVector::zeros(); hulls.len()];
         let mut forces = stretches.clone();
         for ((contact, ray), share) in nearest.shares() {
@@ -202,7 +206,7 @@ impl BalanceEquation {
     pub(super) fn contradiction(
         &self,
         trial: &Piece,
-        nearest: &NearestPoint<Tag>,
+        nearest: &NearestPoint<GeneratorIndex>,
     ) -> (Vector, Vec<SVector<f64, 3>>) {
         let y = nearest.residual();
         let mut projected = Vec::new();

@@ -6,7 +6,7 @@
 
 use nalgebra::SVector;
 
-use super::answer::Found;
+use super::answer::SearchSolution;
 use super::candidate::{admit, admit_regular};
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -24,7 +24,7 @@ pub(super) struct RoundPieces {
 }
 
 /// The size of the changes of forces and twist in a Newton step.
-struct Progress {
+struct NewtonChange {
     /// The twist and each force changed by at most the fraction 1e-14 of itself, or a force by 1e-20 of the largest force.
     sharp: bool,
     /// The twist and each force changed by at most the fraction 1e-8 of itself: the directions of friction have hardly turned.
@@ -65,13 +65,13 @@ impl RoundPieces {
 
     /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge, or if a contact breaks a
     /// condition of its state.
-    pub(super) fn solve(mut self, problem: &Problem) -> Option<Found> {
+    pub(super) fn solve(mut self, problem: &Problem) -> Option<SearchSolution> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
         // Upper limit of the number of Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
-            let Progress { sharp, near, settled } = self.step(problem, &piece);
+            let NewtonChange { sharp, near, settled } = self.step(problem, &piece);
             // The longest twist that is allowed, as a multiple of the initial twist and offsets: beyond it hardly a digit of the contacts' stretches
             // is correct. Near a jamming angle the twist grows so much, although another method finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
@@ -108,7 +108,7 @@ impl RoundPieces {
     }
 
     /// One Newton step: adds corrections of forces and twist from the linear problem `piece`. Returns their sizes.
-    fn step(&mut self, problem: &Problem, piece: &Piece) -> Progress {
+    fn step(&mut self, problem: &Problem, piece: &Piece) -> NewtonChange {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
@@ -129,11 +129,11 @@ impl RoundPieces {
             near &= missing.norm() <= little * force.norm();
             settled &= missing.norm() <= little * force.norm() + 1e-15 * largest;
         }
-        Progress { sharp, near, settled }
+        NewtonChange { sharp, near, settled }
     }
 
     /// The solution with the present states, if every inequality holds and forces balance the load; otherwise `None`.
-    fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<Found> {
+    fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<SearchSolution> {
         let Self { states, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
         // After convergence an imbalance can only remain along motions that no spring resists.

@@ -7,10 +7,10 @@ use crate::numerics::Space;
 /// Limits and tolerances of searches and load paths, with sound defaults.
 ///
 /// ```
-/// use grasp_lcp::{Fit, PolygonCone, Settings};
+/// use grasp_lcp::{PolygonFit, PolygonCone, Settings};
 ///
 /// // A polygon of 16 facets around the round cone, as in programs without a round cone, and only short searches.
-/// let polygon = Settings::default().on_the_polygon().with_cone(PolygonCone::new(16, Fit::Circumscribed)?).with_most_states(100);
+/// let polygon = Settings::default().on_the_polygon().with_cone(PolygonCone::new(16, PolygonFit::Circumscribed)?).with_most_states(100);
 /// assert!(!polygon.round && polygon.cone.facets() == 16);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```

@@ -6,8 +6,8 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::answer::Found;
-use super::candidate::{Judged, try_states};
+use super::answer::SearchSolution;
+use super::candidate::{CandidateOutcome, try_states};
 use super::least_motion::at_the_least_motion;
 use crate::contact::{Line, Mode, State, WEIGHTLESS};
 use crate::grasp::Space;
@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// In the plane, the solution with the same forces in other states, which show the free motions. Contacts on the edge of their cone then slide, and
 /// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
 /// motion.
-pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found {
+pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
     // In space the springs perpendicular to the slip resist, so that no motion stays free. Searches that start near given states do not report such
     // motions.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
@@ -27,12 +27,12 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
     // Forces that differ by less than this fraction of the largest are equal.
-    let are_the_same = |other: &Found| {
+    let are_the_same = |other: &SearchSolution| {
         found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest)
     };
-    let free = |other: &Found| other.free_motions.len();
+    let free = |other: &SearchSolution| other.free_motions.len();
     match try_states(problem, states) {
-        Judged::Holds(other) if free(&other) > free(&found) && are_the_same(&other) => {
+        CandidateOutcome::Holds(other) if free(&other) > free(&found) && are_the_same(&other) => {
             at_the_least_motion(problem, other)
         }
         _ => found,
@@ -41,7 +41,7 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: Found) -> Found
 
 /// The contact states in which sticking contacts without force open, and sticking contacts on the edge of their cone slide. `None` if no contact
 /// changes its state.
-fn yielding(problem: &Problem, found: &Found) -> Option<Vec<State>> {
+fn yielding(problem: &Problem, found: &SearchSolution) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();
     let mut any = false;

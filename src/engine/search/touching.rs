@@ -1,6 +1,6 @@
 //! The sticking equilibrium of touching contacts: contacts that would pull are open, and all closed contacts stick.
 
-use super::answer::Found;
+use super::answer::SearchSolution;
 use super::candidate::admit;
 use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
@@ -12,7 +12,7 @@ pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
     trial: PieceState,
-) -> Option<Found> {
+) -> Option<SearchSolution> {
     let mut solved = trial;
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;

@@ -9,9 +9,9 @@ use alloc::rc::Rc;
 
 use nalgebra::SVector;
 
-use super::answer::{Doubt, Found};
+use super::answer::{Doubt, SearchSolution};
 use super::polish::polish_from;
-use super::relaxed::{BalanceEquation, Relaxed, Tag};
+use super::relaxed::{BalanceEquation, GeneratorIndex, Relaxed};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
 use crate::numerics::{IntoList, NearestPoint, Vector, paired};
@@ -21,8 +21,8 @@ use crate::proofs::ProofStep;
 
 /// The result of branch and bound over the states of contacts on the round cone.
 #[derive(Debug, Clone)]
-pub(super) enum Tree {
-    Found(Found),
+pub(super) enum BranchAndBound {
+    Found(SearchSolution),
     /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the elastic trial state
     /// by at least the factor `escape`.
     Contradicted {
@@ -37,7 +37,7 @@ type Hull = Rc<[HullRay]>;
 struct Case {
     labels: Vec<Label>,
     hulls: Vec<Hull>,
-    nearest: Rc<NearestPoint<Tag>>,
+    nearest: Rc<NearestPoint<GeneratorIndex>>,
     /// The contact whose label was divided to make this case; `None` for the first case.
     divided: Option<usize>,
 }
@@ -69,9 +69,9 @@ pub(super) fn search_tree(
     state: &PieceState,
     most_cases: usize,
     mut record: Option<&mut Vec<ProofStep>>,
-) -> Tree {
+) -> BranchAndBound {
     let Some(balance) = BalanceEquation::new(problem, trial, state) else {
-        return Tree::Unresolved(Doubt::RayWithoutProof);
+        return BranchAndBound::Unresolved(Doubt::RayWithoutProof);
     };
     let hull = |local: LocalLaw<'_>, label: &Label| Hull::from(local.hull(label));
     let labels = problem.each(|local| local.first_label());
@@ -80,7 +80,7 @@ pub(super) fn search_tree(
     let (mut cases, mut least_escape, mut narrow) = (0, f64::INFINITY, false);
     while let Some(Case { labels, hulls, nearest, divided }) = open.pop() {
         if cases == most_cases {
-            return Tree::Unresolved(Doubt::RayWithoutProof);
+            return BranchAndBound::Unresolved(Doubt::RayWithoutProof);
         }
         cases += 1;
         let mut nearest = Rc::unwrap_or_clone(nearest);
@@ -97,7 +97,7 @@ pub(super) fn search_tree(
             }
         };
         if !stretches.iter().chain(&forces).all(|x| x.iter().all(|x| x.is_finite())) {
-            return Tree::Unresolved(Doubt::Inaccurate);
+            return BranchAndBound::Unresolved(Doubt::Inaccurate);
         }
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case only, since it costs as much as a few cases.
@@ -109,7 +109,7 @@ pub(super) fn search_tree(
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
             let twist = trial.solve_roughly(&from, &Vector::zeros()).twist;
             if let Some(found) = polish_from(problem, twist) {
-                return Tree::Found(found);
+                return BranchAndBound::Found(found);
             }
         }
         let local = problem.local(contact);
@@ -128,9 +128,9 @@ pub(super) fn search_tree(
         }
     }
     if narrow {
-        Tree::Unresolved(Doubt::OnTheBoundary)
+        BranchAndBound::Unresolved(Doubt::OnTheBoundary)
     } else {
-        Tree::Contradicted { cases, escape: least_escape }
+        BranchAndBound::Contradicted { cases, escape: least_escape }
     }
 }
 
@@ -145,8 +145,8 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     let mut steps = Vec::new();
     match search_tree(problem, &trial, &state, most, Some(&mut steps)) {
-        Tree::Contradicted { cases, .. } => Some((steps, cases)),
-        Tree::Found(_) | Tree::Unresolved(_) => None,
+        BranchAndBound::Contradicted { cases, .. } => Some((steps, cases)),
+        BranchAndBound::Found(_) | BranchAndBound::Unresolved(_) => None,
     }
 }
 

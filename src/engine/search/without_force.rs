@@ -5,7 +5,7 @@
 
 use nalgebra::Matrix;
 
-use super::answer::{Effort, Found, Settled};
+use super::answer::{SearchCounts, SearchOutcome, SearchSolution};
 use super::ladder::settle;
 use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
@@ -16,14 +16,14 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
 /// [`settle`] for a static problem: in a solution that is found, all contacts without force that may open are open.
-pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled, Effort) {
+pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (SearchOutcome, SearchCounts) {
     match settle(problem, settings) {
-        (Settled::Found(found, rung), effort) => {
+        (SearchOutcome::Found(found, rung), effort) => {
             let found = match opened(problem, &found) {
                 Some(open) => at_the_least_motion(problem, open),
                 None => found,
             };
-            (Settled::Found(found, rung), effort)
+            (SearchOutcome::Found(found, rung), effort)
         }
         other => other,
     }
@@ -31,15 +31,15 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (Settled
 
 /// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. Only
 /// the twist and the `sizes` of `found` are kept as they are.
-pub(crate) fn reported_at_rest(problem: &Problem, found: Found) -> Found {
+pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> SearchSolution {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);
-    Found { twist: found.twist, sizes: found.sizes, ..shown }
+    SearchSolution { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
 /// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if opening them would
 /// change forces or leave a gap. `None` also if no contact carries a force, because there is then no scale for a small force.
-fn opened(problem: &Problem, found: &Found) -> Option<Found> {
+fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since a contact may have no displacement as a scale.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
@@ -67,5 +67,5 @@ fn opened(problem: &Problem, found: &Found) -> Option<Found> {
     let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    are_the_same.then(|| Found { states, forces, free_motions, neutral_motions, ..found.clone() })
+    are_the_same.then(|| SearchSolution { states, forces, free_motions, neutral_motions, ..found.clone() })
 }

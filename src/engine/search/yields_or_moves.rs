@@ -11,7 +11,7 @@ use crate::grasp::{Contact, Engine, Face, Site, Wrench};
 use crate::numerics::{Draw, Vector};
 use crate::prelude::*;
 use crate::proofs::yields;
-use crate::{Fit, PolygonCone, planar, spatial};
+use crate::{PolygonCone, PolygonFit, planar, spatial};
 
 /// Numbers of random rate problems, of proofs that no forces balance offsets and load, and of problems with an equilibrium among all combinations of
 /// states.
@@ -57,7 +57,7 @@ fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> 
 }
 
 fn ask(grasp: &Engine, along: &Wrench<3>, draw: &mut Draw, count: &mut Count) {
-    let cone = PolygonCone::new(4, Fit::Circumscribed).expect("four facets");
+    let cone = PolygonCone::new(4, PolygonFit::Circumscribed).expect("four facets");
     let mut rates = grasp.on_polygons(along, &cone).expect("a load");
     rates.trial = None;
     let (motion, axes) = (rates.wrench.clone(), grasp.space().axes());

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::chart::Chart;
-use super::friction_chart::{Drawn, MOST_CURVES, some};
+use super::friction_chart::{DrawnProgram, MOST_CURVES, some};
 use super::layout::CHART;
 use super::palette::PALETTE;
 use super::series::Stroke;
@@ -45,12 +45,12 @@ pub fn charts_of_cycles<const C: usize>(
 ) -> Result<Vec<Chart>, Error> {
     let legs: Vec<_> = (0..count).flat_map(|_| cycle.iter().cloned()).list();
     let place = |leg: usize, fraction: f64| (leg as f64 + fraction) / cycle.len() as f64;
-    let drawn = Drawn { grasp, start: *base, legs: &legs, axis: "cycles", place: &place };
+    let drawn = DrawnProgram { grasp, start: *base, legs: &legs, axis: "cycles", place: &place };
     let mut path = grasp.follow(base, &legs)?;
     let events = path.run();
     let states = drawn.states(&path, &events);
     let tips = grasp.engine.wholes();
-    let slides: Vec<_> = mapped(tips, &|tip| Rubbing::of(tip, &states));
+    let slides: Vec<_> = mapped(tips, &|tip| SlipHistory::of(tip, &states));
     let farthest = largest(&slides, &|slide| slide.farthest);
     // Slips below this fraction of the longest slip count as zero.
     let no_slip = 1e-6;
@@ -96,14 +96,14 @@ pub fn charts_of_cycles<const C: usize>(
 }
 
 /// Slip and friction of a contact during all cycles, along the direction of its largest slip.
-struct Rubbing {
+struct SlipHistory {
     /// Largest slip since the beginning of the first cycle, mm.
     farthest: f64,
     /// Points of the curves: position on the axis of cycles, slip in mm, and friction in N.
     curve: Vec<(f64, f64, f64)>,
 }
 
-impl Rubbing {
+impl SlipHistory {
     fn of<const C: usize>(tip: &ContactPoints, states: &[(f64, Equilibrium<C>)]) -> Self {
         let points = tip.range.len() as f64;
         let tangential = |mut vector: SVector<f64, C>| {

@@ -67,8 +67,8 @@ impl ContactPoints {
             _ => 1.0 / answers.len() as f64,
         };
         let words = ["sticking", "about to slide", "sliding", "frictionless", "separated"];
-        let does = |what: &&str| answers.iter().any(|answer| word(answer) == *what);
-        let word = words.into_iter().find(does).unwrap_or("separated");
+        let is_seen = |what: &&str| answers.iter().any(|answer| word(answer) == *what);
+        let word = words.into_iter().find(is_seen).unwrap_or("separated");
         let points = contacts[self.range.clone()].iter().zip(answers);
         let along = answers.iter().filter_map(|answer| match answer.state {
             ContactState::Sliding { direction } => Some(direction * share(answer)),

@@ -19,7 +19,7 @@ use crate::words::opens;
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
 /// A load program with its grasp, and the horizontal axis along which a chart draws the equilibria of the path.
-pub(super) struct Drawn<'a, const C: usize> {
+pub(super) struct DrawnProgram<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
@@ -28,7 +28,7 @@ pub(super) struct Drawn<'a, const C: usize> {
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
-impl<const C: usize> Drawn<'_, C> {
+impl<const C: usize> DrawnProgram<'_, C> {
     /// The chart with one curve per contact, from the start to the end of the path. Marks are at the first slip, opening, or drive that reaches its
     /// limit, and at the end.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
@@ -45,7 +45,7 @@ impl<const C: usize> Drawn<'_, C> {
             .iter()
             .map(|tip| (tip, ChartSeries { name: tip.text(), points: curve(tip), stroke: Stroke::Line }));
         let mut chart = Chart::new(title, self.axis, "friction used, |F_t| / (μ F_n)");
-        let Shared { drawn, left_out } = shared(named.collect(), self.grasp.contacts());
+        let SharedCurves { drawn, left_out } = shared(named.collect(), self.grasp.contacts());
         for (k, series) in drawn.iter().enumerate() {
             let is_hidden = drawn[..k].iter().any(|earlier| coincide(earlier, series));
             let stroke = if is_hidden || k >= PALETTE.len() { Stroke::Dashed } else { Stroke::Line };
@@ -99,7 +99,7 @@ impl<const C: usize> Drawn<'_, C> {
         let tips = self.grasp.engine.wholes();
         let left = events
             .iter()
-            .find_map(|event| Some(((self.place)(event.leg, event.fraction), left_by(event, tips)?)));
+            .find_map(|event| Some(((self.place)(event.leg, event.fraction), change_in_words(event, tips)?)));
         let (last, part) = self.reach(path);
         let to = (self.place)(last, part);
         let end = match path.end() {
@@ -153,14 +153,17 @@ fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state
 }
 
 /// The curves that a chart draws, and texts for its note, each of which names contacts without a curve and the reason why they have none.
-struct Shared {
+struct SharedCurves {
     drawn: Vec<ChartSeries>,
     left_out: Vec<String>,
 }
 
 /// Divides the curves of the contacts into curves that the chart draws and curves that its note names. Curves with a finite value are drawn; if there
 /// are more than [`MOST_CURVES`] such curves, those with the largest values are drawn.
-fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
+fn shared<const C: usize>(
+    curves: Vec<(&ContactPoints, ChartSeries)>,
+    contacts: &[Contact<C>],
+) -> SharedCurves {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();
     let (mut drawn, none): (Vec<_>, Vec<_>) =
@@ -191,7 +194,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactPoints, ChartSeries)>, contacts: 
         ));
         drawn = kept;
     }
-    Shared { drawn: moved(drawn, &|(_, series)| series), left_out }
+    SharedCurves { drawn: moved(drawn, &|(_, series)| series), left_out }
 }
 
 /// Whether two curves coincide on paper. If so, the caller draws the second curve dashed, which keeps both visible.
@@ -228,17 +231,17 @@ pub(super) fn some(names: &[String], most: usize, letters: usize) -> String {
 
 /// The first contact that slides or opens at an event, or else the first drive that reaches its limit, in words such as "left slides". `None` if
 /// neither exists.
-fn left_by<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
+fn change_in_words<const C: usize>(event: &Event<C>, tips: &WholeContacts) -> Option<String> {
     let contact = event.changes.iter().find_map(|change| {
         let tip = tips.at(change.contact.index);
-        let does = match (&change.what, tip.is_soft()) {
+        let change_text = match (&change.what, tip.is_soft()) {
             (Change::Slides { .. }, false) => "slides",
             (Change::Opens, false) => opens(change.contact.link),
             (Change::Slides { .. }, true) => "begins to slide",
             (Change::Opens, true) => "begins to open",
             _ => return None,
         };
-        Some(format!("{} {does}", shortened(&tip.text(), CHART.mark_letters)))
+        Some(format!("{} {change_text}", shortened(&tip.text(), CHART.mark_letters)))
     });
     contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
 }

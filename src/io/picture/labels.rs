@@ -7,7 +7,7 @@ use super::words::{lines, shortened};
 use crate::numerics::{largest, mapped, summed};
 
 /// The rectangle of a name: its middle, and its width and height, pixels.
-type Plate = (Place, (f64, f64));
+type NamePlate = (Place, (f64, f64));
 
 /// Distance of a name from its point, pixels, beyond which a line joins them; without this line a name could seem to belong to another point.
 const NEAR: f64 = 16.0;
@@ -20,7 +20,7 @@ pub(super) struct Labels {
     window: Window,
     /// Places of strokes that names should not cover, with the cost of covering each.
     ink: Vec<(Place, f64)>,
-    taken: Vec<Plate>,
+    taken: Vec<NamePlate>,
     /// Number of names for which there was no free place.
     pub(super) left_out: usize,
 }
@@ -64,7 +64,7 @@ impl Labels {
     /// name to a point that is not near. `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let beside = self.best(point, self.plates_beside(point, size));
-        let is_clear = |plate: &Plate| self.cost(point, plate) <= COVERS_MUCH;
+        let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;
         let plate = match beside {
             Some(plate) if is_clear(&plate) => plate,
             _ => {
@@ -83,13 +83,13 @@ impl Labels {
     }
 
     /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
-    fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
+    fn best(&self, point: Place, plates: Vec<NamePlate>) -> Option<NamePlate> {
         let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
         best.map(|(_, plate)| plate)
     }
 
-    fn plates_beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
+    fn plates_beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<NamePlate> {
         // Directions from a point to its name in order of preference, each with its components to the right and downwards.
         let sides = [
             (1.0, -1.0),
@@ -113,7 +113,7 @@ impl Labels {
         plates
     }
 
-    fn anywhere(&self, (wide, high): (f64, f64)) -> Vec<Plate> {
+    fn anywhere(&self, (wide, high): (f64, f64)) -> Vec<NamePlate> {
         let places = |low: f64, room: f64, size: f64| {
             let (first, mut places) = (low + size / 2.0, Vec::new());
             while first + 9.0 * places.len() as f64 <= low + room - size / 2.0 {
@@ -139,14 +139,14 @@ impl Labels {
     }
 
     /// Whether another name overlaps this rectangle.
-    fn overlaps(&self, (middle, (wide, high)): &Plate) -> bool {
+    fn overlaps(&self, (middle, (wide, high)): &NamePlate) -> bool {
         self.taken.iter().any(|(other, (w, h))| {
             let (x, y) = ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
             x < f64::midpoint(*wide, *w) + 2.0 && y < f64::midpoint(*high, *h)
         })
     }
 
-    fn cost(&self, point: Place, (middle, (wide, high)): &Plate) -> f64 {
+    fn cost(&self, point: Place, (middle, (wide, high)): &NamePlate) -> f64 {
         let aside = |other: Place| ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
         let covered = |at: Place| aside(at).0 < wide / 2.0 && aside(at).1 < high / 2.0;
         let ink: f64 = self.ink.iter().filter(|(at, _)| covered(*at)).map(|(_, weight)| weight).sum();

@@ -27,10 +27,10 @@ pub(super) struct PlanarLayout {
     /// Length of a finger behind its contact, which is also the distance of its name from the contact, as a fraction of the span.
     pub(super) finger: f64,
     /// Largest number of fingertips whose names are written with state and force.
-    pub(super) most_told: usize,
+    pub(super) most_labelled: usize,
 }
 
-pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.08, most_told: 12 };
+pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.08, most_labelled: 12 };
 
 /// Sizes in the picture of a grasp in space.
 pub(super) struct SpatialLayout {

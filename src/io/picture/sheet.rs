@@ -14,24 +14,24 @@ pub(super) type Place = (f64, f64);
 
 /// A length in whole hundredths of a pixel. There is no −0, and a place that two shapes share is written with the same numbers for both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Fine(i32);
+pub(super) struct HundredthsOfPixel(i32);
 
 /// A place rounded to hundredths of a pixel.
-pub(super) type Pixel = (Fine, Fine);
+pub(super) type Pixel = (HundredthsOfPixel, HundredthsOfPixel);
 
 /// The nearest place that can be written; places far outside are clamped.
 pub(super) fn pixel((x, y): Place) -> Pixel {
     (fine(x), fine(y))
 }
 
-fn fine(length: f64) -> Fine {
+fn fine(length: f64) -> HundredthsOfPixel {
     #[expect(clippy::cast_possible_truncation, reason = "clamped")]
     // The limit of 1e7 pixels is far beyond the size of a picture, and its number of hundredths fits into a 32-bit integer.
     let whole = (length.clamp(-1e7, 1e7) * PARTS_OF_A_PIXEL).round() as i32;
-    Fine(whole)
+    HundredthsOfPixel(whole)
 }
 
-impl Display for Fine {
+impl Display for HundredthsOfPixel {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "{}", f64::from(self.0) / PARTS_OF_A_PIXEL)
     }

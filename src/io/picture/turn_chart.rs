@@ -1,7 +1,7 @@
 //! Charts of the fraction of its friction that each contact uses while the load turns, grows, or follows a program.
 
 use super::chart::Chart;
-use super::friction_chart::Drawn;
+use super::friction_chart::DrawnProgram;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -36,7 +36,7 @@ use crate::load_path::{Leg, Ramp, Turn};
 pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &str) -> Result<Chart, Error> {
     let place = |_, fraction: f64| (fraction * turn.angle()).to_degrees();
     let legs = [Leg::turn(turn)];
-    Drawn { grasp, start: turn.load_at(0.0), legs: &legs, axis: "angle (degrees)", place: &place }
+    DrawnProgram { grasp, start: turn.load_at(0.0), legs: &legs, axis: "angle (degrees)", place: &place }
         .chart(title)
 }
 
@@ -65,7 +65,8 @@ pub fn chart_of_load<const C: usize>(
 ) -> Result<Chart, Error> {
     let legs = [Leg::along(&ramp.times(most))];
     let place = |_, fraction: f64| fraction * most;
-    Drawn { grasp, start: ramp.base, legs: &legs, axis: "factor of the load", place: &place }.chart(title)
+    DrawnProgram { grasp, start: ramp.base, legs: &legs, axis: "factor of the load", place: &place }
+        .chart(title)
 }
 
 /// A chart of `|F_t| / (μ F_n)` of each contact along a program of legs, leg by leg from the load `start`.
@@ -91,5 +92,5 @@ pub fn chart_of_program<const C: usize>(
     title: &str,
 ) -> Result<Chart, Error> {
     let place = |leg: usize, fraction: f64| leg as f64 + fraction;
-    Drawn { grasp, start, legs, axis: "legs of the program", place: &place }.chart(title)
+    DrawnProgram { grasp, start, legs, axis: "legs of the program", place: &place }.chart(title)
 }

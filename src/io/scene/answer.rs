@@ -3,9 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::compared::CompareAnswer;
-use super::held::{HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer};
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
+use super::sentence_answers::{
+    HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer,
+};
 use super::solved::SolveAnswer;
 
 /// The answer to a [`Question`](super::Question). Its variant has the name of the question.

@@ -1,10 +1,10 @@
 //! Translates the questions of a scene for its grasp, and answers them.
 
 use super::answer::Answer;
-use super::held::{IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakedownAnswer};
 use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::Question;
+use super::sentence_answers::{IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakedownAnswer};
 use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::error::{Error, check_contact};
@@ -144,7 +144,7 @@ impl Setup<3> {
         Ok(match &*self.meant(question)? {
             Question::Hold { .. } => Answer::Hold(labels.verdict(grasp.hold(question.ramp()?)?, words)),
             Question::Need(asked) => {
-                let needed = grasp.need(&asked.as_ref().clone().told_in(words))?;
+                let needed = grasp.need(&asked.as_ref().clone().with_words(words))?;
                 Answer::Need(NeedAnswer::of(needed, words))
             }
             Question::Improve(asked) => {

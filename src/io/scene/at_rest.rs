@@ -1,9 +1,9 @@
 //! Warnings about contacts and links that, in the equilibrium at rest, press or pull with no force or with another force than the scene states.
 
 use super::link::LinkSetup;
-use super::odd::applied_loads;
 use super::question::Question;
 use super::setup::Setup;
+use super::suspicious_numbers::applied_loads;
 use super::tolerances::OTHERWISE_PRESSED;
 use super::warning::Warning;
 use crate::ask::Grasp;
@@ -104,7 +104,7 @@ impl Setup<3> {
             });
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal {
                 let name = entry.contact.label_text(contact);
-                warnings.push(Warning::PressesOtherwise { contact, name, told: nominal, force });
+                warnings.push(Warning::PressesOtherwise { contact, name, stated: nominal, force });
             }
         }
         if pressed > 0 && warnings.len() == pressed {
@@ -121,7 +121,7 @@ impl Setup<3> {
             let force = state.contacts[wholes[contacts + number].range.start].normal_force();
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal.abs() {
                 let (link, name) = (number, link.called(number));
-                warnings.push(Warning::PullsOtherwise { link, name, told: nominal, force });
+                warnings.push(Warning::PullsOtherwise { link, name, stated: nominal, force });
             }
         }
         Ok(warnings)

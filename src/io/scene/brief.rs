@@ -12,8 +12,8 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContact, inside};
 use crate::hold::{Holding, Verdict};
-use crate::identify::{Ending, Identified};
-use crate::improve::{Binds, Improved, SearchEnd};
+use crate::identify::{FitEnding, Identified};
+use crate::improve::{ActiveConstraintKind, Improved, SearchEnd};
 use crate::load_path::{DriveChange, Onset, PathEnd};
 use crate::need::{Amount, Needed, Quantity};
 use crate::numerics::tried;
@@ -29,7 +29,7 @@ use crate::words::Words;
 /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
 /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::onset(Wrench::force([0.0, -2.0])));
 /// let brief = &setup.brief_answers()?[0];
-/// assert_eq!((brief.outcome, brief.factor, brief.first.as_deref(), brief.does), ("at", Some(5.0), Some("contact 0"), Some("slides")));
+/// assert_eq!((brief.outcome, brief.factor, brief.first.as_deref(), brief.state), ("at", Some(5.0), Some("contact 0"), Some("slides")));
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -62,7 +62,7 @@ pub struct Brief {
     pub first: Option<String>,
     /// The change of the contact state, or of the drive, in [`Self::first`]; for an equilibrium the state of this contact.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub does: Option<&'static str>,
+    pub state: Option<&'static str>,
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the model of small motions. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
@@ -151,7 +151,7 @@ impl SceneNames<'_> {
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
         let (margin, first) = (Some(contact.margin), Some(self.label(site).text()));
-        Brief { margin, first, does: Some(state_text(&contact.state)), ..brief }
+        Brief { margin, first, state: Some(state_text(&contact.state)), ..brief }
     }
 
     fn onset_briefly(&self, question: &'static str, onset: &Onset<3>) -> Brief {
@@ -162,10 +162,10 @@ impl SceneNames<'_> {
                     .first()
                     .map(|leaving| (self.label(leaving.contact.index).text(), leaving.verb()));
                 let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
-                let (first, does) = contact.or_else(part).unzip();
+                let (first, state) = contact.or_else(part).unzip();
                 let beyond_small_motions = is_far(self.0.state_at_onset(event).as_ref());
                 let factor = Some(event.factor);
-                Brief { factor, first, does, beyond_small_motions, ..Brief::new(question, "at") }
+                Brief { factor, first, state, beyond_small_motions, ..Brief::new(question, "at") }
             }
             Onset::Never => Brief::new(question, "never"),
             Onset::AlreadySliding(state) => self.tightest(Brief::new(question, "already_sliding"), state),
@@ -245,7 +245,9 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
         SearchEnd::NoStart => "no_start",
     };
     let mut ways = improved.in_the_way.iter();
-    let first = ways.find(|way| matches!(way.binds, Binds::FirstSlip { .. } | Binds::Reserve { .. }));
+    let first = ways.find(|way| {
+        matches!(way.binds, ActiveConstraintKind::FirstSlip { .. } | ActiveConstraintKind::Reserve { .. })
+    });
     let first = first.map(|way| way.contact.label.clone());
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
@@ -318,10 +320,10 @@ fn drive(change: DriveChange) -> &'static str {
 }
 
 /// The name in the format of the way in which an identification ended.
-fn ended(ending: &Ending) -> &'static str {
+fn ended(ending: &FitEnding) -> &'static str {
     match ending {
-        Ending::Converged => "converged",
-        Ending::NotConverged { .. } => "not_converged",
-        Ending::NotPredicted { .. } => "not_predicted",
+        FitEnding::Converged => "converged",
+        FitEnding::NotConverged { .. } => "not_converged",
+        FitEnding::NotPredicted { .. } => "not_predicted",
     }
 }

@@ -3,8 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::held::text;
 use super::labels::SceneNames;
+use super::sentence_answers::text;
 use crate::energy::Comparison;
 use crate::error::Error;
 use crate::grasp::Wrench;

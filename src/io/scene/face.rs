@@ -6,16 +6,18 @@ use super::compared::CompareAnswer;
 use super::cup::Cup;
 use super::finger::FingerSetup;
 use super::fingertip::{Fingertip, MovedBy};
-use super::held::{HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer};
 use super::link::LinkSetup;
 use super::onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 #[cfg(feature = "mesh")]
-use super::part::{PartSetup, Touches};
-use super::patch::Tip;
+use super::part::{PadTouch, PartSetup};
+use super::patch::FingertipPatch;
 use super::path::{BalancedEnergy, PathAnswer, PathOutcome};
 use super::question::Question;
 #[cfg(feature = "urdf")]
 use super::robot::{MotorLimits, RobotSetup};
+use super::sentence_answers::{
+    HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer,
+};
 use super::setup::Setup;
 use super::solved::SolveAnswer;
 use crate::equilibrium::Settings;
@@ -23,10 +25,10 @@ use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
 use crate::load_path::EndOfSmallMotions;
 
 same_on_both_sides! {
-    Angle, BalancedEnergy, Cup, EndOfSmallMotions, Factor, IdentifyAnswer, MovedBy, NeedAnswer, Settings, Tip,
+    Angle, BalancedEnergy, Cup, EndOfSmallMotions, Factor, IdentifyAnswer, MovedBy, NeedAnswer, Settings, FingertipPatch,
 }
 #[cfg(feature = "mesh")]
-same_on_both_sides! { PartSetup, Touches }
+same_on_both_sides! { PartSetup, PadTouch }
 #[cfg(feature = "urdf")]
 same_on_both_sides! { MotorLimits }
 #[cfg(feature = "urdf")]

@@ -4,12 +4,12 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use super::carried::ALONE;
 use super::centre_of_mass::with_centre_of_mass;
 use super::field_path::faulty_field;
 use super::lengths::in_metres;
+use super::load_by_mass::ALONE;
 use super::plain_words::in_plain_words;
-use super::written::{FORMAT, Id, InItsUnit, Scene};
+use super::written::{FORMAT, Id, Scene, SceneInTextUnit};
 use crate::error::Error;
 use crate::words::{Unit, printable};
 
@@ -75,7 +75,7 @@ impl fmt::Display for Fault {
 /// The outermost fields of a text that is no valid scene. They are read nevertheless: a wrong format version explains all other faults, and the
 /// reply repeats the id.
 #[derive(Deserialize)]
-struct Outside {
+struct OutermostFields {
     format: Option<String>,
     id: Option<Id>,
 }
@@ -103,7 +103,7 @@ impl Fault {
             return Self { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at };
         }
         // A wrong version is reported before all other faults, since another version may have any fields.
-        let format = serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.format);
+        let format = serde_json::from_slice::<OutermostFields>(text).ok().and_then(|outside| outside.format);
         if let Some(format) = format.filter(|format| format != FORMAT) {
             let message = format!("\"{format}\" is not a format that is read here, must be \"{FORMAT}\"");
             return Self { kind: FaultKind::Scene, message, field: Some("format".to_owned()), at: None };
@@ -121,7 +121,7 @@ impl Fault {
 
     /// The id of a faulty scene, if it can be read.
     pub(crate) fn id_of(text: &[u8]) -> Option<Id> {
-        serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.id)
+        serde_json::from_slice::<OutermostFields>(text).ok().and_then(|outside| outside.id)
     }
 
     /// A fault that concerns the scene as a whole, and no field of it.
@@ -156,7 +156,7 @@ impl Scene {
     /// A [`Fault`] with the field, its position in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
         let read = |text: &[u8]| {
-            let InItsUnit(scene) =
+            let SceneInTextUnit(scene) =
                 serde_json::from_slice(text).map_err(|error| Fault::of_reader(text, &error))?;
             if scene.unit == Unit::Metre { Ok(scene) } else { in_metres(text, scene.unit) }
         };

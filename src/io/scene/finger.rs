@@ -167,7 +167,7 @@ struct Written<const C: usize> {
 }
 
 #[derive(serde::Serialize)]
-struct Out<'a, const C: usize> {
+struct FingerText<'a, const C: usize> {
     #[serde(skip_serializing_if = "Option::is_none")]
     comment: Option<&'a str>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
@@ -181,7 +181,7 @@ struct Out<'a, const C: usize> {
 
 impl<const C: usize> Serialize for FingerSetup<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Out {
+        FingerText {
             comment: self.comment.as_deref(),
             joints: &self.joints,
             stiffness_matrix: self.stiffness_matrix.as_ref().map(Rows::of),

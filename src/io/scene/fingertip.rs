@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::cup::Cup;
-use super::patch::Tip;
+use super::patch::FingertipPatch;
 use crate::error::Error;
 use crate::grasp::{Contact, SoftFingertip};
 use crate::improve::Surface;
@@ -12,10 +12,10 @@ use crate::improve::Surface;
 ///
 /// ```
 /// use grasp_lcp::planar::Contact;
-/// use grasp_lcp::scene::{Fingertip, Setup, Tip};
+/// use grasp_lcp::scene::{Fingertip, Setup, FingertipPatch};
 ///
 /// let jaw = |side: f64| Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
-/// let (hard, soft) = (Fingertip::from(jaw(-1.0)), Fingertip::from(jaw(1.0)).soft(Tip::Pair { width: 0.01 }));
+/// let (hard, soft) = (Fingertip::from(jaw(-1.0)), Fingertip::from(jaw(1.0)).soft(FingertipPatch::Pair { width: 0.01 }));
 /// // The pair shares the stiffness of its contact.
 /// let grasp = Setup::<2>::new([hard, soft]).grasp()?;
 /// assert_eq!(grasp.len(), 3);
@@ -28,12 +28,12 @@ pub struct Fingertip<const C: usize> {
     /// The contact.
     pub contact: Contact<C>,
     /// The patch over which the contact is spread; `None` for a point.
-    pub soft: Option<Tip>,
+    pub soft: Option<FingertipPatch>,
     /// The suction cup, instead of a soft fingertip.
     pub cup: Option<Cup>,
     /// The pad that closes on the part of the scene, instead of point and normal.
     #[cfg(feature = "mesh")]
-    pub touches: Option<super::part::Touches>,
+    pub touches: Option<super::part::PadTouch>,
     /// The curve or surface along which the contact may move if fingers are [improved](crate::improve).
     pub surface: Option<Surface<C>>,
     /// Whether no stiffness was given; the default then takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
@@ -77,7 +77,7 @@ impl<const C: usize> From<Contact<C>> for Fingertip<C> {
 impl<const C: usize> Fingertip<C> {
     /// This contact spread over a patch: a ring, a disc or a rectangle in space, a pair or a pad in the plane. For a patch of the plane in space, or
     /// the reverse, [`Setup::grasp`](super::Setup::grasp) returns an error.
-    pub fn soft(self, tip: Tip) -> Self {
+    pub fn soft(self, tip: FingertipPatch) -> Self {
         Self { soft: Some(tip), ..self }
     }
 

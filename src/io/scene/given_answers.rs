@@ -23,8 +23,8 @@ impl<const C: usize> Setup<C> {
     /// let load = Wrench::force([0.0, -4.0]);
     /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::solve(load));
     /// let grasp = setup.grasp()?;
-    /// let told = Setup::tell_outcome(&grasp, &load, &grasp.solve(&load)?)?;
-    /// assert_eq!(setup.answers()?, [Answer::Solve(told)]);
+    /// let stated = Setup::tell_outcome(&grasp, &load, &grasp.solve(&load)?)?;
+    /// assert_eq!(setup.answers()?, [Answer::Solve(stated)]);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///

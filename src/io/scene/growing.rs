@@ -10,10 +10,10 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 
 /// Name of a question, its base load, its growing load, and the loads on other bodies that grow in proportion to the growing load.
-type Growing<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
+type GrowingLoads<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
 /// The loads of a question that grow in proportion to each other; `None` for a kind of question that has no such loads.
-fn growing(asked: &Question<3>) -> Option<Growing<'_>> {
+fn growing(asked: &Question<3>) -> Option<GrowingLoads<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
         Question::Solve { load, together_with } => Some(("solve", Wrench::ZERO, Some(*load), together_with)),

@@ -4,9 +4,9 @@
 use serde_json::{Map, Value};
 
 use super::fault::{Fault, message_of};
-use super::odd::far_load;
 use super::plain_words::in_plain_words;
 use super::setup::Setup;
+use super::suspicious_numbers::far_load;
 use super::warning::Warning;
 use super::written::Scene;
 use crate::words::Unit;

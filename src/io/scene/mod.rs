@@ -328,7 +328,6 @@ mod asked;
 mod at_rest;
 mod body;
 mod brief;
-mod carried;
 #[cfg(feature = "json")]
 mod centre_of_mass;
 mod compared;
@@ -343,15 +342,14 @@ mod fingertip;
 mod first_line;
 mod given_answers;
 mod growing;
-mod held;
 mod joint;
 mod labels;
 mod left_out;
 #[cfg(feature = "json")]
 mod lengths;
 mod link;
+mod load_by_mass;
 mod matrix;
-mod odd;
 mod onset;
 mod own_weight;
 #[cfg(feature = "mesh")]
@@ -363,11 +361,13 @@ mod plain_words;
 mod question;
 #[cfg(feature = "urdf")]
 mod robot;
+mod sentence_answers;
 mod settings;
 mod setup;
 mod solved;
 mod springs;
 mod surface;
+mod suspicious_numbers;
 mod tangential;
 mod tolerances;
 mod turn;
@@ -387,16 +387,18 @@ pub use cup::Cup;
 pub use fault::{Fault, FaultKind, TextPosition};
 pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
-pub use held::{HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer};
 pub use link::LinkSetup;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 #[cfg(feature = "mesh")]
-pub use part::{PadLayer, PartSetup, Touches};
-pub use patch::Tip;
+pub use part::{PadLayer, PadTouch, PartSetup};
+pub use patch::FingertipPatch;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::Question;
 #[cfg(feature = "urdf")]
 pub use robot::{MotorLimits, RobotSetup};
+pub use sentence_answers::{
+    HoldAnswer, IdentifyAnswer, ImproveAnswer, NeedAnswer, ShakeAnswer, ShakedownAnswer,
+};
 pub use setup::Setup;
 pub use solved::SolveAnswer;
 pub use warning::Warning;

@@ -7,7 +7,7 @@ use super::labels::SceneNames;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
 use crate::load_path::{
-    self as path, Beyond, Change, ContactChange, Departure, EdgeOf, EdgeTouch, Leaving, PadChange,
+    self as path, Beyond, Change, ContactChange, DepartingContact, Departure, EdgeOf, EdgeTouch, PadChange,
     PartChange, WholeChange, whole_changes,
 };
 use crate::serial::AsComputed;
@@ -70,7 +70,7 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     /// The load at first slip.
     pub load: Wrench<C>,
     /// The contacts that stop sticking at this load, all at once.
-    pub leaving: Vec<Leaving<C>>,
+    pub leaving: Vec<DepartingContact<C>>,
     /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
@@ -84,7 +84,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
     /// The contacts that stop sticking; all points of a soft fingertip count as one contact.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
-        let change = |leaving: &Leaving<C>| {
+        let change = |leaving: &DepartingContact<C>| {
             let what = match leaving.how {
                 Departure::Slides { direction } => Change::Slides { direction },
                 Departure::Opens => Change::Opens,

@@ -46,7 +46,7 @@ pub struct PartSetup {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
-pub struct Touches {
+pub struct PadTouch {
     /// Sides of the pad along the first and the second tangent, m, if it is a rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rectangle: Option<[f64; 2]>,
@@ -117,7 +117,7 @@ impl PartSetup {
     }
 }
 
-impl Touches {
+impl PadTouch {
     /// A rectangular pad with these sides, m, whose middle is at `from`, m, before the pad closes along the direction `closing`.
     #[must_use]
     pub fn rectangle(sides: [f64; 2], from: [f64; 3], closing: [f64; 3]) -> Self {
@@ -176,7 +176,7 @@ impl Touches {
                 "the part is not read; `Scene::with_files_from` reads it from a folder, as the program does";
             return Err(Error::Mesh { fault: fault.to_owned() });
         };
-        Touch::new(self.pad()?, contact.clone()).on_as(index, part)
+        Touch::new(self.pad()?, contact.clone()).on_for_contact(index, part)
     }
 
     /// One contact for every point at which the pad touches the part. Errors name the contact by `index`.
@@ -188,7 +188,7 @@ impl Touches {
 impl<const C: usize> Fingertip<C> {
     /// This contact as a pad that closes on the part of the scene, in space; its point and normal become the position of the pad before it closes,
     /// and the closing direction.
-    pub fn touching(mut self, touches: Touches) -> Self {
+    pub fn touching(mut self, touches: PadTouch) -> Self {
         self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
         self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
         Self { touches: Some(touches), soft: None, cup: None, ..self }

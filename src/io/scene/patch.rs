@@ -11,7 +11,7 @@ use crate::grasp::{Face, Pressure, SoftFingertip, Space};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
-pub enum Tip {
+pub enum FingertipPatch {
     /// A ring of points; see [`SoftFingertip::ring`].
     Ring {
         /// Radius of the ring, m.
@@ -60,7 +60,7 @@ const fn one_each() -> [usize; 2] {
     [1, 1]
 }
 
-impl Tip {
+impl FingertipPatch {
     /// The patch of points that takes the place of a contact.
     ///
     /// # Errors

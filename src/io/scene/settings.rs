@@ -3,7 +3,7 @@
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use crate::contact::{Fit, PolygonCone};
+use crate::contact::{PolygonCone, PolygonFit};
 use crate::equilibrium::{Settings, SmallMotions};
 use crate::error::is_moderate;
 use crate::serial::object;
@@ -32,7 +32,7 @@ struct WrittenPolygon {
     /// Number of facets.
     facets: usize,
     /// Whether the polygon is inscribed in the round cone, circumscribed about it, or balanced between both.
-    fit: Fit,
+    fit: PolygonFit,
 }
 
 impl Default for WrittenPolygon {

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::held::HoldAnswer;
 use super::labels::SceneNames;
+use super::sentence_answers::HoldAnswer;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::Wrench;

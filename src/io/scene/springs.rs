@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use crate::serial::{Few, SpringStiffness, space_of_text};
+use crate::serial::{ShortList, SpringStiffness, space_of_text};
 
 /// Stiffness, N/m: one number for all directions, two numbers (normal and tangential), or one number for each axis.
 pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
@@ -13,13 +13,13 @@ pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
 impl<const C: usize> Serialize for Springs<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let axes = space_of_text::<C>().axes();
-        Few::<SpringStiffness, 3>::of(&self.0.as_slice()[..axes]).serialize(serializer)
+        ShortList::<SpringStiffness, 3>::of(&self.0.as_slice()[..axes]).serialize(serializer)
     }
 }
 
 impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Few::<SpringStiffness, 3>::read(deserializer, Self::of_given)
+        ShortList::<SpringStiffness, 3>::read(deserializer, Self::of_given)
     }
 }
 

@@ -16,7 +16,7 @@ use crate::load_path::Turn;
 #[cfg(feature = "schema")]
 use crate::serial::AxisRow;
 use crate::serial::object;
-use crate::serial::{Computed, Few, Given, Number, space_of_text};
+use crate::serial::{Computed, Given, Number, ShortList, space_of_text};
 
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -24,16 +24,16 @@ use crate::serial::{Computed, Few, Given, Number, space_of_text};
 struct WrittenTurn<const C: usize> {
     /// The weight, N, of an object that is tilted with its grasp. If no load of the turn is given, the scene's own `gravity` turns.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
-    weight: Option<Few<Given, 3>>,
+    weight: Option<ShortList<Given, 3>>,
     /// A force that turns, N, instead of a weight.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
-    force: Option<Few<Given, 3>>,
+    force: Option<ShortList<Given, 3>>,
     /// The point where the weight or force acts, m; the origin if left out.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
-    at: Option<Few<Given, 3>>,
+    at: Option<ShortList<Given, 3>>,
     /// The axis of the turn by the right-hand rule, of any length but zero; in space only.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, 3>>"))]
-    axis: Option<Few<Given, 3>>,
+    axis: Option<ShortList<Given, 3>>,
     /// A constant wrench in addition to the weight or force.
     beside: Option<Wrench<C>>,
     /// The constant part of `constant + cosine cos θ + sine sin θ`, instead of a weight or force.
@@ -102,7 +102,7 @@ impl<const C: usize> WrittenTurn<C> {
     }
 
     /// The turn of a force that acts at a point: in the plane from x to y, in space by the right-hand rule.
-    fn of_force(&self, name: &str, force: &Few<Given, 3>) -> Result<Turn<C>, String> {
+    fn of_force(&self, name: &str, force: &ShortList<Given, 3>) -> Result<Turn<C>, String> {
         let wrenches = [("constant", &self.constant), ("cosine", &self.cosine), ("sine", &self.sine)];
         if let Some((other, _)) = wrenches.iter().find(|(_, given)| given.is_some()) {
             return Err(format!("{name} and {other}: a turn has one of them"));
@@ -138,7 +138,7 @@ impl<const C: usize> Serialize for Turn<C> {
             let mut out = serializer.serialize_struct("Turn", 3)?;
             let is_planar = space_of_text::<C>() == Space::Planar;
             if !is_planar {
-                out.serialize_field("axis", &Few::<Computed, 3>::of(axis.as_slice()))?;
+                out.serialize_field("axis", &ShortList::<Computed, 3>::of(axis.as_slice()))?;
             }
             out.serialize_field("angle_rad", &Number::<Computed>::new(self.angle()))?;
             out.serialize_field("reversed", &(is_planar && axis[2] < 0.0))?;

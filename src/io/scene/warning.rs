@@ -39,7 +39,7 @@ pub enum Warning {
         /// The name of the contact in messages.
         name: String,
         /// The force `pressed_with`, N.
-        told: f64,
+        stated: f64,
         /// The normal force without load, N.
         force: f64,
     },
@@ -68,7 +68,7 @@ pub enum Warning {
         /// The name of the link in messages.
         name: String,
         /// The given pretension, N.
-        told: f64,
+        stated: f64,
         /// The pull without load, N.
         force: f64,
     },
@@ -173,14 +173,14 @@ impl fmt::Display for Warning {
             Self::NoGravity => f.write_str(
                 "bodies have a `mass`, but the scene has no `gravity`: nothing weighs, and nothing else presses",
             ),
-            Self::PressesOtherwise { name, told, force, .. } => write!(
+            Self::PressesOtherwise { name, stated, force, .. } => write!(
                 f,
                 "{} presses with {} N at rest, not with {} N: `pressed_with` moves a spring, and the object gives way until forces agree",
                 printable(name),
                 words.number(*force),
-                words.number(*told)
+                words.number(*stated)
             ),
-            Self::PullsOtherwise { name, told, force, .. } => write_pull(f, words, name, [*force, *told]),
+            Self::PullsOtherwise { name, stated, force, .. } => write_pull(f, words, name, [*force, *stated]),
             Self::MuchFriction { names, friction, .. } => write!(
                 f,
                 "friction {} at {}: coefficients are rarely above 1; in percent? Then it is {}",
@@ -282,9 +282,14 @@ fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle
 }
 
 /// Writes the pull of a spring or a cable without load, and its pretension, N. Both are negative for a spring that pushes.
-fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told]: [f64; 2]) -> fmt::Result {
-    let [now, nominal] = [force, told].each(|x| words.number(x * told.signum()));
-    let (does, why) = if told < 0.0 {
+fn write_pull(
+    f: &mut fmt::Formatter<'_>,
+    words: Words,
+    name: &str,
+    [force, stated]: [f64; 2],
+) -> fmt::Result {
+    let [now, nominal] = [force, stated].each(|x| words.number(x * stated.signum()));
+    let (verb, why) = if stated < 0.0 {
         ("pushes", "`pretension` acts before anything gives way; a larger one pushes with more")
     } else {
         (
@@ -292,7 +297,7 @@ fn write_pull(f: &mut fmt::Formatter<'_>, words: Words, name: &str, [force, told
             "`pretension` is its pull before anything gives way; say `tension` for the pull once it is installed",
         )
     };
-    write!(f, "{} {does} with {now} N at rest, not with {nominal} N: {why}", printable(name))
+    write!(f, "{} {verb} with {now} N at rest, not with {nominal} N: {why}", printable(name))
 }
 
 /// The names of contacts as one text, for messages.

@@ -7,11 +7,11 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use super::carried::{WrittenMass, WrittenTurning};
+use super::load_by_mass::{WrittenMass, WrittenTurning};
 use crate::grasp::{Face, PointsOfAction, Space, Twist, Wrench};
 use crate::numerics::{Vector, by_axis};
 use crate::serial::object;
-use crate::serial::{Computed, Few, Given, Number, space_of_text};
+use crate::serial::{Computed, Given, Number, ShortList, space_of_text};
 
 fn write<S: Serializer>(
     serializer: S,
@@ -21,19 +21,23 @@ fn write<S: Serializer>(
 ) -> Result<S::Ok, S::Error> {
     let (linear, angular) = coordinates.as_slice()[..space.of_the_object()].split_at(space.axes());
     let mut out = serializer.serialize_struct(name, 2)?;
-    out.serialize_field(linear_name, &Few::<Computed, 3>::of(linear))?;
+    out.serialize_field(linear_name, &ShortList::<Computed, 3>::of(linear))?;
     if let [moment] = angular {
         out.serialize_field(angular_name, &Number::<Computed>::new(*moment))?;
     } else {
-        out.serialize_field(angular_name, &Few::<Computed, 3>::of(angular))?;
+        out.serialize_field(angular_name, &ShortList::<Computed, 3>::of(angular))?;
     }
     out.end()
 }
 
 /// The `expected` components of the part `name` of a wrench or a twist; zero if it is left out.
-pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) -> Result<[f64; 3], String> {
+pub(super) fn part<K>(
+    given: Option<&ShortList<K, 3>>,
+    expected: usize,
+    name: &str,
+) -> Result<[f64; 3], String> {
     let mut part = [0.0; 3];
-    if let Some(given) = given.map(Few::as_slice) {
+    if let Some(given) = given.map(ShortList::as_slice) {
         if given.len() != expected {
             let (count, space) = (given.len(), if expected == 3 { "space" } else { "the plane" });
             let numbers = if count == 1 { "number" } else { "numbers" };
@@ -45,7 +49,7 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
 }
 
 /// The linear and the angular part in one vector; `names` are the names of the parts, for messages.
-fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
+fn join<K>(space: Space, parts: [Option<&ShortList<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
     let (axes, turns) = (space.axes(), space.planes().len());
     let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);
     let mut coordinates = Vector::zeros();
@@ -61,21 +65,21 @@ fn join<K>(space: Space, parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Re
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct WrittenWrench {
-    force: Option<Few<Given, 3>>,
-    moment: Option<Few<Given, 3>>,
-    at: Option<Few<Given, 3>>,
+    force: Option<ShortList<Given, 3>>,
+    moment: Option<ShortList<Given, 3>>,
+    at: Option<ShortList<Given, 3>>,
     mass: Option<Number<Given>>,
-    inertia: Option<Few<Given, 3>>,
-    gravity: Option<Few<Given, 3>>,
-    accelerated: Option<Few<Given, 3>>,
+    inertia: Option<ShortList<Given, 3>>,
+    gravity: Option<ShortList<Given, 3>>,
+    accelerated: Option<ShortList<Given, 3>>,
     turning: Option<WrittenTurning>,
 }
 
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct WrittenTwist {
-    translation: Option<Few<Computed, 3>>,
-    rotation: Option<Few<Computed, 3>>,
+    translation: Option<ShortList<Computed, 3>>,
+    rotation: Option<ShortList<Computed, 3>>,
 }
 
 /// The expected form of a wrench, for the message about any other value.

@@ -188,7 +188,7 @@ impl<'de> Deserialize<'de> for Format {
 }
 
 #[derive(serde::Serialize)]
-struct Out<'a> {
+struct SceneText<'a> {
     format: Format,
     #[serde(skip_serializing_if = "Option::is_none")]
     id: Option<&'a Id>,
@@ -204,7 +204,7 @@ struct Out<'a> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{ "required": ["planar"] }, { "required": ["spatial"] }])))]
 #[serde(deny_unknown_fields)]
-struct In {
+struct SceneFields {
     /// The place where an editor finds the schema; the crate ignores it.
     #[serde(default, rename = "$schema")]
     _schema: Option<String>,
@@ -230,33 +230,39 @@ impl Serialize for Scene {
         let only = |space: Space| Some(setup).filter(|setup| setup.space == space);
         let (planar, spatial) = (only(Space::Planar), only(Space::Spatial));
         let (id, comment) = (id.as_ref(), comment.as_deref());
-        Out { format: Format, id, comment, planar, spatial }.serialize(serializer)
+        SceneText { format: Format, id, comment, planar, spatial }.serialize(serializer)
     }
 }
 
 /// A scene whose lengths are not yet converted to m: they are in the unit of its text.
-pub(super) struct InItsUnit(pub(super) Scene);
+pub(super) struct SceneInTextUnit(pub(super) Scene);
 
-impl<'de> Deserialize<'de> for InItsUnit {
+impl<'de> Deserialize<'de> for SceneInTextUnit {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        object::read(deserializer, "a scene", |In { format, id, comment, unit, planar, spatial, .. }| {
-            if format.is_none() {
-                return Err(format!("missing field `format`: write \"format\": \"{FORMAT}\""));
-            }
-            let setup = match (planar, spatial) {
-                (Some(PlanarSetup(setup)), None) | (None, Some(setup)) => setup,
-                (None, None) => return Err("missing field `planar` or `spatial`".to_owned()),
-                (Some(_), Some(_)) => return Err("planar and spatial: a scene has one of them".to_owned()),
-            };
-            Ok(Self(Scene { id, comment, unit: unit.unwrap_or_default(), setup }))
-        })
+        object::read(
+            deserializer,
+            "a scene",
+            |SceneFields { format, id, comment, unit, planar, spatial, .. }| {
+                if format.is_none() {
+                    return Err(format!("missing field `format`: write \"format\": \"{FORMAT}\""));
+                }
+                let setup = match (planar, spatial) {
+                    (Some(PlanarSetup(setup)), None) | (None, Some(setup)) => setup,
+                    (None, None) => return Err("missing field `planar` or `spatial`".to_owned()),
+                    (Some(_), Some(_)) => {
+                        return Err("planar and spatial: a scene has one of them".to_owned());
+                    }
+                };
+                Ok(Self(Scene { id, comment, unit: unit.unwrap_or_default(), setup }))
+            },
+        )
     }
 }
 
 /// Refuses lengths in another unit than m, which only [`Scene::from_json`] converts.
 impl<'de> Deserialize<'de> for Scene {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let InItsUnit(scene) = InItsUnit::deserialize(deserializer)?;
+        let SceneInTextUnit(scene) = SceneInTextUnit::deserialize(deserializer)?;
         match scene.unit {
             Unit::Metre => Ok(scene),
             unit => Err(D::Error::custom(format_args!(
@@ -267,4 +273,4 @@ impl<'de> Deserialize<'de> for Scene {
 }
 
 #[cfg(feature = "schema")]
-crate::serial::schema_as_written!("Scene", Scene, In);
+crate::serial::schema_as_written!("Scene", Scene, SceneFields);

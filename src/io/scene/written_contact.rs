@@ -9,10 +9,10 @@ use serde::ser::{Serialize, Serializer};
 use super::cup::WrittenSuction;
 use super::fingertip::{Fingertip, MovedBy};
 use super::matrix::Rows;
-use super::patch::Tip;
+use super::patch::FingertipPatch;
 use super::springs::Springs;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::{Axes, Contact, Hold, Stiffness, inside};
+use crate::grasp::{CommandAxes, Contact, Hold, Stiffness, inside};
 use crate::improve::Surface;
 use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, space_of_text};
@@ -49,7 +49,7 @@ struct Written<const C: usize> {
     /// A pad that closes on the part, in place of point and normal.
     #[cfg(feature = "mesh")]
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    touches: Option<super::part::Touches>,
+    touches: Option<super::part::PadTouch>,
     /// The direction of the first tangent; chosen from the normal if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     tangent: Option<AxisRow<Given, C>>,
@@ -88,7 +88,7 @@ struct Written<const C: usize> {
     hold: Hold,
     /// The patch of a soft fingertip instead of the point.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    soft: Option<Tip>,
+    soft: Option<FingertipPatch>,
     /// A suction cup instead of the point, or the force of a vacuum within a soft fingertip, N.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     suction: Option<WrittenSuction>,
@@ -133,8 +133,8 @@ impl<const C: usize> Serialize for Fingertip<C> {
             Stiffness::Series(k) => (None, None, unless_rigid(k)),
         };
         let said = |x: f64| x.to_bits() != 0;
-        let command_along = |axes: Axes| {
-            let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
+        let command_along = |axes: CommandAxes| {
+            let given = axes == CommandAxes::World || contact.command.iter().any(|x| said(*x));
             (given && axes == contact.command_axes).then(|| AxisRow::new(contact.command))
         };
         Written {
@@ -152,8 +152,8 @@ impl<const C: usize> Serialize for Fingertip<C> {
             series_stiffness: series,
             friction: said(contact.friction).then(|| Number::new(contact.friction)),
             kinetic_friction: contact.kinetic.map(Number::new),
-            command: command_along(Axes::Frame),
-            command_world: command_along(Axes::World),
+            command: command_along(CommandAxes::Frame),
+            command_world: command_along(CommandAxes::World),
             pressed_with: contact.press,
             force: contact.force,
             clearance: said(contact.clearance).then_some(contact.clearance),
@@ -222,7 +222,7 @@ impl<const C: usize> Fingertip<C> {
         };
         let pressed = [("pressed_with", written.pressed_with), ("force", written.force)];
         if let Some((field, _)) = pressed.iter().find(|(_, given)| given.is_some())
-            && contact.command_axes == Axes::Frame
+            && contact.command_axes == CommandAxes::Frame
             && contact.command[0] != 0.0
         {
             let name = named(contact.name.as_deref());
@@ -288,7 +288,7 @@ impl<const C: usize> Fingertip<C> {
         contact.frame(0).map_err(fault)?;
         inside(&self).patch().map_err(fault)?;
         #[cfg(feature = "mesh")]
-        self.touches.as_ref().map(super::part::Touches::pad).transpose().map_err(fault)?;
+        self.touches.as_ref().map(super::part::PadTouch::pad).transpose().map_err(fault)?;
         Ok(self)
     }
 }

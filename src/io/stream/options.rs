@@ -11,7 +11,7 @@
 ///     "questions": [{"onset": {"direction": {"force": [0, -2]}}}]}}"#.replace('\n', "");
 /// let mut output = Vec::new();
 /// answer_lines(scene.as_bytes(), &mut output, &StreamOptions::default().in_brief())?;
-/// let brief = r#"{"line":1,"id":"a","brief":[{"question":"onset","outcome":"at","factor":5.0,"first":"contact 0","does":"slides"}]}"#;
+/// let brief = r#"{"line":1,"id":"a","brief":[{"question":"onset","outcome":"at","factor":5.0,"first":"contact 0","state":"slides"}]}"#;
 /// assert_eq!(String::from_utf8_lossy(&output).trim_end(), brief);
 /// # Ok::<(), std::io::Error>(())
 /// ```

@@ -232,7 +232,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::Line;
-    use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
+    use crate::contact::{Compliance, Coulomb, Law, LocalLaw, Polygon, PolygonCone, PolygonFit};
 
     /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n along the first tangent
     /// vanish at s = 1.
@@ -241,7 +241,7 @@ mod tests {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
         let polygon = Polygon::shared(
             crate::numerics::Space::Spatial,
-            &PolygonCone::new(8, Fit::Circumscribed).expect("a cone"),
+            &PolygonCone::new(8, PolygonFit::Circumscribed).expect("a cone"),
         );
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =

@@ -140,7 +140,7 @@ impl<'c> LocalLaw<'c> {
     }
 
     /// The state of the elastic trial, without slip or opening: sticking. An absent contact is open.
-    pub(crate) fn unjumped(&self) -> State {
+    pub(crate) fn trial_state(&self) -> State {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
@@ -151,7 +151,7 @@ impl<'c> LocalLaw<'c> {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
             Law::Edge(_) => Mode::Facet(0),
             Law::Cone { gap: true } => Mode::Open,
-            _ => self.unjumped(),
+            _ => self.trial_state(),
         }
     }
 

@@ -48,7 +48,7 @@ mod tangential;
 mod tolerances;
 mod turning_exits;
 
-pub use polygon::{Fit, PolygonCone};
+pub use polygon::{PolygonCone, PolygonFit};
 
 pub(crate) use active_set::ActiveSet;
 pub(crate) use answer::ContactResponse;

@@ -18,7 +18,7 @@ use crate::prelude::*;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum Fit {
+pub enum PolygonFit {
     /// Corners are on the circle: never more friction than on the round cone, and less by up to 1 - cos(π/m).
     #[default]
     Inscribed,
@@ -42,17 +42,17 @@ pub enum Fit {
 /// facets](crate::guide::choosing_facets).
 ///
 /// ```
-/// use grasp_lcp::{Error, Fit, PolygonCone};
+/// use grasp_lcp::{Error, PolygonFit, PolygonCone};
 ///
-/// let octagon = PolygonCone::new(8, Fit::Inscribed)?;
+/// let octagon = PolygonCone::new(8, PolygonFit::Inscribed)?;
 /// assert_eq!(octagon, PolygonCone::default());
-/// assert!(matches!(PolygonCone::new(2, Fit::Inscribed), Err(Error::Facets { given: 2, .. })));
+/// assert!(matches!(PolygonCone::new(2, PolygonFit::Inscribed), Err(Error::Facets { given: 2, .. })));
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PolygonCone {
     facets: usize,
-    fit: Fit,
+    fit: PolygonFit,
 }
 
 impl PolygonCone {
@@ -63,7 +63,7 @@ impl PolygonCone {
     ///
     /// # Errors
     /// [`Error::Facets`] unless 3 <= facets <= [`Self::MOST_FACETS`].
-    pub fn new(facets: usize, fit: Fit) -> Result<Self, Error> {
+    pub fn new(facets: usize, fit: PolygonFit) -> Result<Self, Error> {
         if (3..=Self::MOST_FACETS).contains(&facets) {
             Ok(Self { facets, fit })
         } else {
@@ -73,7 +73,7 @@ impl PolygonCone {
 
     /// The square with corners on both tangents.
     pub(crate) const fn square() -> Self {
-        Self { facets: 4, fit: Fit::Inscribed }
+        Self { facets: 4, fit: PolygonFit::Inscribed }
     }
 
     /// Number of facets m.
@@ -84,14 +84,14 @@ impl PolygonCone {
 
     /// Whether the polygon is inside the circle, outside, or balanced between both.
     #[must_use]
-    pub fn fit(&self) -> Fit {
+    pub fn fit(&self) -> PolygonFit {
         self.fit
     }
 }
 
 impl Default for PolygonCone {
     fn default() -> Self {
-        Self { facets: 8, fit: Fit::Inscribed }
+        Self { facets: 8, fit: PolygonFit::Inscribed }
     }
 }
 
@@ -128,9 +128,9 @@ impl Polygon {
         let m = cone.facets;
         let half = TAU / (2.0 * m as f64);
         let facet_distance = match cone.fit {
-            Fit::Inscribed => half.cos(),
-            Fit::Circumscribed => 1.0,
-            Fit::Balanced => half.cos().sqrt(),
+            PolygonFit::Inscribed => half.cos(),
+            PolygonFit::Circumscribed => 1.0,
+            PolygonFit::Balanced => half.cos().sqrt(),
         };
         let corner_distance = facet_distance / half.cos();
         let ray = |half_turns: usize, length: f64| {
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn corners_lie_on_their_two_facets() {
-        for fit in [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced] {
+        for fit in [PolygonFit::Inscribed, PolygonFit::Circumscribed, PolygonFit::Balanced] {
             for m in [3, 4, 7, 8, 64] {
                 let polygon = Polygon::new(Space::Spatial, &PolygonCone { facets: m, fit });
                 for j in 0..m {
@@ -201,9 +201,9 @@ mod tests {
                 }
                 let (inner, outer) = (1.0 / polygon.normals[0].norm(), polygon.corners[0].norm());
                 match fit {
-                    Fit::Inscribed => assert!((outer - 1.0).abs() < 1e-15),
-                    Fit::Circumscribed => assert!((inner - 1.0).abs() < 1e-15),
-                    Fit::Balanced => assert!((inner * outer - 1.0).abs() < 1e-14),
+                    PolygonFit::Inscribed => assert!((outer - 1.0).abs() < 1e-15),
+                    PolygonFit::Circumscribed => assert!((inner - 1.0).abs() < 1e-15),
+                    PolygonFit::Balanced => assert!((inner * outer - 1.0).abs() < 1e-14),
                 }
             }
         }

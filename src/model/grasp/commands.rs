@@ -7,7 +7,7 @@ use crate::numerics::{by_axis, dot};
 
 /// The axes along which a command is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Axes {
+pub(crate) enum CommandAxes {
     /// Axes of the contact frame, the normal first.
     Frame,
     /// Axes of the coordinate system in which the contact is given.
@@ -21,7 +21,7 @@ impl<const C: usize> Contact<C> {
     #[doc(alias = "commanded displacement", alias = "reference displacement")]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
-        self.command_axes = Axes::Frame;
+        self.command_axes = CommandAxes::Frame;
         self
     }
 
@@ -39,7 +39,7 @@ impl<const C: usize> Contact<C> {
     /// ```
     pub fn command_world(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
-        self.command_axes = Axes::World;
+        self.command_axes = CommandAxes::World;
         self
     }
 
@@ -124,8 +124,8 @@ impl<const C: usize> Contact<C> {
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
         let mut command = match self.command_axes {
-            Axes::Frame => self.command,
-            Axes::World => {
+            CommandAxes::Frame => self.command,
+            CommandAxes::World => {
                 let along = |frame: SMatrix<f64, C, C>| {
                     by_axis(|axis| dot(frame.column(axis).as_slice(), self.command.as_slice()))
                 };
@@ -141,12 +141,12 @@ impl<const C: usize> Contact<C> {
     /// The command along the coordinate axes, if it was given by [`Self::command_world`].
     #[inline]
     pub(crate) fn commanded_in_world(&self) -> Option<&SVector<f64, C>> {
-        (self.command_axes == Axes::World).then_some(&self.command)
+        (self.command_axes == CommandAxes::World).then_some(&self.command)
     }
 
     /// The contact with its command in the contact frame and its pressing force converted to a command.
     pub(super) fn resolved(mut self) -> Self {
-        (self.command, self.command_axes, self.press) = (self.commanded(), Axes::Frame, None);
+        (self.command, self.command_axes, self.press) = (self.commanded(), CommandAxes::Frame, None);
         self
     }
 }

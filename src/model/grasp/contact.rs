@@ -4,7 +4,7 @@ use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::commands::Axes;
+use super::commands::CommandAxes;
 use super::stiffness::Stiffness;
 use crate::error::ContactLabel;
 use crate::numerics::Space;
@@ -70,7 +70,7 @@ pub struct Contact<const C: usize> {
     pub(crate) kinetic: Option<f64>,
     pub(crate) command: SVector<f64, C>,
     /// Axes of `command`; they are the axes of the contact frame once the contact is part of a grasp.
-    pub(crate) command_axes: Axes,
+    pub(crate) command_axes: CommandAxes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
     /// Given normal force in the equilibrium without the load of a question, after all springs have deflected, N. When the grasp is made, it computes
@@ -106,7 +106,7 @@ impl<const C: usize> Contact<C> {
             friction: 0.0,
             kinetic: None,
             command: SVector::zeros(),
-            command_axes: Axes::Frame,
+            command_axes: CommandAxes::Frame,
             press: None,
             at_rest: None,
             force: None,

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::bodies::{PlacedBodies, refuse_sides};
+use super::cached_value::CachedValue;
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
-use super::remembered::Remembered;
 use super::site::Site;
 use super::vacuum::Vacuum;
 use super::whole_contact::WholeContacts;
@@ -37,7 +37,7 @@ pub(crate) struct Engine {
     /// Total pull of all vacuums on the object, which acts in addition to the caller's loads; `None` without a vacuum.
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
-    trial: Remembered,
+    trial: CachedValue,
     /// Contact states in which a similar grasp is at rest. Searches with many coordinates begin near these states. Empty if no such states are known.
     pub(crate) near: Vec<State>,
 }
@@ -134,7 +134,7 @@ impl Engine {
         for (index, contact) in contacts.iter().enumerate() {
             sites.push(Site::new(space, size, (contact, index), (&origin, length))?);
         }
-        let (vacuum, trial) = (Vacuum::of(space, &contacts, &sites), Remembered::default());
+        let (vacuum, trial) = (Vacuum::of(space, &contacts, &sites), CachedValue::default());
         let wholes = WholeContacts::of(&contacts);
         let (linkage, near) = (None, Vec::new());
         Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage, vacuum, trial, near })
@@ -242,7 +242,7 @@ impl Engine {
     }
 
     /// Storage for the matrix factors of the elastic trial, in which all contacts stick.
-    pub(crate) fn remembered_trial(&self) -> &Remembered {
+    pub(crate) fn remembered_trial(&self) -> &CachedValue {
         &self.trial
     }
 

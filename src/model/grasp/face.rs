@@ -11,7 +11,7 @@ use core::any::Any;
 use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::bodies::{BodyLoad, BodyMotion};
-use super::commands::Axes;
+use super::commands::CommandAxes;
 use super::contact::{Contact, Hold};
 use super::motion::Motion;
 use super::stiffness::Stiffness;
@@ -331,7 +331,7 @@ face_of_struct! {
     BodyMotion { body, twist, centre, reach }
 }
 
-same_on_both_sides! { Axes, Hold, LinkKind }
+same_on_both_sides! { CommandAxes, Hold, LinkKind }
 
 face_of_struct! {
     Contact {

@@ -11,7 +11,7 @@
 
 use nalgebra::{AbstractRotation, Isometry, SMatrix, SVector};
 
-use super::commands::Axes;
+use super::commands::CommandAxes;
 use super::contact::Contact;
 use super::wrench::{Twist, Wrench};
 use crate::numerics::Vector;
@@ -42,7 +42,7 @@ impl<const C: usize> Contact<C> {
         self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
         self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
         self.normal = pose.rotation.transform_vector(&self.normal);
-        if self.command_axes == Axes::World {
+        if self.command_axes == CommandAxes::World {
             self.command = pose.rotation.transform_vector(&self.command);
         }
         self

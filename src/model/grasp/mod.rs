@@ -23,6 +23,7 @@
 
 mod axis;
 mod bodies;
+mod cached_value;
 mod commands;
 mod contact;
 mod contact_springs;
@@ -40,7 +41,6 @@ mod payload;
 mod points_of_action;
 mod pressure;
 mod rectangular_pad;
-mod remembered;
 mod rigid_motion;
 mod rotation;
 mod scaled;
@@ -58,8 +58,9 @@ pub(crate) use crate::numerics::Space;
 #[cfg(feature = "serde")]
 pub(crate) use bodies::LinkPlace;
 pub use bodies::{Bodies, Body, BodyLoad, BodyMotion, Link};
+pub(crate) use cached_value::CachedValue;
 #[cfg(feature = "serde")]
-pub(crate) use commands::Axes;
+pub(crate) use commands::CommandAxes;
 pub use contact::{Contact, Hold};
 pub(crate) use coordinates::Coordinates;
 pub(crate) use engine::Engine;
@@ -69,13 +70,12 @@ pub(crate) use face::{
 pub use fingertip::SoftFingertip;
 #[cfg(feature = "serde")]
 pub(crate) use hand::JointMotion;
-pub(crate) use hand::{Drive, Linkage, Named, Owner, Role, SLIDE_OF};
+pub(crate) use hand::{Drive, DriveLaw, DriveOwner, Linkage, NamedPart, SLIDE_OF};
 pub use hand::{Finger, Hand, HandPart, Joint, JointKind, Limit, PartLabel, Tendon};
 pub use motion::Motion;
 pub use payload::{ArmMotion, Payload};
 pub(crate) use points_of_action::PointsOfAction;
 pub use pressure::Pressure;
-pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{assert_plane_or_space, of_axes};
 pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::pad::{Pad, PadPoint};
 use super::part::Part;
-use super::rays::{FLUSH, Hit, Met};
+use super::rays::{FLUSH, PadHits, RayHit};
 use super::touched::{Touched, advance_under};
 use crate::error::{Error, Field};
 use crate::grasp::Contact;
@@ -21,9 +21,9 @@ pub struct Touch {
 }
 
 /// A point of the pad, and where it meets the part.
-struct Meeting<'p> {
+struct PadPointHit<'p> {
     point: &'p PadPoint,
-    hit: Hit,
+    hit: RayHit,
     /// Travel along the closing direction until the point touches, m.
     travel: f64,
 }
@@ -42,20 +42,20 @@ impl Touch {
     /// [`Error::Misses`] if no point of the pad meets the part, or if some points start inside the part. [`Error::Contact`] with index 0 for data out
     /// of range, and for a constant force on a part that is not flat and normal to the closing direction.
     pub fn on(&self, part: &Part) -> Result<Touched, Error> {
-        self.on_as(0, part)
+        self.on_for_contact(0, part)
     }
 
     /// [`Self::on`] for the contact with this index, which errors name.
-    pub(crate) fn on_as(&self, index: usize, part: &Part) -> Result<Touched, Error> {
+    pub(crate) fn on_for_contact(&self, index: usize, part: &Part) -> Result<Touched, Error> {
         let mut contact = self.contact.clone();
         if let Some([normal, tangential]) = self.pad.stiffness() {
             contact = contact.finger_stiffness(normal, tangential);
         }
         contact.check(index)?;
         let frame = contact.frame(index)?;
-        let Met { hits, foremost } = part.met_by(&self.pad, &frame, &contact.point);
-        let meetings = self.meetings(index, hits)?;
-        let missing = 1.0 - summed(&meetings, &|meeting| meeting.point.share);
+        let PadHits { hits, foremost } = part.hits_of_pad(&self.pad, &frame, &contact.point);
+        let pad_point_hits = self.pad_point_hits(index, hits)?;
+        let missing = 1.0 - summed(&pad_point_hits, &|meeting| meeting.point.share);
         let near = FLUSH * part.size;
         let gap = |travel: f64| {
             let behind = travel - foremost;
@@ -65,8 +65,8 @@ impl Touch {
         // If a face is normal to the closing direction up to rounding, its normal is set to this direction.
         let straightened =
             |normal: &Vector3<f64>| if (normal - closing).norm() <= FLUSH { closing } else { *normal };
-        let mut points = Vec::with_capacity(meetings.len());
-        for (i, meeting) in meetings.iter().enumerate() {
+        let mut points = Vec::with_capacity(pad_point_hits.len());
+        for (i, meeting) in pad_point_hits.iter().enumerate() {
             let normal = straightened(&meeting.hit.normal);
             if contact.force.is_some() && (normal != closing || gap(meeting.travel) != contact.clearance) {
                 let (field, value) = (Field::Force, contact.force.unwrap_or(0.0));
@@ -90,7 +90,7 @@ impl Touch {
                 ..contact.clone()
             });
         }
-        let gaps: Vec<f64> = mapped(&meetings, &|meeting| gap(meeting.travel));
+        let gaps: Vec<f64> = mapped(&pad_point_hits, &|meeting| gap(meeting.travel));
         let commanded = frame * Contact { press: None, ..contact.clone() }.commanded();
         let advance = match contact.press {
             None => commanded.dot(&closing),
@@ -99,7 +99,7 @@ impl Touch {
         let along = commanded + closing * (advance - commanded.dot(&closing));
         let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
         let mut steepest = 0.0_f64;
-        for ((point, meeting), gap) in points.iter_mut().zip(&meetings).zip(&gaps) {
+        for ((point, meeting), gap) in points.iter_mut().zip(&pad_point_hits).zip(&gaps) {
             // Until a point touches, its motion along the surface does not stretch its tangential springs.
             let slope = closing - point.normal * point.normal.dot(&closing);
             *point = point.clone().command_world(along - slope * advance.min(*gap).max(0.0));
@@ -112,21 +112,21 @@ impl Touch {
 
     /// The points of the pad that meet the part, each with the hit of its ray and its travel. Returns an error if no point meets the part, or if a
     /// point starts inside the part.
-    fn meetings(&self, index: usize, hits: Vec<Option<Hit>>) -> Result<Vec<Meeting<'_>>, Error> {
+    fn pad_point_hits(&self, index: usize, hits: Vec<Option<RayHit>>) -> Result<Vec<PadPointHit<'_>>, Error> {
         let misses = |fault: &'static str| Err(Error::Misses { contact: self.contact.label(index), fault });
-        let mut meetings = Vec::new();
+        let mut pad_point_hits = Vec::new();
         for (point, hit) in self.pad.points.iter().zip(hits) {
             let Some(hit) = hit else { continue };
             if hit.leaves {
                 return misses("begins inside the part, must begin in front of it");
             }
-            meetings.push(Meeting { point, hit, travel: hit.depth - point.offset[0] });
+            pad_point_hits.push(PadPointHit { point, hit, travel: hit.depth - point.offset[0] });
         }
-        if meetings.is_empty() {
+        if pad_point_hits.is_empty() {
             return misses(
                 "misses the part: no point of it lies ahead of the pad along the closing direction",
             );
         }
-        Ok(meetings)
+        Ok(pad_point_hits)
     }
 }

@@ -146,7 +146,7 @@ impl Pad {
         // Rays start in front of the surface, and run against the closing direction of the pad.
         let front = contact.point + closing * (high[0] + surface.size - closing.dot(&contact.point));
         let of_rays = Matrix3::from_columns(&[-closing, one, -other]);
-        let hits = surface.met_by(&flat, &of_rays, &front).hits;
+        let hits = surface.hits_of_pad(&flat, &of_rays, &front).hits;
         let (mut points, mut stretch) = (Vec::new(), 0.0);
         for (point, hit) in flat.points.iter().zip(hits) {
             let Some(hit) = hit else { continue };

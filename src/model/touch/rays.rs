@@ -15,7 +15,7 @@ pub(super) const FLUSH: f64 = 1e-9;
 
 /// The point where a ray meets the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Hit {
+pub(super) struct RayHit {
     /// Distance along the ray from the pad's plane, m.
     pub(super) depth: f64,
     /// Unit normal of the triangle, into the part.
@@ -25,9 +25,9 @@ pub(super) struct Hit {
 }
 
 /// The points where a pad meets the part.
-pub(super) struct Met {
+pub(super) struct PadHits {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
-    pub(super) hits: Vec<Option<Hit>>,
+    pub(super) hits: Vec<Option<RayHit>>,
     /// Least travel, m, at which a point of the pad or its centre meets the part, or the pad meets a vertex of the mesh.
     pub(super) foremost: f64,
 }
@@ -35,11 +35,11 @@ pub(super) struct Met {
 impl Part {
     /// The positions at which a pad meets the part: the first hit of the ray from each of its points, and from its centre. The columns of
     /// `frame` are the closing direction and two tangents; `from` is the centre of the pad.
-    pub(super) fn met_by(&self, pad: &Pad, frame: &Matrix3<f64>, from: &Vector3<f64>) -> Met {
+    pub(super) fn hits_of_pad(&self, pad: &Pad, frame: &Matrix3<f64>, from: &Vector3<f64>) -> PadHits {
         let near = FLUSH * self.size;
         let mut rays: Vec<Vector3<f64>> = mapped(&pad.points, &|point| point.offset);
         rays.extend(pad.middle());
-        let mut hits: Vec<Option<Hit>> = vec![None; rays.len()];
+        let mut hits: Vec<Option<RayHit>> = vec![None; rays.len()];
         let mut foremost = f64::INFINITY;
         let (mut least, mut most) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         for ray in &rays {
@@ -84,7 +84,7 @@ impl Part {
                     depth < before.depth - near || (depth < before.depth + near && before.leaves && !leaves)
                 });
                 if sooner {
-                    *hit = Some(Hit { depth, normal: frame * normal / -length, leaves });
+                    *hit = Some(RayHit { depth, normal: frame * normal / -length, leaves });
                 }
             }
         }
@@ -92,6 +92,6 @@ impl Part {
             foremost = hit.map_or(foremost, |hit| foremost.min(hit.depth - ray[0]));
         }
         hits.truncate(pad.points.len());
-        Met { hits, foremost }
+        PadHits { hits, foremost }
     }
 }

@@ -13,7 +13,7 @@ use crate::grasp::{
     Bodies, Contact, Engine, Face, Finger, Hand, HandPart, WholeContact, Wrench, assert_plane_or_space,
     frame_outside, inside, outside,
 };
-use crate::hold::{Extent, OfThePath, Verdict};
+use crate::hold::{PathFacts, Verdict, VerdictScope};
 use crate::load_path::Ramp;
 use crate::numerics::{Each, IntoList, Once, Space, mapped, numbered};
 use crate::prelude::*;
@@ -123,7 +123,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
-    /// use grasp_lcp::{Fit, PolygonCone, Settings};
+    /// use grasp_lcp::{PolygonFit, PolygonCone, Settings};
     ///
     /// // Four fingers on a ring, 10 N each, μ = 0.5: the round cone carries 20 N upwards whatever the frames.
     /// let finger = |x: f64, y: f64| {
@@ -134,7 +134,7 @@ impl<const C: usize> Grasp<C> {
     /// assert!(grasp.solve(&up)?.equilibrium().is_some());
     ///
     /// // A triangle in the cone, its corner pointing sideways, does not.
-    /// let triangle = Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, Fit::Inscribed)?);
+    /// let triangle = Settings::default().on_the_polygon().with_cone(PolygonCone::new(3, PolygonFit::Inscribed)?);
     /// assert!(grasp.with(&triangle).solve(&up)?.equilibrium().is_none());
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -279,8 +279,8 @@ impl<const C: usize> Grasp<C> {
     pub(crate) fn hold_to_an_extent(
         &self,
         load: &Ramp<C>,
-        extent: Extent,
-    ) -> Result<(Verdict<C>, OfThePath), Error> {
+        extent: VerdictScope,
+    ) -> Result<(Verdict<C>, PathFacts), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, extent)?;
         Ok((outside(verdict), more))
     }
@@ -288,7 +288,7 @@ impl<const C: usize> Grasp<C> {
     /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a rotation,
     /// slip or opening to its limit of small motions, on the part of the path that was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
-        let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, Extent::Brief)?;
+        let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, VerdictScope::Brief)?;
         Ok((outside(verdict), more.farthest))
     }
 

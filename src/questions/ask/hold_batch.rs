@@ -30,7 +30,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// ```
     /// use grasp_lcp::Settings;
-    /// use grasp_lcp::hold::{How, LossVerb};
+    /// use grasp_lcp::hold::{VerdictKind, LossVerb};
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Jaws that press with 10 N each, μ = 0.5, under 4 N, 8 N, 12 N, …
@@ -41,7 +41,7 @@ impl<const C: usize> Grasp<C> {
     /// };
     /// let verdicts = Grasp::hold_batch(5, &row, &Settings::default().with_most_load(1.0));
     /// let verdicts: Vec<_> = verdicts.into_iter().collect::<Result<_, _>>()?;
-    /// assert_eq!(verdicts[1].how, How::Sticks);
+    /// assert_eq!(verdicts[1].how, VerdictKind::Sticks);
     /// assert!((verdicts[1].first_slip.expect("10 N of 8 N") - 1.25).abs() < 1e-12);
     /// assert_eq!((verdicts[2].holds(), verdicts[2].motion), (Some(false), Some(LossVerb::SlipsOut)));
     /// # Ok::<(), grasp_lcp::Error>(())

@@ -6,7 +6,7 @@ use core::ops::Range;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::numerics::Space;
 use crate::prelude::*;
-use crate::screening::{PointBatch, Pull, PutOn, WhileSticking};
+use crate::screening::{PointBatch, Pull, SlipAndRotation, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
@@ -62,7 +62,7 @@ pub(crate) fn while_sticking<const C: usize>(
         }
     }
     if let Some(batch) = batch {
-        let found = PutOn { pulls, turns: true }.answers(&batch);
+        let found = SlipAndRotation { pulls, turns: true }.answers(&batch);
         places.into_iter().zip(found).for_each(|(place, answer)| answers[place] = Some(answer));
     }
     answers

@@ -9,15 +9,15 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proo
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
-    Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss, Onset, PathEnd,
-    Ramp,
+    Change, ContactChange, DepartingContact, Departure, EndOfSmallMotions, Event, Leg, LoadPath, Loss, Onset,
+    PathEnd, Ramp,
 };
 use crate::object::Load;
 use crate::proofs::nothing_near;
-use crate::search::{Doubt, Settings, Settled};
+use crate::search::{Doubt, SearchOutcome, Settings};
 
-use super::caught::Caught;
-use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::caught_jump::CaughtJump;
+use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
@@ -25,7 +25,7 @@ use crate::prelude::*;
 
 /// How far [`Engine::hold_with`] follows the load path, and which data of the verdict it computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Extent {
+pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
     /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
@@ -40,13 +40,13 @@ pub(crate) enum Extent {
 
 /// Facts about the load path that [`Engine::hold_with`] returns in addition to the [`Verdict`].
 #[derive(Debug, Default)]
-pub(crate) struct OfThePath {
+pub(crate) struct PathFacts {
     /// The largest ratio of a rotation, slip or opening to its limit in [small motions](crate::Settings::small_motions), up to the whole load or the
-    /// end of the path. For [`Extent::Brief`] the path may reach beyond the whole load.
+    /// end of the path. For [`VerdictScope::Brief`] the path may reach beyond the whole load.
     pub(crate) farthest: f64,
-    /// The equilibrium under the base load. `None` if no such equilibrium was found, and for [`Extent::Brief`].
+    /// The equilibrium under the base load. `None` if no such equilibrium was found, and for [`VerdictScope::Brief`].
     pub(crate) at_rest: Option<AtRest>,
-    /// Number of jumps while the load is put on: a contact catches the object, or friction falls. It is 0 for [`Extent::Brief`].
+    /// Number of jumps while the load is put on: a contact catches the object, or friction falls. It is 0 for [`VerdictScope::Brief`].
     pub(crate) jumps: usize,
 }
 
@@ -84,7 +84,7 @@ impl RestingContact {
 impl Engine {
     /// Implements [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
-        Ok(self.hold_with(ramp, settings, Extent::Whole)?.0)
+        Ok(self.hold_with(ramp, settings, VerdictScope::Whole)?.0)
     }
 
     /// Implements [`Self::hold`] to the given extent; also returns facts about the load path.
@@ -92,13 +92,13 @@ impl Engine {
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
-        extent: Extent,
-    ) -> Result<(Verdict<3>, OfThePath), Error> {
+        extent: VerdictScope,
+    ) -> Result<(Verdict<3>, PathFacts), Error> {
         if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
         }
-        let brief = if extent == Extent::Brief { self.held_in_slips(ramp, settings) } else { None };
+        let brief = if extent == VerdictScope::Brief { self.held_in_slips(ramp, settings) } else { None };
         brief.map_or_else(|| self.held_on_a_path(ramp, settings, extent), Ok)
     }
 
@@ -106,19 +106,21 @@ impl Engine {
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
-        extent: Extent,
-    ) -> Result<(Verdict<3>, OfThePath), Error> {
+        extent: VerdictScope,
+    ) -> Result<(Verdict<3>, PathFacts), Error> {
         // The search for the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let states = match &rest {
-            Some((Settled::Found(found, _), _)) => found.states.clone(),
+            Some((SearchOutcome::Found(found, _), _)) => found.states.clone(),
             _ => Vec::new(),
         };
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
         let state = is_on.then(|| path.state()).flatten();
-        if matches!(extent, Extent::Measured | Extent::Decided) && path.end_of_small_motions().is_some() {
+        if matches!(extent, VerdictScope::Measured | VerdictScope::Decided)
+            && path.end_of_small_motions().is_some()
+        {
             path.run();
         }
         let mut farthest = path.farthest();
@@ -128,7 +130,7 @@ impl Engine {
             path.continue_with(&[Leg::along(&ramp.times(largest_factor - 1.0))])?;
             path.run_while_small();
         }
-        if extent == Extent::Brief {
+        if extent == VerdictScope::Brief {
             farthest = path.farthest();
         }
         let reached = |(leg, fraction): (usize, f64)| {
@@ -156,7 +158,7 @@ impl Engine {
         });
         let lost = path.end().and_then(PathEnd::loss).filter(|_| too_far.is_none()).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
-            if matches!(extent, Extent::Brief | Extent::Decided) {
+            if matches!(extent, VerdictScope::Brief | VerdictScope::Decided) {
                 return lost;
             }
             let at_first =
@@ -184,17 +186,17 @@ impl Engine {
             lost: went_too_far.or(lost),
             state: None,
         };
-        if extent == Extent::Brief {
+        if extent == VerdictScope::Brief {
             verdict.lost.iter_mut().for_each(|lost| lost.state = None);
-            return Ok((verdict, OfThePath { farthest, ..Default::default() }));
+            return Ok((verdict, PathFacts { farthest, ..Default::default() }));
         }
         let rest = path.state_at(0, 0.0);
         let at_rest = rest
             .as_ref()
             .map(|rest| AtRest { contacts: mapped(&rest.contacts, &RestingContact::of), states });
         let jumps = events.iter().filter(|event| event.jump.is_some()).count();
-        let of_the_path = OfThePath { farthest, at_rest, jumps };
-        if extent == Extent::Decided {
+        let of_the_path = PathFacts { farthest, at_rest, jumps };
+        if extent == VerdictScope::Decided {
             return Ok((verdict, of_the_path));
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
@@ -203,7 +205,7 @@ impl Engine {
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
         verdict.left_out = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
-        verdict.caught = Caught::among(self.wholes(), &events);
+        verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
     }
@@ -214,12 +216,12 @@ impl Engine {
         path: &LoadPath<'_, 3>,
         base: &Wrench<3>,
         settings: &Settings,
-        extent: Extent,
+        extent: VerdictScope,
     ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
             // Following the base load from zero takes up to a thousand times as long as following the load on top of it.
-            if extent == Extent::Decided {
+            if extent == VerdictScope::Decided {
                 return otherwise;
             }
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
@@ -235,8 +237,8 @@ impl Engine {
                         none.proof,
                         Proof::EveryStateTried { .. } | Proof::EveryCaseContradicted { .. }
                     );
-                    let is_told = names_no_motion && matches!(extent, Extent::Whole);
-                    let at_rest = is_told.then(|| self.lost_at_rest(base, settings)).flatten();
+                    let needs_loss_at_rest = names_no_motion && matches!(extent, VerdictScope::Whole);
+                    let at_rest = needs_loss_at_rest.then(|| self.lost_at_rest(base, settings)).flatten();
                     Holding::NoRest { none: none.clone(), at_rest }
                 }
                 Outcome::Undecided(undecided) => or_at_rest(Holding::Undecided { doubt: undecided.doubt }),
@@ -310,7 +312,8 @@ impl Engine {
                     parts.with(&is_meant)
                 };
                 let slides = |i: usize| {
-                    let slides = |leaving: &Leaving<3>| matches!(leaving.how, Departure::Slides { .. });
+                    let slides =
+                        |leaving: &DepartingContact<3>| matches!(leaving.how, Departure::Slides { .. });
                     event.leaving.iter().any(|leaving| leaving.contact.index == i && slides(leaving))
                 };
                 Some(FirstSlip {
@@ -344,7 +347,7 @@ impl Engine {
         loss: &Loss<3>,
         ramp: &Ramp<3>,
         settings: &Settings,
-    ) -> Option<NothingNear> {
+    ) -> Option<NoEquilibriumNear> {
         let state = lost.state.as_ref()?;
         let load = self.load_alone(&ramp.load_at(1.0), "load").ok()?;
         let mut offsets = self.offsets();
@@ -362,7 +365,7 @@ impl Engine {
         let radius = radii.max_by(f64::total_cmp)?;
         let lengths = self.bodies().map_or_else(Vec::new, |bodies| self.rotation_lengths(bodies));
         let longest = self.length().max(largest(&lengths, &|length| *length));
-        Some(NothingNear { translation: radius, rotation: radius / longest })
+        Some(NoEquilibriumNear { translation: radius, rotation: radius / longest })
     }
 }
 

@@ -1,11 +1,11 @@
 //! Conversion of verdicts between the engine's vectors of three components and the callers' vectors of `C` components.
 
-use super::caught::Caught;
-use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::caught_jump::CaughtJump;
+use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
 
-same_on_both_sides! { Caught, FirstSlip, NothingNear }
+same_on_both_sides! { CaughtJump, FirstSlip, NoEquilibriumNear }
 
 face_of_struct! {
     Verdict { base, load, holding, first_slip, caught, held_to, everything_slides, left_out, lost, state }

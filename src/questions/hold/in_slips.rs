@@ -1,7 +1,7 @@
 //! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). Contact states are not
 //! searched for at each event.
 
-use super::applied_load::OfThePath;
+use super::applied_load::PathFacts;
 use super::verdict::{FirstSlip, Holding, Verdict};
 use crate::grasp::Engine;
 use crate::load_path::{InSlips, Ramp, SlipEnd};
@@ -16,7 +16,7 @@ impl Engine {
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
-    ) -> Option<(Verdict<3>, OfThePath)> {
+    ) -> Option<(Verdict<3>, PathFacts)> {
         let InSlips { slid, all_slide, factor, end, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
@@ -54,6 +54,6 @@ impl Engine {
             lost,
             state: None,
         };
-        Some((verdict, OfThePath { farthest, ..Default::default() }))
+        Some((verdict, PathFacts { farthest, ..Default::default() }))
     }
 }

@@ -11,7 +11,7 @@
 //! The first question is the usual one. [`Grasp::hold`](crate::ask::Grasp::hold) follows one load path ([`Grasp::follow`](crate::ask::Grasp::follow))
 //! without a search for other equilibria. Its verdict is undecided only if the path is undecided. If equilibrium is lost before the whole load is
 //! applied, the [`Verdict`] names the motion of the object ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium
-//! ([`NothingNear`]): a proof that holds whatever contacts have slipped before.
+//! ([`NoEquilibriumNear`]): a proof that holds whatever contacts have slipped before.
 //!
 //! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. The balance of the load W
 //! and the contact forces F_i gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most that of its normal force and of the
@@ -26,21 +26,21 @@
 //! senses, until one contact opens. The neighbourhood has the radius at which h could first reach `W·v`.
 
 mod applied_load;
-mod caught;
+mod caught_jump;
 mod driven_on;
 mod face;
 mod in_slips;
 mod left_out;
 mod loss;
-mod short;
+mod short_verdict;
 mod verdict;
 mod way_out;
 mod way_out_words;
 mod words;
 
-pub(crate) use applied_load::{AtRest, Extent, OfThePath};
-pub use caught::{Caught, MovesTo, SlippedBy};
-pub use short::{How, LossVerb, ShortVerdict};
-pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+pub(crate) use applied_load::{AtRest, PathFacts, VerdictScope};
+pub use caught_jump::{CaughtJump, CaughtMotion, CaughtSlip};
+pub use short_verdict::{LossVerb, ShortVerdict, VerdictKind};
+pub use verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 pub use way_out::WayOut;
-pub(crate) use words::does;
+pub(crate) use words::subject_and_verb;

@@ -7,7 +7,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-use super::caught::Caught;
+use super::caught_jump::CaughtJump;
 use super::way_out::WayOut;
 use crate::prelude::*;
 
@@ -33,7 +33,7 @@ pub struct Verdict<const C: usize> {
     /// The jumps up to the whole load or the loss, in each of which the object is caught. Contacts begin to slide with lower [kinetic
     /// friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub caught: Vec<Caught>,
+    pub caught: Vec<CaughtJump>,
     /// Largest load factor that is reached with the load held and motions [small](crate::Settings::small_motions); 0 if the grasp does not hold the
     /// base load.
     ///
@@ -212,7 +212,7 @@ pub struct Lost<const C: usize> {
     /// Proof that no equilibrium under the whole load exists near the loss. `None` if the whole load is held, suction cups let go, or no proof was
     /// found.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub nothing_near: Option<NothingNear>,
+    pub nothing_near: Option<NoEquilibriumNear>,
 }
 
 /// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
@@ -224,7 +224,7 @@ pub struct Lost<const C: usize> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct NothingNear {
+pub struct NoEquilibriumNear {
     /// Largest displacement from the state of the loss that is covered, m; infinite if no equilibrium exists at all.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub translation: f64,

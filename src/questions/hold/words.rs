@@ -3,8 +3,8 @@
 use alloc::borrow::Cow;
 use core::fmt;
 
-use super::caught::Caught;
-use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
+use super::caught_jump::CaughtJump;
+use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench};
@@ -38,7 +38,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                     }
                     _ if contacts.is_empty() => {}
                     // A contact that closes and slides only later is not part of the first slip, but this sentence names it, too.
-                    _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
+                    _ => write!(f, ", but {}", subject_and_verb(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
                 let all = self.everything_slides.filter(|all| *all <= 1.0 && self.continues_beyond(*all));
@@ -211,7 +211,7 @@ impl<const C: usize> Verdict<C> {
 
     /// Writes the clause about jumps in which the object slips and is caught; nothing without jumps.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Caught::write_clause(
+        CaughtJump::write_clause(
             &self.caught,
             self.load.measure(),
             matches!(self.holding, Holding::Slides { .. }),
@@ -275,13 +275,13 @@ impl fmt::Display for FirstSlip {
         let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
         let mut all = Vec::new();
         if !self.slide.is_empty() {
-            all.push(does(&self.slide, "slides", "slide"));
+            all.push(subject_and_verb(&self.slide, "slides", "slide"));
         }
         if !self.open.is_empty() {
             all.push(they_open(&self.open));
         }
         if !self.would_pull.is_empty() {
-            all.push(does(&self.would_pull, "would have to pull", "would have to pull"));
+            all.push(subject_and_verb(&self.would_pull, "would have to pull", "would have to pull"));
         }
         if !give_way.is_empty() {
             all.push(format!("{} {gives}", listed(&give_way)));
@@ -318,7 +318,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
         write!(f, "{:.digits$}", self.way_out)?;
         if !self.slide.is_empty() {
             let apart = if matches!(self.way_out, WayOut::Apart { .. }) { ";" } else { "," };
-            write!(f, "{apart} {}", does(&self.slide, "slides", "slide"))?;
+            write!(f, "{apart} {}", subject_and_verb(&self.slide, "slides", "slide"))?;
         }
         if self.is_gross_slip {
             f.write_str(" (gross slip)")?;
@@ -328,7 +328,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
 }
 
 /// Writes the proof: "no equilibrium under the whole load within 12 mm and 22.9° of this position", the object's position at the loss.
-impl fmt::Display for NothingNear {
+impl fmt::Display for NoEquilibriumNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("no equilibrium under the whole load")?;
         // Beyond a kilometre or half a turn the proof covers every motion of the model, which describes small motions alone.
@@ -346,12 +346,12 @@ pub(super) fn they_open(parts: &[WholeContact]) -> String {
     let (ropes, contacts): (Vec<_>, Vec<_>) = parts.iter().cloned().partition(|part| part.link.is_some());
     let clauses = [contacts, ropes].into_iter().filter_map(|list| {
         let link = list.first()?.link;
-        Some(does(&list, opens(link), open(link)))
+        Some(subject_and_verb(&list, opens(link), open(link)))
     });
     clauses.collect::<Vec<_>>().join(", ")
 }
 
 /// Names with a verb in singular or plural: "left slides", "left and right slide".
-pub(crate) fn does(parts: &[WholeContact], one: &str, many: &str) -> String {
+pub(crate) fn subject_and_verb(parts: &[WholeContact], one: &str, many: &str) -> String {
     format!("{} {}", listed(parts), if parts.len() == 1 { one } else { many })
 }

@@ -17,7 +17,7 @@ pub struct Identified {
     pub estimates: Vec<Estimate>,
     /// How the search for the unknowns ended: converged, out of steps, or with a slip that the model does not predict.
     #[cfg_attr(feature = "serde", serde(flatten))]
-    pub ending: Ending,
+    pub ending: FitEnding,
     /// Number of observed slips from which the unknowns are estimated.
     pub slips: usize,
     /// Number of groups of slips that may share errors; `None` if the slips have no groups.
@@ -90,7 +90,7 @@ pub struct Estimate {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum Ending {
+pub enum FitEnding {
     /// The estimates minimise the loss: no step nearby decreases it by more than rounding.
     Converged,
     /// The limit of steps was reached before convergence, so the estimates are not final.

@@ -3,8 +3,8 @@
 use crate::numerics::IntoList;
 use core::f64::consts::TAU;
 
-use super::model::{NoSlip, Predicted, SlipToPredict};
-use super::slip::Grown;
+use super::model::{Predicted, PredictionFailure, SlipToPredict};
+use super::slip::SlipLoad;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
@@ -13,10 +13,10 @@ use crate::prelude::*;
 
 /// The load factor or angle, rad, at which the model predicts first slip for one observation, with derivatives if asked for. The inner error is the
 /// reason why no slip is predicted.
-pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, PredictionFailure>, Error> {
     let onset = match target.slip.growing_load() {
-        Grown::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,
-        Grown::Turn(turn) => {
+        SlipLoad::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,
+        SlipLoad::Turn(turn) => {
             let around = turn.beside(target.base).up_to(turn.angle().max(TAU));
             target.grasp.onset_of_turn(around)?.onset
         }
@@ -27,11 +27,13 @@ pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, 
             Ok(Predicted { at: event.factor, exact })
         }
         Onset::GivesWay { factor, .. } => Ok(Predicted { at: *factor, exact: None }),
-        Onset::Never => Err(NoSlip::HoldsTooWell("nothing slides however far it goes")),
-        Onset::AlreadySliding(_) => Err(NoSlip::HoldsTooLittle("something slides already where it begins")),
-        Onset::NoBase(_) => Err(NoSlip::HoldsTooLittle("nothing holds where it begins")),
+        Onset::Never => Err(PredictionFailure::HoldsTooWell("nothing slides however far it goes")),
+        Onset::AlreadySliding(_) => {
+            Err(PredictionFailure::HoldsTooLittle("something slides already where it begins"))
+        }
+        Onset::NoBase(_) => Err(PredictionFailure::HoldsTooLittle("nothing holds where it begins")),
         Onset::Undecided(_) => {
-            Err(NoSlip::HoldsTooLittle("it is not known whether anything holds where it begins"))
+            Err(PredictionFailure::HoldsTooLittle("it is not known whether anything holds where it begins"))
         }
     })
 }

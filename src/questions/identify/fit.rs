@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::model::{Linear, Model, NoSlip};
+use super::model::{Linear, Model, PredictionFailure};
 use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
@@ -26,7 +26,7 @@ pub(super) enum FitEnd {
     Converged,
     Limit,
     /// The model predicts no load for this slip, either at the start of the search, or next to the point where the search stopped.
-    NoSlip(usize, NoSlip),
+    NoSlip(usize, PredictionFailure),
 }
 
 /// Relative standard deviations of the observations, by which residuals are divided.
@@ -72,13 +72,13 @@ impl Model<'_> {
 
 /// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted, and
 /// the reason.
-type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
+type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips: the given values of the unknowns, or these values with
 /// all friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost
 /// before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes and carried forces
 /// are multiplied instead.
-fn begun(model: &Model<'_>) -> Result<Begun, Error> {
+fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
@@ -93,8 +93,8 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
     // Twelve further trials reach factors down to 1/4096 if the grasp always holds too well, or up to 4096 if it always holds too little.
     for _ in 0..12 {
         match why {
-            NoSlip::HoldsTooWell(_) => too_much = Some(by),
-            NoSlip::HoldsTooLittle(_) => too_little = Some(by),
+            PredictionFailure::HoldsTooWell(_) => too_much = Some(by),
+            PredictionFailure::HoldsTooLittle(_) => too_little = Some(by),
         }
         by = match (too_little, too_much) {
             (Some(low), Some(high)) => 0.5 * (low + high),
@@ -115,7 +115,7 @@ fn begun(model: &Model<'_>) -> Result<Begun, Error> {
 
 /// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the given values.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
-    let (begin, linear) = begun(model)?;
+    let (begin, linear) = starting_fit(model)?;
     match linear {
         Ok(linear) => fitted_from(model, begin, linear),
         Err((slip, why)) => Ok(Fitted::from(begin, FitEnd::NoSlip(slip, why))),
@@ -136,7 +136,7 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear
     let mut damping = 1e-3;
     loop {
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
-        let steps = Steps::of(model, &linear, &fit.scatter);
+        let steps = LinearisedFit::of(model, &linear, &fit.scatter);
         let loss = model.loss(&linear.residuals, &fit.scatter);
         let full = steps.step(0.0);
         let is_little = |step: &DVector<f64>| {
@@ -191,7 +191,7 @@ pub(super) fn rank(linear: &Linear) -> usize {
 }
 
 /// The linearised least-squares problem at one point, as a singular value decomposition, from which damped steps follow.
-struct Steps {
+struct LinearisedFit {
     /// Singular values of the weighted derivatives.
     values: Vec<f64>,
     /// Right singular vectors of the weighted derivatives, as columns.
@@ -200,7 +200,7 @@ struct Steps {
     along: Vec<f64>,
 }
 
-impl Steps {
+impl LinearisedFit {
     /// The linearised least-squares problem at the point of `linear`. Each observation is weighted by its scatter and by Huber's weight of its
     /// residual.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {

@@ -8,8 +8,8 @@ use core::f64::consts::TAU;
 use nalgebra::SVector;
 
 use super::leaving::GrossSlip;
-use super::model::{NoSlip, Predicted, SlipToPredict};
-use super::slip::Grown;
+use super::model::{Predicted, PredictionFailure, SlipToPredict};
+use super::slip::SlipLoad;
 use crate::error::Error;
 use crate::grasp::{Motion, Twist};
 use crate::load_path::{Leg, PathEnd};
@@ -18,13 +18,13 @@ use crate::prelude::*;
 
 /// The load factor or angle, rad, at which the model predicts gross slip for one observation, with derivatives if asked for. The inner error is the
 /// reason why no slip is predicted.
-pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, PredictionFailure>, Error> {
     let (start, leg, most) = match target.slip.growing_load() {
-        Grown::Load(load) => {
+        SlipLoad::Load(load) => {
             let most = target.grasp.settings().most_load.max(1.0);
             (target.base, Leg::load_by(load * most), most)
         }
-        Grown::Turn(turn) => {
+        SlipLoad::Turn(turn) => {
             let most = turn.angle().max(TAU);
             let around = turn.beside(target.base).up_to(most);
             (around.load_at(0.0), Leg::turn(&around), most)
@@ -52,10 +52,12 @@ pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, 
             let motion = loss.motion.as_ref().filter(|_| is_steady).filter(is_one_object);
             Ok(prediction(loss.fraction * most, motion.map(|motion| &motion.object), &path.forces()))
         }
-        Some(PathEnd::Completed) => Err(NoSlip::HoldsTooWell("it is not lost as far as it was followed")),
-        Some(PathEnd::NoStart(_)) => Err(NoSlip::HoldsTooLittle("nothing holds where it begins")),
+        Some(PathEnd::Completed) => {
+            Err(PredictionFailure::HoldsTooWell("it is not lost as far as it was followed"))
+        }
+        Some(PathEnd::NoStart(_)) => Err(PredictionFailure::HoldsTooLittle("nothing holds where it begins")),
         Some(PathEnd::Undecided { .. }) | None => {
-            Err(NoSlip::HoldsTooWell("it is not known where it is lost"))
+            Err(PredictionFailure::HoldsTooWell("it is not known where it is lost"))
         }
     })
 }

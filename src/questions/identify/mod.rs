@@ -78,7 +78,7 @@ mod tolerances;
 mod unknown;
 mod words;
 
-pub use answer::{Ending, Estimate, Identified};
+pub use answer::{Estimate, FitEnding, Identified};
 pub use combination::FreeCombination;
 pub use question::Identify;
 #[cfg(feature = "serde")]

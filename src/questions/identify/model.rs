@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::question::Identify;
-use super::slip::{Grown, Slip, SlipKind};
+use super::slip::{Slip, SlipKind, SlipLoad};
 use super::unknown::UnknownKind;
 use super::{first, gross};
 use crate::ask::Grasp;
@@ -30,14 +30,14 @@ pub(super) struct LayoutGuess {
 
 /// The reason why the model predicts no load or angle for a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum NoSlip {
+pub(super) enum PredictionFailure {
     /// The object holds however far the load goes: friction, or the squeeze, is too large for the slip.
     HoldsTooWell(&'static str),
     /// Something slides or is lost before the load grows: friction, or the squeeze, is too small.
     HoldsTooLittle(&'static str),
 }
 
-impl NoSlip {
+impl PredictionFailure {
     /// The reason as a clause of a sentence.
     pub(super) fn says(self) -> &'static str {
         match self {
@@ -92,12 +92,15 @@ impl Model<'_> {
     }
 
     /// The residuals of all observations alone. The inner error is the first slip that the model does not predict, and the reason.
-    pub(super) fn residuals(&self, logs: &[f64]) -> Result<Result<Vec<f64>, (usize, NoSlip)>, Error> {
+    pub(super) fn residuals(
+        &self,
+        logs: &[f64],
+    ) -> Result<Result<Vec<f64>, (usize, PredictionFailure)>, Error> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
     /// The residuals of all observations and their derivatives. The inner error is the first slip that the model does not predict, and the reason.
-    pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, NoSlip)>, Error> {
+    pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, PredictionFailure)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,
             Err(none) => return Ok(Err(none)),
@@ -181,7 +184,7 @@ impl Model<'_> {
         &self,
         logs: &[f64],
         derivatives: bool,
-    ) -> Result<Result<Vec<Predicted>, (usize, NoSlip)>, Error> {
+    ) -> Result<Result<Vec<Predicted>, (usize, PredictionFailure)>, Error> {
         let layouts = self.at(logs)?;
         let numbers: Vec<_> = (0..self.asked.slips.len()).list();
         let prediction = self.slips(&numbers, &layouts, derivatives, logs);
@@ -203,7 +206,7 @@ impl Model<'_> {
         layouts: &[LayoutGuess],
         derivatives: bool,
         logs: &[f64],
-    ) -> Vec<Result<Result<Predicted, NoSlip>, Error>> {
+    ) -> Vec<Result<Result<Predicted, PredictionFailure>, Error>> {
         let slips = &self.asked.slips;
         let mut distinct: Vec<usize> = Vec::new();
         let mut alike = Vec::with_capacity(those.len());
@@ -225,7 +228,7 @@ impl Model<'_> {
         number: usize,
         derivatives: bool,
         logs: &[f64],
-    ) -> Result<Result<Predicted, NoSlip>, Error> {
+    ) -> Result<Result<Predicted, PredictionFailure>, Error> {
         let slip = &self.asked.slips[number];
         let LayoutGuess { grasp, base } = &layouts[slip.layout()];
         let squeezed;
@@ -245,7 +248,7 @@ impl Model<'_> {
             if prediction.at > 0.0 {
                 Ok(prediction)
             } else {
-                Err(NoSlip::HoldsTooLittle("something slides before anything pulls"))
+                Err(PredictionFailure::HoldsTooLittle("something slides before anything pulls"))
             }
         }))
     }
@@ -267,16 +270,16 @@ impl SlipToPredict<'_> {
     /// The total load at this load factor; for a turning load, at this angle, rad.
     pub(super) fn load_at(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
-            Grown::Load(load) => self.base + load * at,
-            Grown::Turn(turn) => self.base + turn.load_at(at),
+            SlipLoad::Load(load) => self.base + load * at,
+            SlipLoad::Turn(turn) => self.base + turn.load_at(at),
         }
     }
 
     /// The derivative of the total load with respect to the load factor; for a turning load, with respect to the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<3> {
         match self.slip.growing_load() {
-            Grown::Load(load) => load,
-            Grown::Turn(turn) => {
+            SlipLoad::Load(load) => load,
+            SlipLoad::Turn(turn) => {
                 let ([_, cosine, sine], (sin, cos)) = (turn.parts(), at.sin_cos());
                 sine * cos - cosine * sin
             }

@@ -55,16 +55,16 @@ pub struct Identify<const C: usize> {
     pub(super) iterations: Option<usize>,
     /// Grasps of other layouts in which slips were observed.
     #[cfg_attr(feature = "serde", serde(skip, default = "no_others"))]
-    pub(super) others: Others<C>,
+    pub(super) others: OtherLayouts<C>,
 }
 
 /// The grasps of other layouts. Two such lists are equal if the contacts of all their grasps are equal, whatever their joints and settings.
 #[derive(Debug, Clone)]
-pub(super) struct Others<const C: usize> {
+pub(super) struct OtherLayouts<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
 }
 
-impl<const C: usize> PartialEq for Others<C> {
+impl<const C: usize> PartialEq for OtherLayouts<C> {
     fn eq(&self, other: &Self) -> bool {
         let contacts = |others: &Self| mapped(&others.grasps, &|grasp| grasp.contacts().to_vec());
         contacts(self) == contacts(other)
@@ -72,8 +72,8 @@ impl<const C: usize> PartialEq for Others<C> {
 }
 
 #[cfg(feature = "serde")]
-fn no_others<const C: usize>() -> Others<C> {
-    Others { grasps: Vec::new() }
+fn no_others<const C: usize>() -> OtherLayouts<C> {
+    OtherLayouts { grasps: Vec::new() }
 }
 
 /// A sum of unknowns that is known from another measurement.
@@ -102,7 +102,7 @@ impl<const C: usize> Identify<C> {
             known: Vec::new(),
             outliers: None,
             iterations: None,
-            others: Others { grasps: Vec::new() },
+            others: OtherLayouts { grasps: Vec::new() },
         }
     }
 

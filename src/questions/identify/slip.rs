@@ -23,7 +23,7 @@ pub enum SlipKind {
 
 /// The load that grew until the slip, or the load that turned until the slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Grown {
+pub(super) enum SlipLoad {
     Load(Wrench<3>),
     Turn(Turn<3>),
 }
@@ -149,7 +149,7 @@ impl Slip<3> {
     /// This slip with its load split in two if nothing but this load presses. The component against the mean of the contact normals, as a rule a
     /// weight, becomes the base load; only the rest grows. If both grew together, the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
-        let Grown::Load(load) = self.growing_load() else { return self };
+        let SlipLoad::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
         if self.base() != Wrench::ZERO || grasp.presses() || !grasp.contacts().iter().all(is_plain) {
             return self;
@@ -184,8 +184,8 @@ impl Slip<3> {
     }
 
     /// The load that grew until the slip, or else the turn of a load.
-    pub(super) fn growing_load(&self) -> Grown {
-        self.turn.map_or_else(|| Grown::Load(self.load.unwrap_or(Wrench::ZERO)), Grown::Turn)
+    pub(super) fn growing_load(&self) -> SlipLoad {
+        self.turn.map_or_else(|| SlipLoad::Load(self.load.unwrap_or(Wrench::ZERO)), SlipLoad::Turn)
     }
 
     /// The base load, which acted before the slip's own load; zero if not given.
@@ -212,8 +212,8 @@ impl Slip<3> {
     /// The observed value to compare with a predicted one: load factor 1, or the angle of a turning load in rad.
     pub(super) fn observed_at(&self) -> f64 {
         match self.growing_load() {
-            Grown::Load(_) => 1.0,
-            Grown::Turn(turn) => turn.angle(),
+            SlipLoad::Load(_) => 1.0,
+            SlipLoad::Turn(turn) => turn.angle(),
         }
     }
 
@@ -232,11 +232,11 @@ impl Slip<3> {
         }
         self.base().check_in(space, "base load of a slip")?;
         match self.growing_load() {
-            Grown::Load(load) if load == Wrench::ZERO => {
+            SlipLoad::Load(load) if load == Wrench::ZERO => {
                 return wrong("size of the load", 0.0, "more than 0");
             }
-            Grown::Load(load) => load.check_in(space, "load of a slip")?,
-            Grown::Turn(turn) => turn.check_in(space)?,
+            SlipLoad::Load(load) => load.check_in(space, "load of a slip")?,
+            SlipLoad::Turn(turn) => turn.check_in(space)?,
         }
         if !(self.squeeze() > 0.0 && self.squeeze() <= 1e6) {
             return wrong("squeeze", self.squeeze(), "more than 0 and at most 1e6 times the one given");

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::answer::{Ending, Estimate, Identified};
+use super::answer::{Estimate, FitEnding, Identified};
 use super::combination::FreeCombination;
 use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
 use super::grouped::Grouped;
@@ -38,9 +38,9 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
         }
     });
     let ending = match fit.end {
-        FitEnd::Converged => Ending::Converged,
-        FitEnd::Limit => Ending::NotConverged { iterations: fit.iterations },
-        FitEnd::NoSlip(slip, why) => Ending::NotPredicted { slip, says: why.says().to_owned() },
+        FitEnd::Converged => FitEnding::Converged,
+        FitEnd::Limit => FitEnding::NotConverged { iterations: fit.iterations },
+        FitEnd::NoSlip(slip, why) => FitEnding::NotPredicted { slip, says: why.says().to_owned() },
     };
     let stays = |times: &[f64]| {
         let there: Vec<_> = fit.logs.iter().zip(times).map(|(log, times)| log + times.ln()).list();

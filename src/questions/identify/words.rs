@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::answer::{Ending, Estimate, Identified};
+use super::answer::{Estimate, FitEnding, Identified};
 use super::assignments::is_alike;
 use super::unknown::UnknownKind;
 use crate::numerics::{Each, IntoList, mapped};
@@ -13,7 +13,7 @@ impl fmt::Display for Identified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let slips = if self.slips == 1 { "1 slip".to_owned() } else { format!("{} slips", self.slips) };
-        if let Ending::NotPredicted { slip, says } = &self.ending {
+        if let FitEnding::NotPredicted { slip, says } = &self.ending {
             return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
         }
         let open: Vec<usize> = (0..self.estimates.len()).filter(|j| self.depends_on_assignment(*j)).list();
@@ -69,7 +69,7 @@ impl fmt::Display for Identified {
             far => write!(f, ". {far} slips lie far off and count less")?,
         }
         match self.ending {
-            Ending::NotConverged { iterations } => {
+            FitEnding::NotConverged { iterations } => {
                 write!(f, ". NOT CONVERGED in {iterations} steps: these numbers may still change")
             }
             _ => Ok(()),

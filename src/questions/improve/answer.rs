@@ -32,7 +32,7 @@ pub struct Improved<const C: usize> {
     pub contacts: Vec<Placed<C>>,
     /// The active sticking conditions, and active limits of forces, commands and places, that prevent a larger value, each with its multiplier; empty
     /// if no multipliers were found.
-    pub in_the_way: Vec<InTheWay>,
+    pub in_the_way: Vec<ActiveConstraint>,
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
     /// The larger of two residuals of first-order optimality. One is the largest component of the sum of the gradients of sticking conditions and
@@ -87,12 +87,12 @@ pub struct Placed<const C: usize> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct InTheWay {
+pub struct ActiveConstraint {
     /// The contact whose sticking condition or limit is active.
     pub contact: WholeContact,
     /// The sticking condition or limit that is active, with its multiplier.
     #[cfg_attr(feature = "serde", serde(flatten))]
-    pub binds: Binds,
+    pub binds: ActiveConstraintKind,
 }
 
 /// An active sticking condition, or an active limit of a force, command or place, with its multiplier. "Gain" means an increase of the load factor of
@@ -105,7 +105,7 @@ pub struct InTheWay {
 )]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum Binds {
+pub enum ActiveConstraintKind {
     /// The contact slides or opens first, under the load with this index.
     FirstSlip {
         /// Index of the load under which the contact slips, from 0; `None` for a force of any direction.
@@ -162,7 +162,8 @@ pub enum Binds {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// To first order no placing nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a millionth.
+    /// To first order no design point nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a
+    /// millionth.
     Optimum,
     /// No step gains more than rounding, but the weighted gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to
     /// being broken.

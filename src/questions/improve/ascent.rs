@@ -5,10 +5,10 @@ use nalgebra::DVector;
 use super::answer::SearchEnd;
 use super::by_source::{REST, SQUEEZE, StickingForces};
 use super::curvature::Curvature;
+use super::design_point::{DesignKind, DesignPoint, DesignSpace};
 use super::events::{Constraint, ConstraintKind, SlipEvent, events};
 use super::goal::ImproveGoal;
-use super::loaded::Loaded;
-use super::placing::{Choice, DesignKind, Placing};
+use super::loaded::LoadSet;
 use super::step::{StepProgram, TrialStep};
 use super::tolerances::{ARRIVED_AT_TOP, OPTIMAL, ROUNDED_GAIN};
 use crate::ask::Grasp;
@@ -17,10 +17,10 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{least, mapped};
 use crate::prelude::*;
 
-/// A [`Placing`] with which all contacts stick under the base load and the commands, and its contact forces by source.
+/// A [`DesignPoint`] with which all contacts stick under the base load and the commands, and its contact forces by source.
 #[derive(Debug)]
-pub(super) struct Design {
-    pub(super) placing: Placing,
+pub(super) struct EvaluatedDesign {
+    pub(super) design_point: DesignPoint,
     pub(super) sticking: StickingForces,
     /// Value of the goal: the least load factor of first slip, or the least reserve, N.
     pub(super) value: f64,
@@ -31,7 +31,7 @@ pub(super) struct Design {
 
 /// The end of an ascent from one starting grasp: the last design, and why the ascent stopped.
 pub(super) struct Ascent {
-    pub(super) design: Design,
+    pub(super) design: EvaluatedDesign,
     pub(super) search: SearchEnd,
     /// Number of steps tried so far, including the steps of earlier ascents from the same starting grasp.
     pub(super) steps: usize,
@@ -50,17 +50,17 @@ pub(super) struct LastStep {
 }
 
 /// The data that all ascents of a search share: its variables, its loads and the given grasp.
-pub(super) struct Climb<'q> {
-    pub(super) choice: &'q Choice<'q>,
-    pub(super) loaded: &'q Loaded,
+pub(super) struct AscentProblem<'q> {
+    pub(super) design_space: &'q DesignSpace<'q>,
+    pub(super) loaded: &'q LoadSet,
     pub(super) grasp: &'q Grasp<3>,
 }
 
-impl Climb<'_> {
+impl AscentProblem<'_> {
     /// For each contact the greatest allowed normal force, N; `None` if its squeeze may not change.
     fn greatest_presses(&self) -> Vec<Option<f64>> {
-        let mut most = vec![None; self.choice.contacts.len()];
-        for variable in &self.choice.variables {
+        let mut most = vec![None; self.design_space.contacts.len()];
+        for variable in &self.design_space.variables {
             if let DesignKind::Press { most: force } = variable.what {
                 most[variable.contact] = Some(force);
             }
@@ -68,12 +68,13 @@ impl Climb<'_> {
         most
     }
 
-    /// The [`Design`] of a placing. If a contact's normal force under the base load exceeds its limit, all variable squeezes are reduced by a common
-    /// factor. `None` if this is impossible or some contact does not stick under the base load.
-    pub(super) fn evaluate(&self, mut placing: Placing) -> Result<Option<Design>, Error> {
-        let (Loaded { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
-        let of = |placing: &Placing| StickingForces::of(self.choice, placing, base, loads);
-        let Some(mut sticking) = of(&placing)? else { return Ok(None) };
+    /// The [`EvaluatedDesign`] of a design point. If a contact's normal force under the base load exceeds its limit, all variable squeezes are
+    /// reduced by a common factor. `None` if this is impossible or some contact does not stick under the base load.
+    pub(super) fn evaluate(&self, mut design_point: DesignPoint) -> Result<Option<EvaluatedDesign>, Error> {
+        let (LoadSet { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
+        let of =
+            |design_point: &DesignPoint| StickingForces::of(self.design_space, design_point, base, loads);
+        let Some(mut sticking) = of(&design_point)? else { return Ok(None) };
         let mut part = 1.0_f64;
         for (i, most) in most.iter().enumerate() {
             let (rest, squeeze) = (sticking.by(REST, i)[0], sticking.by(SQUEEZE, i)[0]);
@@ -87,35 +88,37 @@ impl Climb<'_> {
             return Ok(None);
         }
         if part < 1.0 {
-            placing.presses.iter_mut().flatten().for_each(|press| *press *= part);
-            let Some(again) = of(&placing)? else { return Ok(None) };
+            design_point.presses.iter_mut().flatten().for_each(|press| *press *= part);
+            let Some(again) = of(&design_point)? else { return Ok(None) };
             sticking = again;
         }
-        self.evaluate_sticking(placing, sticking, &most)
+        self.evaluate_sticking(design_point, sticking, &most)
     }
 
     /// Value of the goal for the given grasp with its own commands; `None` if a contact slides under the base load or, for a reserve, under a load.
-    pub(super) fn before(&self, given: &Placing) -> Result<Option<f64>, Error> {
+    pub(super) fn before(&self, given: &DesignPoint) -> Result<Option<f64>, Error> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
         }
-        let n = self.choice.contacts.len();
+        let n = self.design_space.contacts.len();
         let (spots, presses) = (vec![None; n], vec![None; n]);
-        let placing = Placing { spots, presses, ..given.clone() };
-        let sticking = StickingForces::of(self.choice, &placing, &self.loaded.base, &self.loaded.loads)?;
-        let design =
-            sticking.map(|sticking| self.evaluate_sticking(placing, sticking, &vec![None; n])).transpose()?;
+        let design_point = DesignPoint { spots, presses, ..given.clone() };
+        let sticking =
+            StickingForces::of(self.design_space, &design_point, &self.loaded.base, &self.loaded.loads)?;
+        let design = sticking
+            .map(|sticking| self.evaluate_sticking(design_point, sticking, &vec![None; n]))
+            .transpose()?;
         Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
-    /// The [`Design`] of a placing with known contact forces; `None` if some contact does not stick under the base load or its normal force exceeds
-    /// the limit in `most`.
+    /// The [`EvaluatedDesign`] of a design point with known contact forces; `None` if some contact does not stick under the base load or its normal
+    /// force exceeds the limit in `most`.
     fn evaluate_sticking(
         &self,
-        placing: Placing,
+        design_point: DesignPoint,
         sticking: StickingForces,
         most: &[Option<f64>],
-    ) -> Result<Option<Design>, Error> {
+    ) -> Result<Option<EvaluatedDesign>, Error> {
         let (events, bounds) = events(self.loaded, most, &sticking, &[]);
         let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
@@ -131,16 +134,16 @@ impl Climb<'_> {
             // better place.
             ImproveGoal::Reserve => {
                 let least = least(&events, &|event| event.value);
-                (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
+                (least, if size > 0.0 { size } else { self.design_space.unit_of_force() })
             }
         };
-        Ok(Some(Design { placing, sticking, value, scale }))
+        Ok(Some(EvaluatedDesign { design_point, sticking, value, scale }))
     }
 
     /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` is the number
     /// of steps tried before from the same start; the steps of this ascent are added to it.
-    pub(super) fn ascend(&self, mut design: Design, mut steps: usize) -> Result<Ascent, Error> {
-        let n = self.choice.variables.len();
+    pub(super) fn ascend(&self, mut design: EvaluatedDesign, mut steps: usize) -> Result<Ascent, Error> {
+        let n = self.design_space.variables.len();
         // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size for places, the greatest force for
         // squeezes.
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
@@ -151,14 +154,19 @@ impl Climb<'_> {
             if design.value.is_infinite() {
                 return ended(design, SearchEnd::NothingSlides, steps, None);
             }
-            let Some(derivatives) = design.sticking.derivatives(self.choice, &design.placing) else {
+            let Some(derivatives) = design.sticking.derivatives(self.design_space, &design.design_point)
+            else {
                 return ended(design, SearchEnd::Unbalanced, steps, None);
             };
             let (events, bounds) =
                 events(self.loaded, &self.greatest_presses(), &design.sticking, &derivatives);
             if let Some(old) = before.take() {
-                let decrease =
-                    gradient_decrease(&old, (&events, &bounds), design.scale, self.choice.unit_of_force());
+                let decrease = gradient_decrease(
+                    &old,
+                    (&events, &bounds),
+                    design.scale,
+                    self.design_space.unit_of_force(),
+                );
                 curvature.learn(&old.step.d, &decrease);
             }
             let (program, rooms) = self.program(&design, &events, &bounds);
@@ -168,7 +176,7 @@ impl Climb<'_> {
                 };
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
-                if arrived || steps >= self.choice.question.steps() {
+                if arrived || steps >= self.design_space.question.steps() {
                     // The learnt curvature may be wrong at these places, so that no step gains although a direction of ascent exists. Before the
                     // ascent ends without an optimum, the curvature is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
@@ -183,17 +191,18 @@ impl Climb<'_> {
                     return ended(design, search, steps, Some(LastStep { step, events, bounds, rooms }));
                 }
                 steps += 1;
-                let trial = self.evaluate(self.choice.stepped(&design.placing, step.d.as_slice()))?;
+                let trial =
+                    self.evaluate(self.design_space.stepped(&design.design_point, step.d.as_slice()))?;
                 let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - design.value) / design.scale);
-                let as_told = gain / step.gain;
+                let gain_ratio = gain / step.gain;
                 // The trust region doubles if the gain exceeds three quarters of the predicted gain and the step reaches the boundary. It shrinks if
                 // the gain is below a quarter of the predicted gain.
-                if as_told > 0.75 && step.d.amax() >= 0.99 * radius {
+                if gain_ratio > 0.75 && step.d.amax() >= 0.99 * radius {
                     radius = (2.0 * radius).min(largest_radius);
-                } else if as_told < 0.25 {
+                } else if gain_ratio < 0.25 {
                     radius = 0.25 * radius.min(step.d.amax());
                 }
-                if let Some(trial) = trial.filter(|_| as_told >= 1e-4) {
+                if let Some(trial) = trial.filter(|_| gain_ratio >= 1e-4) {
                     before = Some(LastStep { step, events, bounds, rooms });
                     design = trial;
                     break;
@@ -205,17 +214,17 @@ impl Climb<'_> {
     /// The quadratic program of a step, and the contacts of its last bounds, which are due to edges of surfaces, segments or triangles.
     fn program(
         &self,
-        design: &Design,
+        design: &EvaluatedDesign,
         events: &[SlipEvent],
         bounds: &[Constraint],
     ) -> (StepProgram, Vec<usize>) {
-        let variables = &self.choice.variables;
-        let force = self.choice.unit_of_force();
+        let variables = &self.design_space.variables;
+        let force = self.design_space.unit_of_force();
         let mut rows: Vec<_> = mapped(bounds, &|bound| (&bound.gradient / force, bound.left / force));
         let (mut rooms, mut reach) = (Vec::new(), vec![[f64::NEG_INFINITY, f64::INFINITY]; variables.len()]);
-        for (i, spot) in design.placing.spots.iter().enumerate() {
-            let Some(spot) = spot else { continue };
-            for (row, room) in &spot.rooms {
+        for (i, location) in design.design_point.spots.iter().enumerate() {
+            let Some(location) = location else { continue };
+            for (row, room) in &location.rooms {
                 let unit = variables.iter().find(|v| v.contact == i).map_or(1.0, |v| v.unit);
                 let mut of = DVector::zeros(variables.len());
                 for (j, variable) in variables.iter().enumerate() {
@@ -231,7 +240,7 @@ impl Climb<'_> {
         }
         for (j, variable) in variables.iter().enumerate() {
             if let (DesignKind::Press { most }, Some(press)) =
-                (variable.what, design.placing.presses[variable.contact])
+                (variable.what, design.design_point.presses[variable.contact])
             {
                 reach[j] = [-press / variable.unit, (most - press) / variable.unit];
             }

@@ -3,7 +3,7 @@
 
 use nalgebra::SVector;
 
-use super::placing::{Choice, DesignKind, DesignVariable, Placing};
+use super::design_point::{DesignKind, DesignPoint, DesignSpace, DesignVariable};
 use crate::ask::Grasp;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::error::Error;
@@ -30,18 +30,19 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The contact forces of a placing: those due to the base load and fixed commands, to the squeeze, and to each of `loads` alone. `None` if
+    /// The contact forces of a design point: those due to the base load and fixed commands, to the squeeze, and to each of `loads` alone. `None` if
     /// nothing resists one of these loads.
     pub(super) fn of(
-        choice: &Choice<'_>,
-        placing: &Placing,
+        design_space: &DesignSpace<'_>,
+        design_point: &DesignPoint,
         base: &Wrench<3>,
         loads: &[Wrench<3>],
     ) -> Result<Option<Self>, Error> {
-        let grasp = Grasp::new(choice.contacts(placing))?.with(choice.settings);
-        let (engine, response) = (&*grasp.engine, StickingResponse::new(&grasp.engine, choice.settings));
+        let grasp = Grasp::new(design_space.contacts(design_point))?.with(design_space.settings);
+        let (engine, response) =
+            (&*grasp.engine, StickingResponse::new(&grasp.engine, design_space.settings));
         let (mut rest, mut squeeze) = (engine.offsets(), response.at_rest());
-        for i in (0..rest.len()).filter(|i| placing.presses[*i].is_some()) {
+        for i in (0..rest.len()).filter(|i| design_point.presses[*i].is_some()) {
             squeeze[i][0] = core::mem::take(&mut rest[i][0]);
         }
         let mut sources = vec![
@@ -76,15 +77,23 @@ impl StickingForces {
 
     /// The derivatives of all contact forces with respect to each variable in its unit, ordered by variable. `None` if a contact at another place
     /// would leave a load without any resistance.
-    pub(super) fn derivatives(&self, choice: &Choice<'_>, placing: &Placing) -> Option<Vec<BySource>> {
+    pub(super) fn derivatives(
+        &self,
+        design_space: &DesignSpace<'_>,
+        design_point: &DesignPoint,
+    ) -> Option<Vec<BySource>> {
         let response = self.response();
-        choice.variables.iter().map(|variable| self.derivative(&response, placing, variable)).collect()
+        design_space
+            .variables
+            .iter()
+            .map(|variable| self.derivative(&response, design_point, variable))
+            .collect()
     }
 
     fn derivative(
         &self,
         response: &StickingResponse<'_>,
-        placing: &Placing,
+        design_point: &DesignPoint,
         variable: &DesignVariable,
     ) -> Option<BySource> {
         let &DesignVariable { contact, what, unit } = variable;
@@ -96,8 +105,8 @@ impl StickingForces {
                 data.push((Parameter::Command { contact, axis: 0 }, unit / stiffness));
             }
             DesignKind::Along(direction) => {
-                let spot = placing.spots[contact].as_ref()?;
-                let (along, bend) = (&spot.along[direction], spot.bends[direction] * unit);
+                let location = design_point.spots[contact].as_ref()?;
+                let (along, bend) = (&location.along[direction], location.bends[direction] * unit);
                 let frame = self.grasp.frames().nth(contact)?;
                 for axis in 0..self.grasp.engine.space().axes() {
                     data.push((Parameter::Point { contact, axis }, along[axis] * unit));

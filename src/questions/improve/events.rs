@@ -7,7 +7,7 @@ use nalgebra::{DVector, SVector};
 
 use super::by_source::{BySource, LOADS, REST, SQUEEZE, StickingForces};
 use super::goal::ImproveGoal;
-use super::loaded::Loaded;
+use super::loaded::LoadSet;
 use crate::contact::{Edges, Line, LocalLaw, tangential};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
@@ -65,7 +65,7 @@ fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
 }
 
 /// A contact with its force under the base load, in its frame. `derivatives` has the derivatives of all contact forces with respect to each variable.
-struct Pressed<'a> {
+struct PressedContact<'a> {
     number: usize,
     law: LocalLaw<'a>,
     edges: &'a Edges,
@@ -74,7 +74,7 @@ struct Pressed<'a> {
     derivatives: &'a [BySource],
 }
 
-impl Pressed<'_> {
+impl PressedContact<'_> {
     fn by_variable(&self, f: &dyn Fn(&BySource) -> f64) -> DVector<f64> {
         DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
     }
@@ -153,10 +153,10 @@ impl Pressed<'_> {
     }
 }
 
-/// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a placing. `most` has the greatest allowed normal
-/// force of each contact whose squeeze may change.
+/// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
+/// normal force of each contact whose squeeze may change.
 pub(super) fn events(
-    loaded: &Loaded,
+    loaded: &LoadSet,
     most: &[Option<f64>],
     sticking: &StickingForces,
     derivatives: &[BySource],
@@ -165,7 +165,7 @@ pub(super) fn events(
     let response = sticking.response();
     for (number, edges) in response.edges.iter().enumerate() {
         let (law, force) = (response.law(number), sticking.at_rest(number));
-        let pressed = Pressed { number, law, edges, goal: loaded.goal, force, derivatives };
+        let pressed = PressedContact { number, law, edges, goal: loaded.goal, force, derivatives };
         constraints.extend(pressed.constraints(most[number]));
         let by_loads = numbered(sticking.loads(), &|load| sticking.by(LOADS + load, number));
         if loaded.any.is_some() {

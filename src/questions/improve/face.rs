@@ -1,7 +1,7 @@
 //! Conversion of the types about finger placement between the engine, whose vectors have three components in the plane, too, and callers, with `C`
 //! components.
 
-use super::answer::{Improved, InTheWay, Placed, SearchEnd};
+use super::answer::{ActiveConstraint, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use super::question::Improve;
 use super::surface::Surface;
@@ -13,7 +13,7 @@ face_of_struct! {
     Placed { contact, surface, point, normal, tangent, command, moved, pressed_with, normal_force }
 }
 
-same_on_both_sides! { ImproveGoal, InTheWay, SearchEnd, u64 }
+same_on_both_sides! { ImproveGoal, ActiveConstraint, SearchEnd, u64 }
 
 impl<const C: usize> Face for Surface<C> {
     type Inside = Surface<3>;

@@ -1,11 +1,11 @@
 //! Ascends from the given grasp and from the best of many random ones, and returns the best result.
 
-use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
-use super::ascent::{Ascent, Climb, Design, LastStep};
+use super::answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
+use super::ascent::{Ascent, AscentProblem, EvaluatedDesign, LastStep};
+use super::design_point::{DesignKind, DesignSpace};
 use super::events::ConstraintKind;
 use super::goal::ImproveGoal;
-use super::loaded::Loaded;
-use super::placing::{Choice, DesignKind};
+use super::loaded::LoadSet;
 use super::question::Improve;
 use super::tolerances::ROUNDED_MULTIPLIER;
 use crate::ask::Grasp;
@@ -61,32 +61,35 @@ impl Improve<3> {
         settings.round = true;
         let grasp = grasp.with(&settings);
         let loads = self.given_loads()?;
-        let loaded = Loaded::of(grasp.engine.space().axes(), self, &loads);
-        let (choice, given) = Choice::of(&grasp, self)?;
-        let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
-        let before = climb.before(&given)?;
-        // For each random start that the question asks for, 24 random placings are drawn. The best of all drawn placings become starts, in addition
-        // to the given grasp.
+        let loaded = LoadSet::of(grasp.engine.space().axes(), self, &loads);
+        let (design_space, given) = DesignSpace::of(&grasp, self)?;
+        let ascent_problem = AscentProblem { design_space: &design_space, loaded: &loaded, grasp: &grasp };
+        let before = ascent_problem.before(&given)?;
+        // For each random start that the question asks for, 24 random design points are drawn. The best of all drawn design points become starts, in
+        // addition to the given grasp.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
-            let drawn = choice.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
-            // Only the value and the placing are kept: the forces of thousands of placings would take much memory.
-            Ok::<_, Error>(climb.evaluate(drawn)?.map(|design| (design.value, design.placing)))
+            let drawn = design_space.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
+            // Only the value and the design point are kept: the forces of thousands of design points would take much memory.
+            Ok::<_, Error>(ascent_problem.evaluate(drawn)?.map(|design| (design.value, design.design_point)))
         });
         let (mut values, mut places) = (Vec::new(), Vec::new());
         for design in drawn {
-            if let Some((value, placing)) = design? {
+            if let Some((value, design_point)) = design? {
                 values.push(-value);
-                places.push(placing);
+                places.push(design_point);
             }
         }
-        let mut placings = vec![given.clone()];
+        let mut design_points = vec![given.clone()];
         for k in increasing(&values).into_iter().take(self.starts()) {
-            placings.push(places[k].clone());
+            design_points.push(places[k].clone());
         }
-        let ascents = in_order(&placings, &|placing| {
-            climb.evaluate(placing.clone())?.map(|design| climb.over_edges(design)).transpose()
+        let ascents = in_order(&design_points, &|design_point| {
+            ascent_problem
+                .evaluate(design_point.clone())?
+                .map(|design| ascent_problem.over_edges(design))
+                .transpose()
         });
         let (mut count, mut steps) = (0, 0);
         let mut best: Option<Ascent> = None;
@@ -128,10 +131,10 @@ impl Improve<3> {
             return Ok(answer);
         };
         (answer.after, answer.search) = (Some(design.value), search);
-        answer.contacts = placed(&choice, &design);
+        answer.contacts = placed(&design_space, &design);
         if let Some(last) = last {
             answer.residual = Some(last.step.residual);
-            answer.in_the_way = in_the_way(&choice, &design, &last);
+            answer.in_the_way = in_the_way(&design_space, &design, &last);
         }
         Ok(answer)
     }
@@ -163,24 +166,28 @@ impl Improved<3> {
     }
 }
 
-fn placed(choice: &Choice<'_>, design: &Design) -> Vec<Placed<3>> {
-    let contacts = choice.contacts(&design.placing);
+fn placed(design_space: &DesignSpace<'_>, design: &EvaluatedDesign) -> Vec<Placed<3>> {
+    let contacts = design_space.contacts(&design.design_point);
     indexed(&contacts, &|(i, contact)| Placed {
-        contact: choice.wholes.at(i).with(1),
-        surface: choice.question.surface_of(i).map(|surface| surface.name().to_owned()),
+        contact: design_space.wholes.at(i).with(1),
+        surface: design_space.question.surface_of(i).map(|surface| surface.name().to_owned()),
         point: contact.point,
         normal: contact.normal.normalize(),
-        tangent: design.placing.tangents[i],
+        tangent: design.design_point.tangents[i],
         command: contact.command,
-        moved: (contact.point - choice.contacts[i].point).norm(),
-        pressed_with: design.placing.presses[i],
+        moved: (contact.point - design_space.contacts[i].point).norm(),
+        pressed_with: design.design_point.presses[i],
         normal_force: design.sticking.at_rest(i)[0],
     })
 }
 
-fn in_the_way(choice: &Choice<'_>, design: &Design, last: &LastStep) -> Vec<InTheWay> {
+fn in_the_way(
+    design_space: &DesignSpace<'_>,
+    design: &EvaluatedDesign,
+    last: &LastStep,
+) -> Vec<ActiveConstraint> {
     let LastStep { step, events, bounds, rooms } = last;
-    let mut all: Vec<(usize, Binds)> = Vec::new();
+    let mut all: Vec<(usize, ActiveConstraintKind)> = Vec::new();
     let mut shares: Vec<(usize, Option<usize>, f64)> = Vec::new();
     for (event, share) in events.iter().zip(&step.events) {
         let (contact, load) = (event.condition.contact, event.condition.load);
@@ -192,36 +199,42 @@ fn in_the_way(choice: &Choice<'_>, design: &Design, last: &LastStep) -> Vec<InTh
         }
     }
     for (contact, load, share) in shares {
-        let binds = match choice.question.goal() {
-            ImproveGoal::FirstSlip => Binds::FirstSlip { load, share },
-            ImproveGoal::Reserve => Binds::Reserve { load, share },
+        let binds = match design_space.question.goal() {
+            ImproveGoal::FirstSlip => ActiveConstraintKind::FirstSlip { load, share },
+            ImproveGoal::Reserve => ActiveConstraintKind::Reserve { load, share },
         };
         all.push((contact, binds));
     }
-    let force = choice.unit_of_force();
+    let force = design_space.unit_of_force();
     let gain = |multiplier: f64, unit: f64| multiplier * design.scale / unit;
     for (k, multiplier) in step.bounds.iter().enumerate().filter(|(_, y)| **y > ROUNDED_MULTIPLIER) {
         if let Some(bound) = bounds.get(k) {
             let per_newton = gain(*multiplier, force);
             let binds = match bound.kind {
-                ConstraintKind::Sticks => Binds::Rest { per_newton },
-                ConstraintKind::Force => Binds::Force { per_newton },
+                ConstraintKind::Sticks => ActiveConstraintKind::Rest { per_newton },
+                ConstraintKind::Force => ActiveConstraintKind::Force { per_newton },
             };
             all.push((bound.contact, binds));
         } else if let Some(&contact) = rooms.get(k - bounds.len()) {
-            let unit = choice.variables.iter().find(|v| v.contact == contact).map_or(1.0, |v| v.unit);
-            all.push((contact, Binds::End { per_metre: gain(*multiplier, unit) }));
+            let unit = design_space.variables.iter().find(|v| v.contact == contact).map_or(1.0, |v| v.unit);
+            all.push((contact, ActiveConstraintKind::End { per_metre: gain(*multiplier, unit) }));
         }
     }
-    for (variable, [down, up]) in choice.variables.iter().zip(&step.ends) {
+    for (variable, [down, up]) in design_space.variables.iter().zip(&step.ends) {
         if let DesignKind::Press { .. } = variable.what {
             if *up > ROUNDED_MULTIPLIER {
-                all.push((variable.contact, Binds::Pressed { per_newton: gain(*up, variable.unit) }));
+                all.push((
+                    variable.contact,
+                    ActiveConstraintKind::Pressed { per_newton: gain(*up, variable.unit) },
+                ));
             }
             if *down > ROUNDED_MULTIPLIER {
-                all.push((variable.contact, Binds::NotPressed { per_newton: gain(*down, variable.unit) }));
+                all.push((
+                    variable.contact,
+                    ActiveConstraintKind::NotPressed { per_newton: gain(*down, variable.unit) },
+                ));
             }
         }
     }
-    moved(all, &|(point, binds)| InTheWay { contact: choice.wholes.at(point).with(1), binds })
+    moved(all, &|(point, binds)| ActiveConstraint { contact: design_space.wholes.at(point).with(1), binds })
 }

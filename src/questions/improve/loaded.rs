@@ -11,7 +11,7 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 /// The base load of a question, the loads that are added to it one at a time, and the goal.
-pub(super) struct Loaded {
+pub(super) struct LoadSet {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
@@ -20,7 +20,7 @@ pub(super) struct Loaded {
     pub(super) any: Option<([f64; 3], f64)>,
 }
 
-impl Loaded {
+impl LoadSet {
     /// The loads of a question for finger placement; a contact has `axes` axes, two in the plane and three in space.
     pub(super) fn of(axes: usize, question: &Improve<3>, loads: &Loads<3>) -> Self {
         let (base, goal) = (question.base(), question.goal());

@@ -29,10 +29,10 @@
 //! | file | idea |
 //! |---|---|
 //! | `surface`, `spline` | curves and surfaces that contacts may move along |
-//! | `spot`, `places` | a place on a surface: its normal, tangent directions, curvature, and distances to the edges |
+//! | `surface_location`, `places` | a place on a surface: its normal, tangent directions, curvature, and distances to the edges |
 //! | `question`, `goal` | the user's question, and the value that is maximised |
 //! | `loaded` | the loads of the question, and the load factor of first slip of a grasp under them |
-//! | `placing` | the variables (places and squeezes), their values, and the grasp with these values |
+//! | `design_point` | the variables (places and squeezes), their values, and the grasp with these values |
 //! | `by_source` | contact forces while every contact sticks, separately by base load, squeeze and each load, and their derivatives |
 //! | `events` | the load factor or margin of each sticking condition, and its derivative |
 //! | `step` | the quadratic program of one step, and its multipliers |
@@ -46,6 +46,7 @@ mod answer;
 mod ascent;
 mod by_source;
 mod curvature;
+mod design_point;
 mod events;
 mod face;
 mod goal;
@@ -53,16 +54,15 @@ mod improved;
 mod loaded;
 mod over_edges;
 mod places;
-mod placing;
 mod question;
 mod spline;
-mod spot;
 mod step;
 mod surface;
+mod surface_location;
 mod tolerances;
 mod words;
 
-pub use answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
+pub use answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
 pub use goal::ImproveGoal;
 pub use question::Improve;
 #[cfg(feature = "serde")]

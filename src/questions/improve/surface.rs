@@ -5,7 +5,7 @@ use crate::numerics::IntoList;
 use nalgebra::SVector;
 
 use super::spline::Spline;
-use super::spot::Spot;
+use super::surface_location::SurfaceLocation;
 use crate::error::{ContactLabel, Error, MODERATE, is_moderate};
 use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -190,8 +190,8 @@ impl Shape {
         if !(length > 0.0 && is_moderate(length)) {
             return refused("length of the normal", length, "finite, above 0 and at most 1e50");
         }
-        let spot = Spot::nearest(self, &point, &normal);
-        Ok([spot.point.into(), spot.normal.into()])
+        let location = SurfaceLocation::nearest(self, &point, &normal);
+        Ok([location.point.into(), location.normal.into()])
     }
 
     /// The name of the kind of curve or surface, singular or plural: "edge", "edges", "circle", …

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::answer::{Binds, Improved, Placed, SearchEnd};
+use super::answer::{ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use crate::grasp::inside;
 use crate::numerics::{mapped, numbered};
@@ -45,7 +45,8 @@ impl Improved<3> {
         }
         write!(f, ". {}", self.proof(words))?;
         let mut at_the_limit = Vec::new();
-        for way in self.in_the_way.iter().filter(|way| matches!(way.binds, Binds::Rest { .. })) {
+        for way in self.in_the_way.iter().filter(|way| matches!(way.binds, ActiveConstraintKind::Rest { .. }))
+        {
             let name = way.contact.text();
             if !at_the_limit.contains(&name) {
                 at_the_limit.push(name);
@@ -114,7 +115,8 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// The sentence about the end of the search: which contacts and limits make the placing an optimum, or why the search ended without an optimum.
+    /// The sentence about the end of the search: which contacts and limits make the design point an optimum, or why the search ended without an
+    /// optimum.
     fn proof(&self, words: Words) -> String {
         match self.search {
             SearchEnd::Optimum => {
@@ -122,15 +124,20 @@ impl Improved<3> {
                 let mut bounds: Vec<String> = Vec::new();
                 for way in &self.in_the_way {
                     let name = way.contact.text();
-                    let comes_first = matches!(way.binds, Binds::FirstSlip { .. } | Binds::Reserve { .. });
+                    let comes_first = matches!(
+                        way.binds,
+                        ActiveConstraintKind::FirstSlip { .. } | ActiveConstraintKind::Reserve { .. }
+                    );
                     let list = if comes_first { &mut slides } else { &mut bounds };
                     let one = match way.binds {
-                        Binds::FirstSlip { .. } | Binds::Reserve { .. } => name.into_owned(),
-                        Binds::Force { .. } => format!("the greatest force of {name}"),
-                        Binds::Pressed { .. } => format!("the greatest command of {name}"),
-                        Binds::NotPressed { .. } => format!("{name}, which cannot pull"),
-                        Binds::End { .. } => format!("the end of the surface of {name}"),
-                        Binds::Rest { .. } => format!("the friction of {name} at rest"),
+                        ActiveConstraintKind::FirstSlip { .. } | ActiveConstraintKind::Reserve { .. } => {
+                            name.into_owned()
+                        }
+                        ActiveConstraintKind::Force { .. } => format!("the greatest force of {name}"),
+                        ActiveConstraintKind::Pressed { .. } => format!("the greatest command of {name}"),
+                        ActiveConstraintKind::NotPressed { .. } => format!("{name}, which cannot pull"),
+                        ActiveConstraintKind::End { .. } => format!("the end of the surface of {name}"),
+                        ActiveConstraintKind::Rest { .. } => format!("the friction of {name} at rest"),
                     };
                     if !list.contains(&one) {
                         list.push(one);

@@ -1,7 +1,7 @@
 //! An amount of a sought quantity as text, in the unit of the quantity: "12 N at left and right", "an arm of 0.25 m", "60°".
 
 use super::answer::{Needed, PressedBy, Quantity};
-use super::press::{self, Press};
+use super::press::{self, ContactPress};
 use crate::prelude::*;
 use crate::words::{Words, printable};
 
@@ -34,7 +34,7 @@ impl Needed {
     }
 
     /// An amount as text, with the contacts or the body where it acts: "12 N at left and right".
-    pub(super) fn much(&self, words: Words, amount: f64, presses: &[Press]) -> String {
+    pub(super) fn amount_text(&self, words: Words, amount: f64, presses: &[ContactPress]) -> String {
         match self.quantity {
             Quantity::Squeeze => press::in_words(words, presses, self.times_squeeze(words, amount)),
             Quantity::Friction => format!("a coefficient of friction of {}", words.number(amount)),
@@ -50,7 +50,7 @@ impl Needed {
     }
 
     /// An amount as text, without the contacts or the body where it acts, which the sentence has named before: "12 N".
-    pub(super) fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
+    pub(super) fn short(&self, words: Words, amount: f64, presses: &[ContactPress]) -> String {
         match self.quantity {
             Quantity::Squeeze => press::in_short(words, presses, self.times_squeeze(words, amount)),
             Quantity::Friction => words.number(amount),

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::press::Press;
+use super::press::ContactPress;
 use super::question::Demand;
 use crate::error::Error;
 use crate::grasp::WholeContact;
@@ -130,38 +130,38 @@ impl Quantity {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Amount {
-    /// The least or greatest sufficient amount is known: `does` is sufficient, and the neighbouring amount `does_not` is insufficient.
+    /// The least or greatest sufficient amount is known, with the insufficient amount next to it.
     #[non_exhaustive]
     Bound {
         /// The sufficient amount at the bound, for which a verdict was computed.
-        does: f64,
-        /// The insufficient amount next to `does`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
-        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any direction, the
-        /// fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of contact states
-        /// shows that an amount is insufficient.
-        does_not: f64,
-        /// The verdict on the grasp with `does_not`, in a sentence.
+        sufficient: f64,
+        /// The insufficient amount next to `sufficient`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts
+        /// differ by a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
+        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of
+        /// contact states shows that an amount is insufficient.
+        insufficient: f64,
+        /// The verdict on the grasp with `insufficient`, in a sentence.
         otherwise: String,
-        /// Whether the object is held with `does_not`, too, but moves farther than small motions: the bound is then the limit of the theory of small
-        /// motions.
+        /// Whether the object is held with `insufficient`, too, but moves farther than small motions: the bound is then the limit of the theory of
+        /// small motions.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
         is_too_far: bool,
-        /// An amount between `does` and `does_not` for which the verdict is undecided; `None` if all verdicts were decided.
+        /// An amount between `sufficient` and `insufficient` for which the verdict is undecided; `None` if all verdicts were decided.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         unknown: Option<f64>,
         /// Number of changes between sufficient and insufficient among the amounts tried around the bound, including the change at the bound. As a
         /// rule the number is 1.
         changes: usize,
-        /// Far end of the interval of sufficient amounts that begins at `does`. For instance, a still larger squeeze pushes the object out. `None` if
-        /// all amounts tried on the far side of `does` are sufficient.
+        /// Far end of the interval of sufficient amounts that begins at `sufficient`. For instance, a still larger squeeze pushes the object out.
+        /// `None` if all amounts tried on the far side of `sufficient` are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
         /// Further intervals of sufficient amounts, in ascending order.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         elsewhere: Vec<AmountWindow>,
-        /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
-        presses: Vec<Press>,
-        /// Joints and tendons whose drives are at their limit at rest with the squeeze `does`, so that they press no harder; empty for other
+        /// Normal force of each contact at rest with the squeeze `sufficient`, N; empty for other quantities.
+        presses: Vec<ContactPress>,
+        /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`, so that they press no harder; empty for other
         /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
@@ -219,7 +219,7 @@ impl Amount {
     /// The least or greatest sufficient amount; `None` if it is not known, or if there is no sufficient amount.
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
-        if let Self::Bound { does, .. } = self { Some(*does) } else { None }
+        if let Self::Bound { sufficient, .. } = self { Some(*sufficient) } else { None }
     }
 }
 
@@ -245,15 +245,15 @@ pub struct TriedAmounts {
 #[non_exhaustive]
 pub struct FarEnd {
     /// The last sufficient amount, for which a verdict was computed.
-    pub does: f64,
-    /// The insufficient amount next to `does`, for which a verdict was computed.
-    pub does_not: f64,
-    /// The verdict on the grasp with `does_not` in a sentence, or the reason why the verdict is undecided.
+    pub sufficient: f64,
+    /// The insufficient amount next to `sufficient`, for which a verdict was computed.
+    pub insufficient: f64,
+    /// The verdict on the grasp with `insufficient` in a sentence, or the reason why the verdict is undecided.
     pub otherwise: String,
-    /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
+    /// Normal force of each contact at rest with the squeeze `sufficient`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub presses: Vec<Press>,
-    /// Joints and tendons whose drives are at their limit at rest with the squeeze `does`; empty for other quantities.
+    pub presses: Vec<ContactPress>,
+    /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<String>,
 }

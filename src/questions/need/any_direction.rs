@@ -5,10 +5,10 @@ use core::f64::consts::{PI, TAU};
 
 use super::loading::{Loading, force_at};
 use super::question::Demand;
-use super::trial::{Refuting, Trial, Trials};
+use super::trial::{RefutingLoads, Trial, Trials};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{OfThePath, Verdict};
+use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
 use crate::numerics::{Space, dot, numbered};
 use crate::prelude::*;
@@ -21,7 +21,7 @@ impl Loading {
         load: Wrench<3>,
         (size, point): (f64, [f64; 3]),
         demand: Demand,
-        refuting: &Refuting,
+        refuting: &RefutingLoads,
     ) -> Result<Trials, Error> {
         let (verdict, path) = self.put_on_up_to(&Ramp::load(self.base, load), None)?;
         let base = self.base + load;
@@ -47,12 +47,12 @@ impl Loading {
         verdict: &Verdict<3>,
         base: &Wrench<3>,
         (size, point): (f64, [f64; 3]),
-        (demand, refuting): (Demand, &Refuting),
+        (demand, refuting): (Demand, &RefutingLoads),
     ) -> Result<Option<Trial>, Error> {
         let at_rest = self.judged((verdict, f64::INFINITY), Demand::Sticks);
-        if !at_rest.does() {
+        if !at_rest.is_sufficient() {
             return Ok((demand == Demand::Sticks).then_some(match at_rest {
-                Trial::DoesNot { says, carried, .. } => Trial::does_not(says, carried - 1.0),
+                Trial::Insufficient { says, carried, .. } => Trial::insufficient(says, carried - 1.0),
                 other => other,
             }));
         }
@@ -71,14 +71,14 @@ impl Loading {
             // Even if contacts slide, the object may be held, unless its motions are too large already while all contacts stick.
             WeakestDirection::Force { .. } if demand != Demand::Sticks => {
                 let trial = self.farthest(base, size, point)?;
-                return Ok((!trial.does()).then_some(trial));
+                return Ok((!trial.is_sufficient()).then_some(trial));
             }
             WeakestDirection::GivesWay { .. } if demand != Demand::Sticks => return Ok(None),
             WeakestDirection::Force { load, size: most, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
                 let along = self.words.along(&(load - *base).force_part().normalize());
-                Trial::does_not(format!("{who} under a force along {along}"), most / size)
+                Trial::insufficient(format!("{who} under a force along {along}"), most / size)
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
             // A contact that is open before the force acts may be closed by the force. In that case no closed form compares directions.
@@ -111,7 +111,7 @@ impl Loading {
         &self,
         mut worst: Trials,
         along: &dyn Fn([f64; 3]) -> Ramp<3>,
-        refuting: &Refuting,
+        refuting: &RefutingLoads,
     ) -> Result<Trials, Error> {
         let known = refuting.directions.borrow().clone();
         let is_confined = self.grasp.settings().is_quick && !known.is_empty();
@@ -119,7 +119,7 @@ impl Loading {
         let (mut held, mut found) = (worst.held.take().unwrap_or_else(Trial::always), Vec::new());
         let mut weakest = None;
         for (k, direction) in known.iter().chain(&all).enumerate() {
-            if let Trial::DoesNot { .. } = held {
+            if let Trial::Insufficient { .. } = held {
                 break;
             }
             let (trial, path) = self.one_direction(&along(*direction), held.carried())?;
@@ -127,18 +127,18 @@ impl Loading {
                 if trial.carried() < held.carried() {
                     weakest = Some((*direction, trial.clone()));
                 }
-                found.push(Carried { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
+                found.push(DirectionTrial { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
             }
             (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
         }
         match weakest {
             // The weakest direction near one that is refuted is tried first from then on.
-            Some((direction, trial)) if !trial.does() => {
+            Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) = self.weakest_near(direction, along, trial)?;
                 refuting.add(direction);
                 held = held.or_worse(trial);
             }
-            _ if held.does() && !is_confined => {
+            _ if held.is_sufficient() && !is_confined => {
                 held = self.between_directions((&all, &found), along, held, refuting)?;
             }
             _ => {}
@@ -151,19 +151,19 @@ impl Loading {
     /// at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
     fn between_directions(
         &self,
-        (all, found): (&[[f64; 3]], &[Carried]),
+        (all, found): (&[[f64; 3]], &[DirectionTrial]),
         along: &dyn Fn([f64; 3]) -> Ramp<3>,
         mut held: Trial,
-        refuting: &Refuting,
+        refuting: &RefutingLoads,
     ) -> Result<Trial, Error> {
         let neighbours = neighbours(all, self.grasp.space());
         let is_least = |k: &usize| neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part);
         let mut minima: Vec<usize> = (0..all.len()).filter(is_least).collect();
         minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
         for (rank, k) in minima.into_iter().take(MOST_MINIMA).enumerate() {
-            if held.does() {
+            if held.is_sufficient() {
                 let (direction, weakest) = self.weakest_near(all[k], along, Trial::carries(found[k].part))?;
-                if rank == 0 || !weakest.does() {
+                if rank == 0 || !weakest.is_sufficient() {
                     refuting.add(direction);
                 }
                 held = held.or_worse(weakest);
@@ -183,14 +183,14 @@ impl Loading {
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
-                if !held.does() || dot(&apart, &apart) <= last * last {
+                if !held.is_sufficient() || dot(&apart, &apart) <= last * last {
                     break;
                 }
                 let middle = unit([0, 1, 2].map(|axis| ends[0][axis] + ends[1][axis]));
                 let (trial, path) = self.one_direction(&along(middle), held.carried())?;
                 let end = usize::from(path.jumps != jumps);
                 (ends[end], parts[end]) = (middle, trial.carried().unwrap_or(0.0));
-                if !trial.does() {
+                if !trial.is_sufficient() {
                     refuting.add(middle);
                 }
                 held = held.or_worse(trial);
@@ -200,7 +200,7 @@ impl Loading {
     }
 
     /// The result for one direction, with facts about its load path, which is followed up to the multiple `least` that is carried in another direction.
-    fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, OfThePath), Error> {
+    fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, PathFacts), Error> {
         let least = least.map(|carried| carried.max(CLOSE));
         let (verdict, path) = self.put_on_up_to(ramp, least)?;
         let trial = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
@@ -228,7 +228,7 @@ impl Loading {
                 for sign in [1.0, -1.0] {
                     let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
                     let (trial, _) = self.one_direction(&along(d), weakest.carried())?;
-                    let is_known = trial.carried().is_some() || weakest.does();
+                    let is_known = trial.carried().is_some() || weakest.is_sufficient();
                     if is_known && trial.carried() < weakest.carried() {
                         (best, weakest) = (Some(d), weakest.or_worse(trial));
                     }
@@ -245,7 +245,7 @@ impl Loading {
 
 /// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps while the load is applied.
 #[derive(Debug, Clone, Copy)]
-struct Carried {
+struct DirectionTrial {
     part: f64,
     jumps: usize,
 }

@@ -1,7 +1,7 @@
 //! A grasp with an amount set, under the load that leaves the least friction in reserve.
 
+use super::checked_need::{SafetyDeviations, Sought};
 use super::loading::{Loading, force_at};
-use super::posed::{Safety, Sought};
 use super::question::Need;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
@@ -43,7 +43,7 @@ impl Need<3> {
     fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
         let grown = self.growing(given)?;
         let posed = self.posed(given.space())?.on(&grown)?;
-        let loading = Loading::of(&grown, &posed, amount, Safety::NONE)?;
+        let loading = Loading::of(&grown, &posed, amount, SafetyDeviations::NONE)?;
         let Loading { loads, times, grasp, base: besides, .. } = &loading;
         let put_on = |ramp: Ramp<3>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
         let states: Vec<Option<Equilibrium<3>>> = match loads {
@@ -62,7 +62,7 @@ impl Need<3> {
                 vec![put_on(Ramp::load(base, load))?]
             }
             Loads::Turn(turn) => {
-                let turn = loading.so_many(turn);
+                let turn = loading.multiplied_turn(turn);
                 let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
                 // If an angle is sought, the turn ends at this angle.

@@ -39,14 +39,14 @@ impl ShortAmount {
     /// The least or greatest sufficient amount; `None` if it is not known, or if there is no sufficient amount.
     #[must_use]
     pub fn bound(self) -> Option<f64> {
-        if let Self::Bound(does) = self { Some(does) } else { None }
+        if let Self::Bound(sufficient) = self { Some(sufficient) } else { None }
     }
 }
 
 impl From<&Amount> for ShortAmount {
     fn from(amount: &Amount) -> Self {
         match amount {
-            Amount::Bound { does, .. } => Self::Bound(*does),
+            Amount::Bound { sufficient, .. } => Self::Bound(*sufficient),
             Amount::Any { .. } => Self::Any,
             Amount::None { .. } => Self::None,
             Amount::Undecided { .. } => Self::Undecided,
@@ -92,19 +92,19 @@ impl<const C: usize> Grasp<C> {
         (quantity, demand): (Quantity, Demand),
         settings: &Settings,
     ) -> Vec<Result<ShortAmount, Error>> {
-        let asked = Asked { quantity, demand, settings: *settings };
+        let asked = BatchNeed { quantity, demand, settings: *settings };
         answers_of_rows(rows, &|chunk| asked.amounts(chunk, row))
     }
 }
 
 /// The sought quantity, the demand and the settings, which are the same for all rows (a row is one grasp with its load).
-struct Asked {
+struct BatchNeed {
     quantity: Quantity,
     demand: Demand,
     settings: Settings,
 }
 
-impl Asked {
+impl BatchNeed {
     /// Whether the answer follows from the greatest multiple of the load that the grasp bears: the answer is this multiple, or for a squeeze its
     /// inverse. For a squeeze everything else that acts must be proportional to the squeeze.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {

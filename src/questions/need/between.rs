@@ -1,6 +1,6 @@
 //! The search for a sufficient amount between amounts that turned out to be insufficient.
 
-use super::search::{SearchPlan, Tries};
+use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
 use super::trial::Trial;
 use crate::error::Error;
@@ -10,13 +10,13 @@ use crate::prelude::*;
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
 /// then tries the widest gaps near `begin`, the first amount of the whole search.
 pub(super) fn refined(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     begin: f64,
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
-    if let Some(does) = where_most_is_carried(tries, vain)? {
-        return Ok(Some(does));
+    if let Some(sufficient) = where_most_is_carried(tries, vain)? {
+        return Ok(Some(sufficient));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
     // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts are missed.
@@ -27,7 +27,7 @@ pub(super) fn refined(
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };
         let at = (widest[0] * widest[1]).sqrt();
         let trial = tries.at(at)?;
-        if trial.does() {
+        if trial.is_sufficient() {
             return Ok(Some((at, trial)));
         }
         vain.push((at, trial));
@@ -39,7 +39,7 @@ pub(super) fn refined(
 /// keep their states, this fraction is a concave function of the squeeze. Thus the search can end once chords of the function prove that its maximum
 /// is below 1.
 fn where_most_is_carried(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
@@ -63,7 +63,7 @@ fn where_most_is_carried(
         for k in 0..2 {
             if parts[k].is_none() {
                 let trial = tries.at(inner[k])?;
-                if trial.does() {
+                if trial.is_sufficient() {
                     return Ok(Some((inner[k], trial)));
                 }
                 parts[k] = Some(trial.carried().unwrap_or(f64::NEG_INFINITY));

@@ -3,16 +3,16 @@
 use alloc::sync::Arc;
 use core::fmt;
 
-use super::posed::{Posed, Safety, Sought};
+use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::question::Demand;
 use super::tolerances::MOST_LOADS;
-use super::trial::{NOT_AT_REST, Refuting, Trial, Trials};
+use super::trial::{NOT_AT_REST, RefutingLoads, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{Extent, Holding, OfThePath, Verdict};
+use crate::hold::{Holding, PathFacts, Verdict, VerdictScope};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -31,14 +31,19 @@ pub(super) struct Loading {
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
     /// How much of a verdict a trial needs.
-    pub(super) extent: Extent,
+    pub(super) extent: VerdictScope,
     /// If a link cannot have its tension at rest, the reason in a sentence. The amount is then insufficient.
     refused: Option<String>,
 }
 
 impl Loading {
     /// The grasp and the loads with `amount` of the sought quantity. Friction and squeeze are reduced and loads enlarged by `safety`.
-    pub(super) fn of(grasp: &Grasp<3>, need: &Posed, amount: f64, safety: Safety) -> Result<Self, Error> {
+    pub(super) fn of(
+        grasp: &Grasp<3>,
+        need: &CheckedNeed,
+        amount: f64,
+        safety: SafetyDeviations,
+    ) -> Result<Self, Error> {
         let (friction, squeeze) = (1.0 - safety.lower[0], 1.0 - safety.lower[1]);
         let (mut times, mut base, mut loads) = (safety.load, need.base, need.loads.clone());
         let squeeze = if need.sought == Sought::Squeeze { squeeze * amount } else { squeeze };
@@ -78,7 +83,16 @@ impl Loading {
             _ => 2.0,
         };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed, extent: Extent::Measured, refused })
+        Ok(Self {
+            grasp,
+            loads,
+            base,
+            times,
+            words: need.words,
+            followed,
+            extent: VerdictScope::Measured,
+            refused,
+        })
     }
 
     /// The loads that contact forces must balance if the amount is to be sufficient: the load at rest, and its sum with each load. A force of any
@@ -95,7 +109,7 @@ impl Loading {
                 }
             }
             Loads::Turn(turn) => {
-                let turn = self.so_many(turn);
+                let turn = self.multiplied_turn(turn);
                 // With fewer angles the proved range of amounts would be wider than necessary.
                 let parts = 8_u32;
                 list = (0..=parts)
@@ -116,7 +130,7 @@ impl Loading {
     /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near these contact
     /// states.
     pub(super) fn quick(mut self, near: Vec<State>) -> Self {
-        self.extent = Extent::Decided;
+        self.extent = VerdictScope::Decided;
         self.grasp = self.grasp.with(&Settings { is_quick: true, ..*self.grasp.settings() });
         if !near.is_empty() {
             Arc::make_mut(&mut self.grasp.engine).near = near;
@@ -126,9 +140,9 @@ impl Loading {
 
     /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first. A load that is not carried, or else the
     /// load carried least, is noted in `refuting`.
-    pub(super) fn put_on(&self, demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
+    pub(super) fn put_on(&self, demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
-            return Ok(Trials::only(demand, Trial::does_not(refused, NOT_AT_REST)));
+            return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));
         }
         if demand.repeats() {
             return Ok(Trials::only(demand, self.again_and_again(demand)?));
@@ -142,25 +156,25 @@ impl Loading {
             Loads::AnyForce { base, size, point } => {
                 self.any_force(*base * times, (*size * times, *point), demand, refuting)?
             }
-            Loads::Turn(turn) => Trials::only(demand, self.turn(&self.so_many(turn), demand)?),
+            Loads::Turn(turn) => Trials::only(demand, self.turn(&self.multiplied_turn(turn), demand)?),
         })
     }
 
     /// The turning load with its parts multiplied by `times`, plus the load at rest.
-    pub(super) fn so_many(&self, turn: &Turn<3>) -> Turn<3> {
+    pub(super) fn multiplied_turn(&self, turn: &Turn<3>) -> Turn<3> {
         let ([constant, cosine, sine], times) = (turn.parts(), self.times);
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
     /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
-    fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &Refuting) -> Result<Trials, Error> {
+    fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (refuting.first.get() + k) % ramps.len();
             if self.grasp.settings().is_quick && demand == Demand::Sticks {
                 sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
-                if let Trial::DoesNot { .. } = sticks {
+                if let Trial::Insufficient { .. } = sticks {
                     refuting.first.set(which);
                     return Ok(Trials::only(demand, sticks));
                 }
@@ -176,11 +190,11 @@ impl Loading {
                 (weakest, least) = (which, carried);
             }
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
-            if let Trial::DoesNot { .. } = wanted {
+            if let Trial::Insufficient { .. } = wanted {
                 refuting.first.set(which);
                 // A load that is not held also makes something slide. If something slides before all loads were applied, it is not known whether all
                 // loads are held.
-                let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
+                let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
         }
@@ -194,7 +208,7 @@ impl Loading {
         &self,
         ramp: &Ramp<3>,
         least: Option<f64>,
-    ) -> Result<(Verdict<3>, OfThePath), Error> {
+    ) -> Result<(Verdict<3>, PathFacts), Error> {
         let most = least.unwrap_or(self.followed).clamp(1.0, self.followed);
         self.grasp.with(&self.grasp.settings().with_most_load(most)).hold_to_an_extent(ramp, self.extent)
     }
@@ -211,9 +225,9 @@ impl Loading {
         };
         let other = self.grasp.sticking_margin(&ramp.base).unwrap_or(f64::INFINITY);
         Ok(if factor > 1.0 {
-            Trial::Does { carried: factor, other }
+            Trial::Sufficient { carried: factor, other }
         } else {
-            Trial::DoesNot { says: String::new(), carried: factor, other, is_too_far: false }
+            Trial::Insufficient { says: String::new(), carried: factor, other, is_too_far: false }
         })
     }
 
@@ -225,7 +239,7 @@ impl Loading {
     /// If the question has several loads, adds to the sentence of a trial the number of the load and the load itself. For a force of any direction it
     /// adds the direction.
     pub(super) fn said_of(&self, which: usize, load: &Wrench<3>, mut trial: Trial) -> Trial {
-        let Trial::DoesNot { says, .. } = &mut trial else { return trial };
+        let Trial::Insufficient { says, .. } = &mut trial else { return trial };
         match &self.loads {
             Loads::Each(list) if list.len() > 1 => {
                 *says = format!("under load {}, {}: {says}", which + 1, self.words.load(load));
@@ -242,11 +256,11 @@ impl Loading {
     /// The result of a trial, from its verdict. `other` is a second margin: the distance to the limit of small motions for [`Demand::Held`], the
     /// margin of sticking at rest for [`Demand::Sticks`].
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
-        let does = match demand {
+        let sufficient = match demand {
             Demand::Sticks => verdict.sticks(),
             _ => verdict.holds(),
         };
-        match does {
+        match sufficient {
             Some(true) => {
                 let lost = verdict.lost.as_ref().map(|lost| lost.factor);
                 // If the path ended before its limit without a loss, the amount carries at least the load that was reached.
@@ -254,7 +268,7 @@ impl Loading {
                 let slides = verdict.first_slip.as_ref().map(|first| first.factor);
                 let carried = if demand == Demand::Sticks { slides.or(held) } else { held };
                 let carried = carried.map_or(f64::INFINITY, |carried| carried.max(1.0));
-                Trial::Does { carried, other }
+                Trial::Sufficient { carried, other }
             }
             Some(false) => {
                 let (says, part) = match (&verdict.first_slip, verdict.holds()) {
@@ -274,7 +288,7 @@ impl Loading {
                 };
                 let is_too_far =
                     verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some() && !lost.is_gross_slip);
-                Trial::DoesNot { says, carried, other, is_too_far }
+                Trial::Insufficient { says, carried, other, is_too_far }
             }
             None => Trial::Unknown(self.said(verdict)),
         }
@@ -282,7 +296,7 @@ impl Loading {
 
     fn turn(&self, turn: &Turn<3>, demand: Demand) -> Result<Trial, Error> {
         let degrees = |angle: f64| self.words.angle(angle);
-        let part_of_it = |says: String, angle: f64| Trial::does_not(says, angle / turn.angle());
+        let part_of_it = |says: String, angle: f64| Trial::insufficient(says, angle / turn.angle());
         if demand == Demand::Sticks {
             return Ok(match self.grasp.onset_of_turn(turn)?.onset {
                 Onset::Never => Trial::always(),
@@ -294,7 +308,7 @@ impl Loading {
                     part_of_it(format!("it gives way at {}", degrees(factor)), factor)
                 }
                 Onset::AlreadySliding(_) => Trial::nothing("something slides before it turns"),
-                Onset::NoBase(none) => Trial::does_not(self.said(&none), NOT_AT_REST),
+                Onset::NoBase(none) => Trial::insufficient(self.said(&none), NOT_AT_REST),
             });
         }
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
@@ -309,7 +323,7 @@ impl Loading {
                 let angle = loss.fraction * turn.angle();
                 part_of_it(format!("it is lost at {}", degrees(angle)), angle)
             }
-            Some(end @ PathEnd::NoStart(_)) => Trial::does_not(self.said(end), NOT_AT_REST),
+            Some(end @ PathEnd::NoStart(_)) => Trial::insufficient(self.said(end), NOT_AT_REST),
             Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),
             None => Trial::Unknown("the path has no end".to_owned()),
         })

@@ -1,18 +1,18 @@
 //! Answers a [`Need`]: the sought amount, the amount with which nothing slides, and a safe amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
-use super::around::{Around, between_known};
-use super::posed::{Posed, Safety, Sought};
-use super::press::Press;
+use super::bound_scan::{BoundScan, between_known};
+use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
+use super::press::ContactPress;
 use super::pressed_at_rest::presses;
 use super::proved::{at_proved_end, by_proof};
 use super::question::{Demand, Need};
 use super::range::Range;
-use super::search::{SearchPlan, Searched, Tries, search};
+use super::search::{BoundSearch, SearchPlan, TrialFunctions, search};
 use super::threshold::Threshold;
 use super::tolerances::{FAR_FROM_START, NARROW, STEPPED_OVER};
 use super::trial::Trial;
-use super::tried::{Look, Tried};
+use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside};
@@ -60,25 +60,25 @@ impl Need<3> {
         if !is_squeezed {
             safety.lower[1] = 0.0;
         }
-        let trials = Tried::new(grasp, &asked, Safety::NONE, start(grasp, &asked));
-        let amount = amount(&trials, asked.demand, Look::Around)?;
+        let trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
+        let amount = amount(&trials, asked.demand, SearchExtent::Around)?;
         let sticks = match asked.demand {
-            Demand::Held => Some(self::amount(&trials, Demand::Sticks, Look::Towards)?),
+            Demand::Held => Some(self::amount(&trials, Demand::Sticks, SearchExtent::Towards)?),
             _ => None,
         };
         let worse = (1.0 - safety.lower[0]) * (1.0 - safety.lower[1]) / safety.load;
-        let begin = amount.bound().map_or(trials.start, |does| match asked.sought {
+        let begin = amount.bound().map_or(trials.start, |sufficient| match asked.sought {
             Sought::Angle { .. } => trials.start,
-            _ if asked.quantity().is_least() => does / worse,
-            _ => does * worse,
+            _ if asked.quantity().is_least() => sufficient / worse,
+            _ => sufficient * worse,
         });
         let far = match &amount {
-            Amount::Bound { until: Some(end), .. } => Some([end.does, end.does_not]),
+            Amount::Bound { until: Some(end), .. } => Some([end.sufficient, end.insufficient]),
             _ => None,
         };
-        let look = Look::Everywhere(far);
-        let safe = (safety != Safety::NONE)
-            .then(|| self::amount(&Tried::new(grasp, &asked, safety, begin), asked.demand, look));
+        let look = SearchExtent::Everywhere(far);
+        let safe = (safety != SafetyDeviations::NONE)
+            .then(|| self::amount(&TrialRecord::new(grasp, &asked, safety, begin), asked.demand, look));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -106,7 +106,7 @@ impl Need<3> {
 
 /// The first amount that a search tries. Multiples begin at 1, friction at the largest given coefficient (0.5 if all are 0 or one is infinite). An
 /// arm begins at the largest distance of a contact from the first contact (1 m if this is 0), an angle at the whole turn.
-fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
+fn start(grasp: &Grasp<3>, need: &CheckedNeed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
         Sought::Squeeze | Sought::Overlaps | Sought::Load | Sought::Force { .. } => 1.0,
@@ -128,14 +128,14 @@ fn start(grasp: &Grasp<3>, need: &Posed) -> f64 {
     }
 }
 
-fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error> {
+fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
     let whole = |amount: f64| tried.at(amount, demand, false);
     let short = |amount: f64| tried.at(amount, demand, true);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
-    let rest_ends = |does: f64, does_not: f64| tried.rest_ends(does, does_not);
-    let tries = Tries {
+    let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
+    let tries = TrialFunctions {
         whole: &whole,
         short: &short,
         quick: &quick,
@@ -149,57 +149,59 @@ fn amount(tried: &Tried<'_>, demand: Demand, look: Look) -> Result<Amount, Error
         return Ok(proved);
     }
     // Angles beyond the given turn are not tried.
-    if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.does() {
+    if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.is_sufficient() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
-    let scan = if look == Look::Around { need.scan } else { 0 };
-    let found = Found { tried, demand, tries, scan };
+    let scan = if look == SearchExtent::Around { need.scan } else { 0 };
+    let found = FoundAmounts { tried, demand, tries, scan };
     match search(tries, &plan, &found.known())? {
-        Searched::Threshold(edge) => found.bound(plan, edge, look),
-        Searched::All(to) => match at_proved_end(to, &plan, tries)? {
+        BoundSearch::Threshold(edge) => found.bound(plan, edge, look),
+        BoundSearch::All(to) => match at_proved_end(to, &plan, tries)? {
             Some(edge) => found.bound(plan, edge, look),
             None => found.any(&plan, to),
         },
-        Searched::Nothing(mut vain) => {
-            // `vain` are the amounts tried, none of which is sufficient. With `Look::Towards` an amount that holds the object is known already. If
-            // the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
-            if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
+        BoundSearch::Nothing(mut vain) => {
+            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` an amount that holds the object is known
+            // already. If the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
+            if look == SearchExtent::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
-            Ok(nothing_does(vain, plan.limits, None))
+            Ok(nothing_suffices(vain, plan.limits, None))
         }
     }
 }
 
 /// A search that has found sufficient amounts, and the scan that completes the answer.
-struct Found<'f, 'q> {
-    tried: &'f Tried<'q>,
+struct FoundAmounts<'f, 'q> {
+    tried: &'f TrialRecord<'q>,
     demand: Demand,
-    tries: Tries<'f>,
+    tries: TrialFunctions<'f>,
     /// Number of amounts that are tried around the bound.
     scan: usize,
 }
 
-impl Found<'_, '_> {
+impl FoundAmounts<'_, '_> {
     fn known(&self) -> Vec<(f64, Trial)> {
         self.tried.known(self.demand)
     }
 
     /// The contact forces at rest with this squeeze, and the drives at their limit, see [`presses`]; both empty if another quantity is sought.
-    fn presses(&self, does: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
+    fn presses(&self, sufficient: f64) -> Result<(Vec<ContactPress>, Vec<String>), Error> {
         match self.tried.need.sought {
-            Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, does, self.tried.need),
+            Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, sufficient, self.tried.need),
             _ => Ok(Default::default()),
         }
     }
 
     fn far_end(&self, edge: Option<Threshold>) -> Result<Option<FarEnd>, Error> {
-        let Some(Threshold { does, does_not: (does_not, trial), .. }) = edge else { return Ok(None) };
-        let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
+        let Some(Threshold { sufficient, insufficient: (insufficient, trial), .. }) = edge else {
             return Ok(None);
         };
-        let (presses, at_their_limit) = self.presses(does)?;
-        Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
+        let (Trial::Insufficient { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
+            return Ok(None);
+        };
+        let (presses, at_their_limit) = self.presses(sufficient)?;
+        Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
     /// Whether an amount between those tried has another verdict than its neighbours; see [`between_known`].
@@ -210,9 +212,9 @@ impl Found<'_, '_> {
 
     /// The answer if all amounts that were tried in the harder direction are sufficient. The last of these amounts is `to`.
     fn any(&self, plan: &SearchPlan, to: f64) -> Result<Amount, Error> {
-        let seek = || Around::far_end(to, self.scan, plan, &self.known(), self.tries);
+        let seek = || BoundScan::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
-        let end = until.as_ref().map(|edge| edge.does);
+        let end = until.as_ref().map(|edge| edge.sufficient);
         if self.changes_between(plan, &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))? {
             until = seek()?;
         }
@@ -221,19 +223,20 @@ impl Found<'_, '_> {
     }
 
     /// The amounts around a bound, after [`Self::changes_between`].
-    fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<Around, Error> {
-        let does = bound.does;
+    fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
+        let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
         // A larger squeeze always carries more in this case, but it may move the part too far. A squeeze is tried that is much larger than the least
         // squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
-        let ample = FAR_FROM_START * does.max(plan.start);
+        let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
         }
-        let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
+        let is_too_much =
+            |(at, trial): &(f64, Trial)| *at > sufficient && matches!(trial, Trial::Insufficient { .. });
         plan.is_monotone &= !plan.is_least || !self.known().iter().any(is_too_much);
         let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
-        let around = || Around::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
+        let around = || BoundScan::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
         let found = around()?;
         if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
     }
@@ -244,59 +247,64 @@ impl Found<'_, '_> {
         &self,
         plan: &SearchPlan,
         bound: &Threshold,
-        found: &Around,
+        found: &BoundScan,
     ) -> Option<Threshold> {
-        let far = found.until.as_ref().map(|edge| edge.does);
-        let own = if plan.is_least { [Some(bound.does), far] } else { [far, Some(bound.does)] };
+        let far = found.until.as_ref().map(|edge| edge.sufficient);
+        let own = if plan.is_least { [Some(bound.sufficient), far] } else { [far, Some(bound.sufficient)] };
         let all = found.elsewhere.iter().map(|window| [window.from, window.to]).chain([own]);
         let is_wide = |[from, to]: &[Option<f64>; 2]| {
             from.is_none_or(|from| to.is_none_or(|to| to > from * (1.0 + NARROW)))
         };
         let edges = all.filter(is_wide).filter_map(|[from, to]| if plan.is_least { from } else { to });
-        let does = edges.reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
+        let sufficient = edges.reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
         let known = self.known();
-        let harder = known
-            .iter()
-            .filter(|(at, trial)| matches!(trial, Trial::DoesNot { .. }) && plan.is_harder(*at, does));
-        let does_not =
+        let harder = known.iter().filter(|(at, trial)| {
+            matches!(trial, Trial::Insufficient { .. }) && plan.is_harder(*at, sufficient)
+        });
+        let insufficient =
             harder.reduce(|one, other| if plan.is_harder(one.0, other.0) { other } else { one })?.clone();
-        (does != bound.does).then_some(Threshold { does, does_not, unknown: None })
+        (sufficient != bound.sufficient).then_some(Threshold { sufficient, insufficient, unknown: None })
     }
 
     /// The answer with a bound, from its bracket and from amounts that are tried around it.
-    fn bound(mut self, mut plan: SearchPlan, mut bound: Threshold, look: Look) -> Result<Amount, Error> {
-        if is_stepped_over(&plan, bound.does) {
+    fn bound(
+        mut self,
+        mut plan: SearchPlan,
+        mut bound: Threshold,
+        look: SearchExtent,
+    ) -> Result<Amount, Error> {
+        if is_stepped_over(&plan, bound.sufficient) {
             self.scan = self.tried.need.scan;
         }
-        if let Trial::Unknown(doubt) = bound.does_not.1 {
-            return Ok(Amount::Undecided { at: bound.does_not.0, doubt });
+        if let Trial::Unknown(doubt) = bound.insufficient.1 {
+            return Ok(Amount::Undecided { at: bound.insufficient.0, doubt });
         }
         let mut found = self.around(&mut plan, &bound)?;
         if let Some(edge) = self.edge_of_a_wide_window(&plan, &bound, &found) {
-            let measures = self.tries.at(edge.does)?.measures();
+            let measures = self.tries.at(edge.sufficient)?.measures();
             bound = edge.narrowed(self.tries, measures, plan.enough)?;
             found = self.around(&mut plan, &bound)?;
         }
-        let (does, does_not) = (bound.does, bound.does_not.0);
-        let (otherwise, is_too_far) = match &bound.does_not.1 {
-            Trial::DoesNot { says, is_too_far, .. } => (says.clone(), *is_too_far),
-            Trial::Does { .. } | Trial::Unknown(_) => (String::new(), false),
+        let (sufficient, insufficient) = (bound.sufficient, bound.insufficient.0);
+        let (otherwise, is_too_far) = match &bound.insufficient.1 {
+            Trial::Insufficient { says, is_too_far, .. } => (says.clone(), *is_too_far),
+            Trial::Sufficient { .. } | Trial::Unknown(_) => (String::new(), false),
         };
-        let Around { changes, mut until, elsewhere } = found;
+        let BoundScan { changes, mut until, elsewhere } = found;
         let far = match look {
-            Look::Everywhere(far) => far,
-            Look::Towards => beyond_which_none_does(does, plan.is_least, &self.known()),
-            Look::Around => None,
+            SearchExtent::Everywhere(far) => far,
+            SearchExtent::Towards => beyond_the_sufficient(sufficient, plan.is_least, &self.known()),
+            SearchExtent::Around => None,
         };
         if let (Some(far), None) = (far, &until) {
-            until = far_end_near(far, does, self.tries)?;
+            until = far_end_near(far, sufficient, self.tries)?;
         }
-        let (presses, at_their_limit) = self.presses(does)?;
-        let is_last = plan.is_monotone || plan.is_the_end(does_not, !plan.is_least);
+        let (presses, at_their_limit) = self.presses(sufficient)?;
+        let is_last = plan.is_monotone || plan.is_the_end(insufficient, !plan.is_least);
         let tried = (!is_last).then(|| self.tried.amounts(self.demand));
         Ok(Amount::Bound {
-            does,
-            does_not,
+            sufficient,
+            insufficient,
             otherwise,
             is_too_far,
             unknown: bound.unknown.map(|(at, _)| at),
@@ -311,33 +319,41 @@ impl Found<'_, '_> {
 }
 
 /// Whether the search for a safe amount stepped over amounts, from the insufficient one where it began to a far easier one.
-fn is_stepped_over(plan: &SearchPlan, does: f64) -> bool {
+fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
     let begin = plan.begin();
-    let ratio = if plan.is_least { does / begin } else { begin / does };
+    let ratio = if plan.is_least { sufficient / begin } else { begin / sufficient };
     plan.everywhere && !plan.is_monotone && ratio > STEPPED_OVER
 }
 
-/// Among the amounts tried on the easier side of the bound `does`: the last sufficient amount, and the first insufficient one.
-fn beyond_which_none_does(does: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
-    let ample = |at: f64| if is_least { at / does } else { does / at };
+/// Among the amounts tried on the easier side of the bound `sufficient`: the last sufficient amount, and the first insufficient one.
+fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
+    let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
     beyond.sort_by(|(a, _), (b, _)| ample(*a).total_cmp(&ample(*b)));
-    let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::DoesNot { .. }))?;
-    let last = beyond[..first].iter().rev().find(|(_, trial)| trial.does()).map_or(does, |(at, _)| *at);
+    let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::Insufficient { .. }))?;
+    let last = beyond[..first]
+        .iter()
+        .rev()
+        .find(|(_, trial)| trial.is_sufficient())
+        .map_or(sufficient, |(at, _)| *at);
     Some([last, beyond[first].0])
 }
 
-/// The far end of the sufficient amounts that begin at `does`. With friction and loads as given, this end lies between the two amounts `far`. These
-/// are therefore tried first.
-fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Threshold>, Error> {
-    let mut inner = does;
+/// The far end of the sufficient amounts that begin at `sufficient`. With friction and loads as given, this end lies between the two amounts `far`.
+/// These are therefore tried first.
+fn far_end_near(
+    far: [f64; 2],
+    sufficient: f64,
+    tries: TrialFunctions<'_>,
+) -> Result<Option<Threshold>, Error> {
+    let mut inner = sufficient;
     for amount in far {
         match tries.at(amount)? {
-            Trial::Does { .. } => inner = amount,
+            Trial::Sufficient { .. } => inner = amount,
             Trial::Unknown(_) => return Ok(None),
-            trial @ Trial::DoesNot { .. } => {
+            trial @ Trial::Insufficient { .. } => {
                 let measures = tries.at(inner)?.measures();
-                let edge = Threshold { does: inner, does_not: (amount, trial), unknown: None };
+                let edge = Threshold { sufficient: inner, insufficient: (amount, trial), unknown: None };
                 return edge.beside(tries, measures).map(Some);
             }
         }
@@ -347,7 +363,7 @@ fn far_end_near(far: [f64; 2], does: f64, tries: Tries<'_>) -> Result<Option<Thr
 
 /// The answer if no amount is sufficient. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the
 /// amounts with which most of the load is carried.
-pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
+pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
@@ -362,7 +378,7 @@ pub(super) fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Opt
         let carried = trial.carried().unwrap_or(f64::NEG_INFINITY);
         match trial {
             Trial::Unknown(doubt) if !is_proved => return Amount::Undecided { at: amount, doubt },
-            Trial::DoesNot { says: otherwise, .. } if carried > most => {
+            Trial::Insufficient { says: otherwise, .. } if carried > most => {
                 most = carried;
                 none = Amount::None { from, to, best: amount, tried, is_proved, at_rest, otherwise };
             }

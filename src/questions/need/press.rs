@@ -12,7 +12,7 @@ use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Press {
+pub struct ContactPress {
     /// The contact, or the soft fingertip.
     pub part: WholeContact,
     /// Normal force of the contact, N; for a soft fingertip the sum over its points.
@@ -60,7 +60,7 @@ pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     (vacuum > 0.0 && size > 0.0 && is_ring).then(|| vacuum / (core::f64::consts::PI * size * size))
 }
 
-impl Press {
+impl ContactPress {
     /// The force of the contact as text: "16.7 N"; of a suction cup "13.3 kPa (16.7 N)", of an overlap "0.025 mm of overlap (250 N)".
     fn in_words(&self, words: Words) -> String {
         let newtons = words.number(self.force);
@@ -80,24 +80,25 @@ impl Press {
 
 /// The contacts and cables that have commands of their own and press at rest. If there are none because joints or tendons press, all contacts that
 /// press are returned.
-fn pressing(presses: &[Press]) -> Vec<&Press> {
+fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     let is_one_set = presses.iter().any(|press| press.is_set);
     let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
-    let is_meant = |press: &&Press| {
+    let is_meant = |press: &&ContactPress| {
         (press.is_set || !is_one_set) && press.force > 0.0 && press.force >= ALIKE_IN_WORDS * most
     };
     presses.iter().filter(is_meant).collect()
 }
 
 /// Whether a number is the same at all these contacts, to within [`ALIKE_IN_WORDS`].
-fn is_alike(presses: &[&Press], number: &dyn Fn(&Press) -> Option<f64>) -> bool {
-    let number = |press: &Press| number(press).unwrap_or(0.0);
-    let is_same = |press: &&Press, first: f64| (number(press) - first).abs() <= ALIKE_IN_WORDS * first.abs();
+fn is_alike(presses: &[&ContactPress], number: &dyn Fn(&ContactPress) -> Option<f64>) -> bool {
+    let number = |press: &ContactPress| number(press).unwrap_or(0.0);
+    let is_same =
+        |press: &&ContactPress, first: f64| (number(press) - first).abs() <= ALIKE_IN_WORDS * first.abs();
     presses.first().is_some_and(|first| presses.iter().all(|press| is_same(press, number(first))))
 }
 
 /// The normal force that is the same at all pressing contacts, to within [`ALIKE_IN_WORDS`], N; `None` if forces differ.
-pub(super) fn alike(presses: &[Press]) -> Option<f64> {
+pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
     let pressing = pressing(presses);
     is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
 }
@@ -106,7 +107,7 @@ pub(super) fn alike(presses: &[Press]) -> Option<f64> {
 /// `pressed_with`, or else `times`, the multiple of the given squeeze. `None` if forces or numbers differ.
 fn all_alike(
     words: Words,
-    presses: &[Press],
+    presses: &[ContactPress],
     times: &str,
     name: &dyn Fn(String) -> String,
 ) -> Option<String> {
@@ -123,13 +124,13 @@ fn all_alike(
 }
 
 /// The force at each pressing contact as text without names, as in [`in_words`].
-pub(super) fn in_short(words: Words, presses: &[Press], times: String) -> String {
+pub(super) fn in_short(words: Words, presses: &[ContactPress], times: String) -> String {
     all_alike(words, presses, &times, &|force| force).unwrap_or(times)
 }
 
 /// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact. Unless the force is the
 /// number that is set, the text has that number and `times`, the multiple of the given squeeze.
-pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String {
+pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());
     let is_long = names.len() > MOST_NAMES;
@@ -150,8 +151,8 @@ pub(super) fn in_words(words: Words, presses: &[Press], times: String) -> String
 }
 
 /// The multiple `times` of the given squeeze, with the force that is set, if no contact presses at rest.
-fn with_what_is_set(words: Words, presses: &[Press], times: String) -> String {
-    let set: Vec<&Press> = presses.iter().filter(|press| press.is_set).collect();
+fn with_what_is_set(words: Words, presses: &[ContactPress], times: String) -> String {
+    let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).collect();
     match set.first().and_then(|first| first.pressed_with) {
         Some(force) if is_alike(&set, &|press| press.pressed_with) && set.len() <= MOST_NAMES => {
             let names: Vec<_> = mapped(&set, &|press| press.part.text());

@@ -1,7 +1,7 @@
 //! The normal forces with which the contacts press at rest, for a given multiple of the squeeze.
 
-use super::posed::{Posed, Sought};
-use super::press::{Press, force_set, pressure_of_cup};
+use super::checked_need::{CheckedNeed, Sought};
+use super::press::{ContactPress, force_set, pressure_of_cup};
 use crate::ask::Grasp;
 use crate::equilibrium::DriveState;
 use crate::error::Error;
@@ -18,8 +18,8 @@ use crate::prelude::*;
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,
-    need: &Posed,
-) -> Result<(Vec<Press>, Vec<String>), Error> {
+    need: &CheckedNeed,
+) -> Result<(Vec<ContactPress>, Vec<String>), Error> {
     let (is_by_overlap, base) = (need.sought == Sought::Overlaps, need.base);
     let squeezed = if is_by_overlap { grasp.with_overlaps(squeeze)? } else { grasp.squeezed(squeeze)? };
     let nothing = NEGLIGIBLE * need.largest_force();
@@ -29,7 +29,7 @@ pub(super) fn presses(
             let force = points.clone().fold(0.0, |sum, point| sum + force(point));
             let set = &squeezed.contacts()[points.clone()];
             let overlap = set.iter().map(|point| -point.clearance).fold(0.0, f64::max);
-            Press {
+            ContactPress {
                 part: contact.with(points.len()),
                 force: if force.abs() <= nothing { 0.0 } else { force },
                 pressure: pressure_of_cup(set),

@@ -1,8 +1,8 @@
 //! Answers of a [`Need`](super::Need) that follow from proofs: all amounts are excluded, all but one, or all beyond the last sufficient one.
 
 use super::answer::{Amount, FarEnd};
-use super::needed::nothing_does;
-use super::search::{SearchPlan, Tries};
+use super::needed::nothing_suffices;
+use super::search::{SearchPlan, TrialFunctions};
 use super::threshold::Threshold;
 use super::trial::Trial;
 use crate::error::Error;
@@ -10,30 +10,35 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// The answer if proofs exclude all amounts, or all but one that is sufficient; `None` otherwise.
-pub(super) fn by_proof(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+pub(super) fn by_proof(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Amount>, Error> {
     let only = only_amount(plan, tries)?;
     if only.is_some() || !plan.range.is_empty {
         return Ok(only);
     }
     let trial = tries.at(plan.start)?;
-    Ok(Some(nothing_does(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
+    Ok(Some(nothing_suffices(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
 }
 
 /// The answer if proofs exclude all amounts but one, and this one is sufficient; `None` otherwise. If this amount is 1 up to rounding, the given
 /// multiple 1 is tried instead.
-fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Error> {
+fn only_amount(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Amount>, Error> {
     let Some(only) = plan.range.point() else { return Ok(None) };
-    let does = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
-    if !tries.at(does)?.does() {
+    let sufficient = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
+    if !tries.at(sufficient)?.is_sufficient() {
         return Ok(None);
     }
     let otherwise = "no forces of the contacts balance the load".to_owned();
-    let end = |way: f64| does * (1.0 + way * NEGLIGIBLE);
-    let beyond =
-        FarEnd { does, does_not: end(1.0), otherwise, presses: Vec::new(), at_their_limit: Vec::new() };
+    let end = |way: f64| sufficient * (1.0 + way * NEGLIGIBLE);
+    let beyond = FarEnd {
+        sufficient,
+        insufficient: end(1.0),
+        otherwise,
+        presses: Vec::new(),
+        at_their_limit: Vec::new(),
+    };
     Ok(Some(Amount::Bound {
-        does,
-        does_not: end(-1.0),
+        sufficient,
+        insufficient: end(-1.0),
         otherwise: beyond.otherwise.clone(),
         is_too_far: false,
         unknown: None,
@@ -51,13 +56,13 @@ fn only_amount(plan: &SearchPlan, tries: Tries<'_>) -> Result<Option<Amount>, Er
 pub(super) fn at_proved_end(
     to: f64,
     plan: &SearchPlan,
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
 ) -> Result<Option<Threshold>, Error> {
     let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
     // If `to` is this near to the proved end, the two agree up to rounding.
     let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
     let beyond = end * (1.0 + outwards * NEGLIGIBLE);
     let trial = tries.at(beyond)?;
-    let refuted = matches!(trial, Trial::DoesNot { .. });
-    Ok(refuted.then_some(Threshold { does: to, does_not: (beyond, trial), unknown: None }))
+    let refuted = matches!(trial, Trial::Insufficient { .. });
+    Ok(refuted.then_some(Threshold { sufficient: to, insufficient: (beyond, trial), unknown: None }))
 }

@@ -348,7 +348,7 @@ impl<const C: usize> Need<C> {
 
     /// This need with another number format in the sentences about insufficient amounts (default: 6 digits).
     #[must_use]
-    pub fn told_in(mut self, words: Words) -> Self {
+    pub fn with_words(mut self, words: Words) -> Self {
         self.words = words;
         self
     }

@@ -5,8 +5,8 @@
 //! that W(x) is unbalanced. Then v proves the same for every other amount y with W(y)·v > 0, so the range ends at the latest where this work
 //! vanishes. For friction there is a least coefficient, because friction widens the cones.
 
+use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::loading::Loading;
-use super::posed::{Posed, Safety, Sought};
 use super::tolerances::{LAST_DIGITS, SAME_COEFFICIENT};
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -34,8 +34,8 @@ impl Range {
     /// The range, limited to the least and the greatest amount that the search would try.
     pub(super) fn of(
         grasp: &Grasp<3>,
-        need: &Posed,
-        safety: Safety,
+        need: &CheckedNeed,
+        safety: SafetyDeviations,
         [least, most]: [f64; 2],
     ) -> Result<Self, Error> {
         let mut range = Self {

@@ -21,15 +21,15 @@ impl Loading {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
         };
         let shaken = self.grasp.shake(base, &legs)?;
-        let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
+        let sufficient = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         // Motions beyond the limit of small motions prove neither rest nor that the object stays.
-        if let Some(far) = shaken.too_far.as_ref().filter(|_| does == Some(true)) {
+        if let Some(far) = shaken.too_far.as_ref().filter(|_| sufficient == Some(true)) {
             let says = format!("GOES TOO FAR in a cycle: {}", far.caution(self.words));
-            return Ok(Trial::does_not(says, carried(&shaken, legs.len())));
+            return Ok(Trial::insufficient(says, carried(&shaken, legs.len())));
         }
-        Ok(match does {
+        Ok(match sufficient {
             Some(true) => Trial::always(),
-            Some(false) => Trial::does_not(self.said(&shaken), carried(&shaken, legs.len())),
+            Some(false) => Trial::insufficient(self.said(&shaken), carried(&shaken, legs.len())),
             None => Trial::Unknown(self.said(&shaken)),
         })
     }
@@ -46,7 +46,7 @@ impl Loading {
                 Some((self.base, legs))
             }
             Loads::Turn(turn) => {
-                let there = self.so_many(turn);
+                let there = self.multiplied_turn(turn);
                 let round = there.angle() / TAU;
                 let is_round = (round - round.round()).abs() <= SOLVED_ROUNDING && round > 0.5;
                 let mut legs = vec![Leg::turn(&there)];

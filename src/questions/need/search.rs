@@ -5,7 +5,7 @@
 
 use super::between::refined;
 use super::range::Range;
-use super::threshold::{Enough, Threshold};
+use super::threshold::{Threshold, WidthSchedule};
 use super::tolerances::{FAR_APART, FAR_FROM_START, LAST_DIGITS, NEAR_AN_END};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 /// The functions with which a search finds out whether an amount is sufficient.
 #[derive(Clone, Copy)]
-pub(super) struct Tries<'t> {
+pub(super) struct TrialFunctions<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
     /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
@@ -34,7 +34,7 @@ pub(super) struct Tries<'t> {
 
 pub(super) type TrialOf<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
 
-impl Tries<'_> {
+impl TrialFunctions<'_> {
     pub(super) fn at(&self, amount: f64) -> Result<Trial, Error> {
         (self.whole)(amount)
     }
@@ -42,7 +42,7 @@ impl Tries<'_> {
 
 /// The result of a search.
 #[derive(Debug)]
-pub(super) enum Searched {
+pub(super) enum BoundSearch {
     /// The bracket of the bound.
     Threshold(Threshold),
     /// All amounts that were tried are sufficient; this is the last amount tried.
@@ -53,7 +53,7 @@ pub(super) enum Searched {
 
 /// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Guess {
+pub(super) enum BoundEstimate {
     /// The bound is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the sought quantity.
     Times,
     /// The bound is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to x.
@@ -74,7 +74,7 @@ pub(super) struct SearchPlan {
     /// Whether the least sufficient amount is sought, otherwise the greatest.
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
-    pub(super) guess: Guess,
+    pub(super) guess: BoundEstimate,
     /// Whether it is known that all easier amounts are sufficient if one amount is. Easier amounts are larger if the least amount is sought, and
     /// smaller if the greatest is sought.
     pub(super) is_monotone: bool,
@@ -82,7 +82,7 @@ pub(super) struct SearchPlan {
     /// or less load.
     pub(super) everywhere: bool,
     /// The relative width of the bracket at which the search ends, as a function of the number of steps made.
-    pub(super) enough: Enough,
+    pub(super) enough: WidthSchedule,
 }
 
 impl SearchPlan {
@@ -112,9 +112,9 @@ impl SearchPlan {
     fn guessed(&self, at: f64, trial: &Trial) -> Option<f64> {
         let carried = trial.carried().filter(|carried| *carried > 0.0 && carried.is_finite())?;
         let guess = match self.guess {
-            Guess::Times => at * carried,
-            Guess::Divided => at / carried,
-            Guess::Nothing => return None,
+            BoundEstimate::Times => at * carried,
+            BoundEstimate::Divided => at / carried,
+            BoundEstimate::Nothing => return None,
         };
         self.contains(guess).then_some(guess)
     }
@@ -125,9 +125,9 @@ impl SearchPlan {
     }
 
     /// The amount at the relative distance `part` beyond the proved end of the range on the harder side; inside the range if `part` is negative.
-    /// `None` if no such end is known, or if it is easier than the amount `does`.
-    fn beside_the_end(&self, does: f64, part: f64) -> Option<f64> {
-        let end = self.end(!self.is_least).filter(|end| self.is_harder(*end, does))?;
+    /// `None` if no such end is known, or if it is easier than the amount `sufficient`.
+    fn beside_the_end(&self, sufficient: f64, part: f64) -> Option<f64> {
+        let end = self.end(!self.is_least).filter(|end| self.is_harder(*end, sufficient))?;
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
@@ -135,22 +135,22 @@ impl SearchPlan {
     /// next to the proved end and to the likely bound.
     fn guesses(
         &self,
-        (does, trial): (f64, &Trial),
-        does_not: Option<&(f64, Trial)>,
+        (sufficient, trial): (f64, &Trial),
+        insufficient: Option<&(f64, Trial)>,
     ) -> impl Iterator<Item = f64> + use<> {
         let beyond = |at: f64, trial: &Trial, part: f64| {
-            let guess = self.guessed(at, trial).filter(|guess| !self.is_harder(does, *guess));
+            let guess = self.guessed(at, trial).filter(|guess| !self.is_harder(sufficient, *guess));
             guess.map(|guess| if self.is_least { guess * (1.0 - part) } else { guess * (1.0 + part) })
         };
-        let from_beyond = |part: f64| does_not.and_then(|(at, trial)| beyond(*at, trial, part));
+        let from_beyond = |part: f64| insufficient.and_then(|(at, trial)| beyond(*at, trial, part));
         let [nearest, near_enough, nearby] = NEAR_AN_END;
         let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
         // Relative offset of the trials on both sides of the estimate of least friction. If smaller than the error of that estimate, both trials
         // would be on one side of the bound.
         let off = 3e-12;
-        let near = |part: f64| self.beside_the_end(does, part);
+        let near = |part: f64| self.beside_the_end(sufficient, part);
         let guesses = [
-            beyond(does, trial, LAST_DIGITS),
+            beyond(sufficient, trial, LAST_DIGITS),
             from_beyond(LAST_DIGITS),
             from_beyond(64.0 * LAST_DIGITS),
             near(-nearby),
@@ -179,25 +179,31 @@ impl SearchPlan {
 /// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient first amount towards easier
 /// amounts. If no amount in that direction is sufficient, the other direction is tried, then the intervals between the amounts tried. Trials in
 /// `known` are not repeated.
-pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
+pub(super) fn search(
+    tries: TrialFunctions<'_>,
+    plan: &SearchPlan,
+    known: &[(f64, Trial)],
+) -> Result<BoundSearch, Error> {
     let more = plan.is_least;
-    let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
-    let nearest = does.into_iter().reduce(|one, other| if (one.0 < other.0) == more { one } else { other });
-    if let Some(does) = nearest {
-        return edge_from(tries, plan, does, &vain);
+    let (sufficient, mut vain): (Vec<_>, Vec<_>) =
+        known.iter().cloned().partition(|(_, trial)| trial.is_sufficient());
+    let nearest =
+        sufficient.into_iter().reduce(|one, other| if (one.0 < other.0) == more { one } else { other });
+    if let Some(sufficient) = nearest {
+        return edge_from(tries, plan, sufficient, &vain);
     }
     let first = decided(tries.whole, plan.begin(), None)?;
-    if first.1.does() {
+    if first.1.is_sufficient() {
         return edge_from(tries, plan, first, &vain);
     }
     let is_hopeless =
-        plan.is_monotone && plan.guess == Guess::Times && first.1.carried().is_some_and(|c| c < 0.0);
+        plan.is_monotone && plan.guess == BoundEstimate::Times && first.1.carried().is_some_and(|c| c < 0.0);
     vain.push(first.clone());
     if is_hopeless {
-        return Ok(Searched::Nothing(vain));
+        return Ok(BoundSearch::Nothing(vain));
     }
-    if let Some(does) = guessed(tries, plan, first.clone(), &mut vain)? {
-        return edge_from(tries, plan, does, &vain);
+    if let Some(sufficient) = guessed(tries, plan, first.clone(), &mut vain)? {
+        return edge_from(tries, plan, sufficient, &vain);
     }
     if plan.everywhere {
         for up in [!more, more] {
@@ -205,7 +211,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
                 let Some(end) = plan.end(up) else { continue };
                 let at = if up { end * (1.0 - near) } else { end * (1.0 + near) };
                 let trial = tries.at(at)?;
-                if trial.does() {
+                if trial.is_sufficient() {
                     return edge_from(tries, plan, (at, trial), &vain);
                 }
                 vain.push((at, trial));
@@ -219,17 +225,17 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     // tried, too, if the least is sought.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
-        if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {
-            return edge_from(tries, plan, does, &vain);
+        if is_asked && let Some(sufficient) = first_sufficient(tries, plan, (begin, up, factor), &mut vain)? {
+            return edge_from(tries, plan, sufficient, &vain);
         }
     }
     if plan.everywhere
         && !plan.is_monotone
-        && let Some(does) = refined(tries, plan, begin, &mut vain)?
+        && let Some(sufficient) = refined(tries, plan, begin, &mut vain)?
     {
-        return edge_from(tries, plan, does, &vain);
+        return edge_from(tries, plan, sufficient, &vain);
     }
-    Ok(Searched::Nothing(vain))
+    Ok(BoundSearch::Nothing(vain))
 }
 
 /// Tries an amount and, if its verdict is undecided, some neighbouring amounts. Their offsets are fractions of `width`, or of the amount itself if
@@ -259,7 +265,7 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
 /// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts: the
 /// first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
 fn guessed(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     (mut at, mut trial): (f64, Trial),
     vain: &mut Vec<(f64, Trial)>,
@@ -271,7 +277,7 @@ fn guessed(
         beyond *= 2.0;
         let guess = if plan.is_least { guess * (1.0 + beyond) } else { guess * (1.0 - beyond) };
         (at, trial) = (guess, tries.at(guess)?);
-        if trial.does() {
+        if trial.is_sufficient() {
             return Ok(Some((at, trial)));
         }
         vain.push((at, trial.clone()));
@@ -281,8 +287,8 @@ fn guessed(
 }
 
 /// The first sufficient amount in one direction; from each trial to the next the amount is multiplied or divided by `factor`.
-fn walk(
-    tries: Tries<'_>,
+fn first_sufficient(
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
     (begin, up, factor): (f64, bool, f64),
     vain: &mut Vec<(f64, Trial)>,
@@ -298,7 +304,7 @@ fn walk(
             return Ok(None);
         }
         let trial = tries.at(at)?;
-        if trial.does() {
+        if trial.is_sufficient() {
             return Ok(Some((at, trial)));
         }
         vain.push((at, trial));
@@ -308,73 +314,75 @@ fn walk(
 /// The bracket of the bound. From a sufficient amount the search goes towards harder amounts (less squeeze, more load) until one is insufficient.
 /// Then it narrows the bracket.
 fn edge_from(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
-    (mut does, mut trial): (f64, Trial),
+    (mut sufficient, mut trial): (f64, Trial),
     vain: &[(f64, Trial)],
-) -> Result<Searched, Error> {
+) -> Result<BoundSearch, Error> {
     let is_harder = |one: f64, other: f64| plan.is_harder(one, other);
-    let nearest = vain.iter().filter(|(at, trial)| is_harder(*at, does) && trial.carried().is_some());
-    let mut does_not =
+    let nearest = vain.iter().filter(|(at, trial)| is_harder(*at, sufficient) && trial.carried().is_some());
+    let mut insufficient =
         nearest.reduce(|one, other| if is_harder(one.0, other.0) { other } else { one }).cloned();
-    let inside = plan.beside_the_end(does, -NEAR_AN_END[2]);
-    for amount in plan.guesses((does, &trial), does_not.as_ref()) {
-        if does_not.as_ref().is_some_and(|not| !is_harder(not.0, amount)) || !is_harder(amount, does) {
+    let inside = plan.beside_the_end(sufficient, -NEAR_AN_END[2]);
+    for amount in plan.guesses((sufficient, &trial), insufficient.as_ref()) {
+        if insufficient.as_ref().is_some_and(|not| !is_harder(not.0, amount))
+            || !is_harder(amount, sufficient)
+        {
             continue;
         }
         // A full trial of an amount whose quick trial is undecided would take long, so the next estimate is tried instead.
         match (tries.quick)(amount, false)? {
-            Trial::Does { .. } => {
-                if let now @ Trial::Does { .. } = tries.at(amount)? {
-                    (does, trial) = (amount, now);
+            Trial::Sufficient { .. } => {
+                if let now @ Trial::Sufficient { .. } = tries.at(amount)? {
+                    (sufficient, trial) = (amount, now);
                 }
             }
-            now @ Trial::DoesNot { .. } => does_not = Some((amount, now)),
+            now @ Trial::Insufficient { .. } => insufficient = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
         // The amount just inside the proved end is insufficient, so the bound is elsewhere.
-        if Some(amount) == inside && does != amount {
+        if Some(amount) == inside && sufficient != amount {
             break;
         }
     }
-    if let Some(does_not) = does_not {
-        let edge = Threshold { does, does_not, unknown: None };
-        return Ok(Searched::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?));
+    if let Some(insufficient) = insufficient {
+        let edge = Threshold { sufficient, insufficient, unknown: None };
+        return Ok(BoundSearch::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?));
     }
-    first_insufficient(tries, plan, (does, trial))
+    first_insufficient(tries, plan, (sufficient, trial))
 }
 
 /// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient amount.
 fn first_insufficient(
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
     plan: &SearchPlan,
-    (mut does, mut trial): (f64, Trial),
-) -> Result<Searched, Error> {
-    let (mut at, mut factor, mut unknown) = (does, 1.0, None);
-    let does_not = loop {
+    (mut sufficient, mut trial): (f64, Trial),
+) -> Result<BoundSearch, Error> {
+    let (mut at, mut factor, mut unknown) = (sufficient, 1.0, None);
+    let insufficient = loop {
         // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces take long.
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {
             // Beyond the proved end of the range no trial is needed.
-            let says = || Trial::does_not("no forces of the contacts balance it", NOT_AT_REST);
-            break plan.beside_the_end(does, NEAR_AN_END[1]).map(|end| (end, says()));
+            let says = || Trial::insufficient("no forces of the contacts balance it", NOT_AT_REST);
+            break plan.beside_the_end(sufficient, NEAR_AN_END[1]).map(|end| (end, says()));
         }
         match decided(tries.whole, at, None)? {
-            (at, now @ Trial::Does { .. }) => (does, trial) = (at, now),
+            (at, now @ Trial::Sufficient { .. }) => (sufficient, trial) = (at, now),
             (_, Trial::Unknown(why)) => unknown = unknown.or(Some((at, why))),
-            (at, now @ Trial::DoesNot { .. }) => break Some((at, now)),
+            (at, now @ Trial::Insufficient { .. }) => break Some((at, now)),
         }
     };
-    match (does_not, unknown) {
-        (Some(does_not), unknown) => {
-            let edge = Threshold { does, does_not, unknown };
-            Ok(Searched::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?))
+    match (insufficient, unknown) {
+        (Some(insufficient), unknown) => {
+            let edge = Threshold { sufficient, insufficient, unknown };
+            Ok(BoundSearch::Threshold(edge.narrowed(tries, trial.measures(), plan.enough)?))
         }
-        (None, Some(why)) if plan.is_harder(why.0, does) => {
-            let does_not = (why.0, Trial::Unknown(why.1.clone()));
-            Ok(Searched::Threshold(Threshold { does, does_not, unknown: Some(why) }))
+        (None, Some(why)) if plan.is_harder(why.0, sufficient) => {
+            let insufficient = (why.0, Trial::Unknown(why.1.clone()));
+            Ok(BoundSearch::Threshold(Threshold { sufficient, insufficient, unknown: Some(why) }))
         }
-        (None, _) => Ok(Searched::All(does)),
+        (None, _) => Ok(BoundSearch::All(sufficient)),
     }
 }

@@ -1,6 +1,6 @@
 //! The bracket of the least or greatest sufficient amount (the bound): one sufficient and one insufficient amount, and how the bracket is narrowed.
 
-use super::search::{Tries, decided};
+use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
 use super::trial::Trial;
 use crate::error::Error;
@@ -8,65 +8,69 @@ use crate::prelude::*;
 
 /// The relative widths at which a bracket is narrow enough, as pairs: a number of steps, and the width that is enough from this step on. Widths grow
 /// with the number of steps, because rounding or a jump of the carried part of the load can keep the two amounts apart.
-pub(super) type Enough = &'static [(usize, f64)];
+pub(super) type WidthSchedule = &'static [(usize, f64)];
 
 /// A bracket of the bound of the sufficient amounts: a sufficient amount, and a neighbouring insufficient one with its trial.
 #[derive(Debug, Clone)]
 pub(super) struct Threshold {
-    pub(super) does: f64,
-    pub(super) does_not: (f64, Trial),
-    /// An amount between `does` and the amount of `does_not` whose trial is undecided, and the reason.
+    pub(super) sufficient: f64,
+    pub(super) insufficient: (f64, Trial),
+    /// An amount between `sufficient` and the amount of `insufficient` whose trial is undecided, and the reason.
     pub(super) unknown: Option<(f64, String)>,
 }
 
 impl Threshold {
     /// This bracket narrowed to the widths [`BESIDE_A_BOUND`].
-    pub(super) fn beside(self, tries: Tries<'_>, does: [Option<f64>; 2]) -> Result<Self, Error> {
-        self.narrowed(tries, does, BESIDE_A_BOUND)
+    pub(super) fn beside(
+        self,
+        tries: TrialFunctions<'_>,
+        sufficient: [Option<f64>; 2],
+    ) -> Result<Self, Error> {
+        self.narrowed(tries, sufficient, BESIDE_A_BOUND)
     }
 
     /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at
-    /// the level of rounding, the bracket is halved. `does` contains the two measures at the sufficient amount.
+    /// the level of rounding, the bracket is halved. `sufficient` contains the two measures at this amount.
     ///
     /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
         mut self,
-        tries: Tries<'_>,
-        does: [Option<f64>; 2],
-        enough: Enough,
+        tries: TrialFunctions<'_>,
+        sufficient: [Option<f64>; 2],
+        enough: WidthSchedule,
     ) -> Result<Self, Error> {
-        let mut presumed = self.clone().by(tries, true, (does, enough))?;
-        let mut here = tries.at(presumed.does)?;
+        let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
+        let mut here = tries.at(presumed.sufficient)?;
         // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later differ less and less.
         // Therefore an amount that is easier by 1e-6 is tried, too.
         let mut enough = enough;
         for _ in 0..6 {
-            if !tries.learns || !matches!(here, Trial::DoesNot { .. }) {
+            if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
                 break;
             }
-            (self.does_not, enough) = ((presumed.does, here), WHERE_DIRECTIONS_ARE_FOUND);
-            let easier =
-                presumed.does + (self.does - presumed.does).signum() * AT_A_JUMP * presumed.does.abs();
-            if (easier - presumed.does).abs() >= (self.does - presumed.does).abs() {
+            (self.insufficient, enough) = ((presumed.sufficient, here), WHERE_DIRECTIONS_ARE_FOUND);
+            let easier = presumed.sufficient
+                + (self.sufficient - presumed.sufficient).signum() * AT_A_JUMP * presumed.sufficient.abs();
+            if (easier - presumed.sufficient).abs() >= (self.sufficient - presumed.sufficient).abs() {
                 return Ok(self);
             }
-            if tries.at(easier)?.does() {
-                self.does = easier;
+            if tries.at(easier)?.is_sufficient() {
+                self.sufficient = easier;
                 return Ok(self);
             }
-            presumed = self.clone().by(tries, true, (does, enough))?;
-            here = tries.at(presumed.does)?;
+            presumed = self.clone().by(tries, true, (sufficient, enough))?;
+            here = tries.at(presumed.sufficient)?;
         }
-        let beside = presumed.does_not.0;
-        if !here.does() {
-            return self.by(tries, false, (does, enough));
+        let beside = presumed.insufficient.0;
+        if !here.is_sufficient() {
+            return self.by(tries, false, (sufficient, enough));
         }
-        self.does = presumed.does;
+        self.sufficient = presumed.sufficient;
         // In space, some amounts are shown to be insufficient only by the enumeration of contact states. The enumeration takes the longer, the nearer
         // the amount is to the bound, and right at the bound it does not end. Therefore the insufficient amount of the answer keeps a distance to the
         // bound.
-        let is_hard = presumed.does_not.1.needs_enumeration();
-        let far = self.does_not.0;
+        let is_hard = presumed.insufficient.1.needs_enumeration();
+        let far = self.insufficient.0;
         let at_a_distance = |part: f64| beside + (far - beside).signum() * part * beside.abs();
         let distances: &[f64] = if is_hard && !tries.is_planar { &APART_WHERE_HARD } else { &HARDLY_APART };
         let mut presumed_in_vain = None;
@@ -76,19 +80,19 @@ impl Threshold {
                 break;
             }
             match tries.at(at)? {
-                now @ Trial::DoesNot { .. } => {
-                    self.does_not = (at, now);
+                now @ Trial::Insufficient { .. } => {
+                    self.insufficient = (at, now);
                     break;
                 }
                 Trial::Unknown(why) => self.unknown = Some((at, why)),
-                now @ Trial::Does { .. } => {
-                    self.does = at;
+                now @ Trial::Sufficient { .. } => {
+                    self.sufficient = at;
                     presumed_in_vain = Some(now.measures());
                 }
             }
         }
-        if let now @ Trial::DoesNot { .. } = tries.at(self.does_not.0)? {
-            self.does_not.1 = now;
+        if let now @ Trial::Insufficient { .. } = tries.at(self.insufficient.0)? {
+            self.insufficient.1 = now;
         }
         match presumed_in_vain {
             Some(measures) => self.by(tries, false, (measures, enough)),
@@ -100,11 +104,11 @@ impl Threshold {
     /// undecided trial ends the narrowing.
     fn by(
         self,
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
         presumes: bool,
-        (does, enough): ([Option<f64>; 2], Enough),
+        (sufficient, enough): ([Option<f64>; 2], WidthSchedule),
     ) -> Result<Self, Error> {
-        let mut bracket = Narrowing::of(self, tries.is_planar, does, enough);
+        let mut bracket = Narrowing::of(self, tries.is_planar, sufficient, enough);
         // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; more than 120 steps would only follow rounding.
         for step in 0..120 {
             let close =
@@ -121,11 +125,11 @@ impl Threshold {
                 break;
             }
             let at = bracket.next(&tries, (step, is_slow, halves));
-            if at == bracket.edge.does || at == bracket.edge.does_not.0 {
+            if at == bracket.edge.sufficient || at == bracket.edge.insufficient.0 {
                 break;
             }
             // The load at which the grasp fails with a sufficient amount is only sought if it may guide the next trial.
-            let short = bracket.which == 1 || bracket.edge.does_not.1.carried().is_none();
+            let short = bracket.which == 1 || bracket.edge.insufficient.1.carried().is_none();
             let (at, now) = if presumes {
                 (at, (tries.quick)(at, short)?)
             } else {
@@ -133,12 +137,12 @@ impl Threshold {
             };
             bracket.moved_by(at, &now, step % 4 == 3 && is_slow);
             match now {
-                Trial::Does { .. } => bracket.edge.does = at,
+                Trial::Sufficient { .. } => bracket.edge.sufficient = at,
                 Trial::Unknown(why) if !presumes => {
                     bracket.edge.unknown = Some((at, why));
                     break;
                 }
-                now => bracket.edge.does_not = (at, now),
+                now => bracket.edge.insufficient = (at, now),
             }
         }
         Ok(bracket.edge)
@@ -148,7 +152,7 @@ impl Threshold {
 /// A bracket that is being narrowed, and what guides the next trial.
 struct Narrowing {
     edge: Threshold,
-    sides: [Side; 2],
+    sides: [BracketEnd; 2],
     /// Index of the measure in use.
     which: usize,
     /// The width of the bracket, and the decrease of the measure across it, when the measure began to be watched for a jump.
@@ -165,9 +169,12 @@ struct Narrowing {
 }
 
 impl Narrowing {
-    fn of(edge: Threshold, is_planar: bool, does: [Option<f64>; 2], enough: Enough) -> Self {
-        let sides = [Side::of(edge.does, does), Side::of(edge.does_not.0, edge.does_not.1.measures())];
-        let is_at_rest = edge.does_not.1.carried().is_some_and(|carried| carried <= 0.0);
+    fn of(edge: Threshold, is_planar: bool, sufficient: [Option<f64>; 2], enough: WidthSchedule) -> Self {
+        let sides = [
+            BracketEnd::of(edge.sufficient, sufficient),
+            BracketEnd::of(edge.insufficient.0, edge.insufficient.1.measures()),
+        ];
+        let is_at_rest = edge.insufficient.1.carried().is_some_and(|carried| carried <= 0.0);
         let which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
         // Right at a bound in space, paths begin at a fold and take a hundred times as long.
         let push = [if is_planar { 0.5 * LAST_DIGITS } else { 0.25 * enough[0].1 }; 2];
@@ -179,7 +186,7 @@ impl Narrowing {
     }
 
     fn width(&self) -> f64 {
-        (self.edge.does_not.0 - self.edge.does).abs()
+        (self.edge.insufficient.0 - self.edge.sufficient).abs()
     }
 
     /// Whether the width of the bracket is at most this part of its larger amount.
@@ -188,7 +195,7 @@ impl Narrowing {
     }
 
     fn largest(&self) -> f64 {
-        self.edge.does.abs().max(self.edge.does_not.0.abs())
+        self.edge.sufficient.abs().max(self.edge.insufficient.0.abs())
     }
 
     /// Whether the last three steps together left more than an eighth of the width.
@@ -210,7 +217,7 @@ impl Narrowing {
 
     /// Chooses the measure that guides the next trial. Returns whether it jumps at the bound, so that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
-        let is_known = |sides: &[Side; 2], which: usize| signs_differ(sides, which).is_some();
+        let is_known = |sides: &[BracketEnd; 2], which: usize| signs_differ(sides, which).is_some();
         // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
@@ -229,8 +236,8 @@ impl Narrowing {
     }
 
     /// The next amount to try: next to the root of the measure, or where contacts at rest probably leave their states, or in the middle.
-    fn next(&mut self, tries: &Tries<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
-        let (from, to, width) = (self.edge.does, self.edge.does_not.0, self.width());
+    fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
+        let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
         let mut root = self.root().filter(|_| is_used);
         // If the carried part jumps because no equilibrium at rest exists beyond the bound, contacts at rest leave their states at the bound.
@@ -251,7 +258,7 @@ impl Narrowing {
     /// The root of the measure in use: extrapolated on the side that the last step moved, or else by a secant.
     fn root(&self) -> Option<f64> {
         let [over, under] = signs_differ(&self.sides, self.which)?;
-        let (from, to) = (self.edge.does, self.edge.does_not.0);
+        let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
         let secant = || from + (to - from) * (over / (over - under));
         let is_inside = |root: &f64| (root - from) * (root - to) < 0.0;
         let root = self.kept.and_then(|side| self.sides[side].root(self.which)).filter(is_inside);
@@ -261,8 +268,8 @@ impl Narrowing {
 
     /// The amount at which contacts at rest probably leave their states, moved towards an end of the bracket by the estimated error of the
     /// prediction.
-    fn where_rest_ends(&mut self, tries: &Tries<'_>) -> Option<f64> {
-        let (from, to) = (self.edge.does, self.edge.does_not.0);
+    fn where_rest_ends(&mut self, tries: &TrialFunctions<'_>) -> Option<f64> {
+        let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
         let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
         let new = (tries.rest_ends)(from, to);
@@ -280,7 +287,7 @@ impl Narrowing {
 
     /// Notes the result of a trial. If the same end moves twice, the next trial is farther away from both ends.
     fn moved_by(&mut self, at: f64, trial: &Trial, forgets: bool) {
-        let side = usize::from(!trial.does());
+        let side = usize::from(!trial.is_sufficient());
         self.push[0] = if self.kept == Some(side) { 16.0 * self.push[0] } else { self.push[1] };
         self.kept = if forgets { None } else { Some(side) };
         self.sides[side].moves_to(at, trial.measures());
@@ -288,13 +295,13 @@ impl Narrowing {
 }
 
 /// One end of a bracket: the two measures at its amount, and its last amounts with their measures.
-struct Side {
+struct BracketEnd {
     measures: [Option<f64>; 2],
     /// The last three amounts of this end with their measures, the present one first.
     last: [Option<(f64, [Option<f64>; 2])>; 3],
 }
 
-impl Side {
+impl BracketEnd {
     const fn of(at: f64, measures: [Option<f64>; 2]) -> Self {
         Self { measures, last: [Some((at, measures)), None, None] }
     }
@@ -333,7 +340,7 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
 
 /// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless its signs at the two ends differ by more
 /// than rounding.
-fn signs_differ(sides: &[Side; 2], which: usize) -> Option<[f64; 2]> {
+fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
@@ -348,7 +355,7 @@ const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
 
 /// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do
 /// not change the answer; if wider, the width shows in the answer.
-const WHERE_DIRECTIONS_ARE_FOUND: Enough = &[(0, AT_A_JUMP)];
+const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials next to the bound are
 /// decided.

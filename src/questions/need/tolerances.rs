@@ -2,7 +2,7 @@
 //!
 //! Distances and widths are relative to the amount, or to the end of a range.
 
-use super::threshold::Enough;
+use super::threshold::WidthSchedule;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
@@ -46,7 +46,7 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// The relative widths at which the bracket of the sought amount is narrow enough. They leave only digits that are due to rounding.
 ///
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
-pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
+pub(super) const EXACT: WidthSchedule = &[(0, 1e-12), (64, 5e-10)];
 
 /// In space a bracket with this relative width is narrow enough if the carried part of the load jumps at the bound of the sufficient amounts.
 ///
@@ -56,14 +56,14 @@ pub(super) const AT_A_JUMP: f64 = 1e-6;
 /// The widths at which the bracket of the sought amount is narrow enough in space, since the verdicts come from load paths with step errors.
 ///
 /// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
-pub(super) const EXACT_IN_SPACE: Enough = &[(0, 1e-10), (64, 5e-10)];
+pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-10), (64, 5e-10)];
 
 /// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
-pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
+pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 
 /// The widths at which the brackets of changes between sufficient and insufficient other than the bound are narrow enough. There may be eight such
 /// changes, so narrower brackets would cost most of the trials.
-pub(super) const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
+pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
 /// Largest ratio of a tried amount to the first amount, or of the first amount to a tried one.
 ///

@@ -13,20 +13,20 @@ pub(super) const NOT_AT_REST: f64 = -1.0;
 /// The result of the trial of an amount.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
-    Does {
+    Sufficient {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
         /// A second margin: for [`Demand::Held`] the distance to the limit of small motions, for [`Demand::Sticks`] the margin of sticking at rest.
         /// Infinite if it is not known.
         other: f64,
     },
-    DoesNot {
+    Insufficient {
         /// The verdict in a sentence.
         says: String,
         /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
-        /// The second margin, as in `Does`. At a bound of the sufficient amounts where the carried part jumps, this margin may still decrease below 0
-        /// continuously.
+        /// The second margin, as in `Sufficient`. At a bound of the sufficient amounts where the carried part jumps, this margin may still decrease
+        /// below 0 continuously.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
         is_too_far: bool,
@@ -38,17 +38,17 @@ pub(super) enum Trial {
 impl Trial {
     /// The result for an insufficient amount with which nothing of the load is carried.
     pub(super) fn nothing(says: impl Into<String>) -> Self {
-        Self::does_not(says, 0.0)
+        Self::insufficient(says, 0.0)
     }
 
     /// The result for an insufficient amount with which this part of the load is carried.
-    pub(super) fn does_not(says: impl Into<String>, carried: f64) -> Self {
-        Self::DoesNot { says: says.into(), carried, other: f64::INFINITY, is_too_far: false }
+    pub(super) fn insufficient(says: impl Into<String>, carried: f64) -> Self {
+        Self::Insufficient { says: says.into(), carried, other: f64::INFINITY, is_too_far: false }
     }
 
     /// The result for a sufficient amount with which this multiple of the load is carried.
     pub(super) const fn carries(carried: f64) -> Self {
-        Self::Does { carried, other: f64::INFINITY }
+        Self::Sufficient { carried, other: f64::INFINITY }
     }
 
     /// The result for an amount that is sufficient however large the load is.
@@ -56,8 +56,8 @@ impl Trial {
         Self::carries(f64::INFINITY)
     }
 
-    pub(super) fn does(&self) -> bool {
-        matches!(self, Self::Does { .. })
+    pub(super) fn is_sufficient(&self) -> bool {
+        matches!(self, Self::Sufficient { .. })
     }
 
     /// Whether only the enumeration of contact states can decide if an equilibrium at rest exists. This is so if the trial is undecided, or if a load
@@ -69,7 +69,7 @@ impl Trial {
     /// The carried multiple of the load; `None` if the trial is undecided.
     pub(super) fn carried(&self) -> Option<f64> {
         match self {
-            Self::Does { carried, .. } | Self::DoesNot { carried, .. } => Some(*carried),
+            Self::Sufficient { carried, .. } | Self::Insufficient { carried, .. } => Some(*carried),
             Self::Unknown(_) => None,
         }
     }
@@ -78,7 +78,7 @@ impl Trial {
     /// the bound, unless it jumps at the bound. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
-            Self::Does { carried, other } | Self::DoesNot { carried, other, .. } => {
+            Self::Sufficient { carried, other } | Self::Insufficient { carried, other, .. } => {
                 [carried - 1.0, *other].map(|measure| Some(measure).filter(|measure| measure.is_finite()))
             }
             Self::Unknown(_) => [None; 2],
@@ -93,15 +93,15 @@ impl Trial {
     /// carried load is worse.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
-            Self::DoesNot { .. } => 0,
+            Self::Insufficient { .. } => 0,
             Self::Unknown(_) => 1,
-            Self::Does { .. } => 2,
+            Self::Sufficient { .. } => 2,
         };
         let order = rank(&self).cmp(&rank(&other));
         let by_load = || self.carried().unwrap_or(0.0).total_cmp(&other.carried().unwrap_or(0.0));
         let least = self.other().min(other.other());
         let mut worse = if order.then_with(by_load).is_le() { self } else { other };
-        if let Self::Does { other, .. } | Self::DoesNot { other, .. } = &mut worse {
+        if let Self::Sufficient { other, .. } | Self::Insufficient { other, .. } = &mut worse {
             *other = least;
         }
         worse
@@ -130,14 +130,14 @@ impl Trials {
 
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
-pub(super) struct Refuting {
+pub(super) struct RefutingLoads {
     /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
     /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
-impl Refuting {
+impl RefutingLoads {
     /// Puts a direction first. The list keeps the last six directions, so that their trials take a small part of the time of all directions.
     pub(super) fn add(&self, direction: [f64; 3]) {
         let mut list = self.directions.borrow_mut();

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::amount_words::roughly;
 use super::answer::{Amount, AmountWindow, FarEnd, Needed, Quantity, TriedAmounts};
-use super::press::{self, Press};
+use super::press::{self, ContactPress};
 use super::question::Demand;
 use crate::numerics::mapped;
 use crate::prelude::*;
@@ -53,11 +53,11 @@ impl Needed {
                 if otherwise.is_empty() {
                     return Ok(());
                 }
-                let best = self.much(Words::of(f), *best, &[]);
+                let best = self.amount_text(Words::of(f), *best, &[]);
                 write!(f, ". With {}: {otherwise}", best.trim_end_matches(','))
             }
             Amount::Undecided { at, doubt } => {
-                write!(f, "UNDECIDED at {}: {doubt}", self.much(Words::of(f), *at, &[]))
+                write!(f, "UNDECIDED at {}: {doubt}", self.amount_text(Words::of(f), *at, &[]))
             }
         }
     }
@@ -76,7 +76,7 @@ impl Needed {
     /// Writes the bound, the amounts next to it, what happens beyond it, and how it was found.
     fn bound(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Amount::Bound {
-            does,
+            sufficient,
             otherwise,
             unknown,
             changes,
@@ -93,24 +93,26 @@ impl Needed {
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
         // A bound that was searched for has tried amounts next to it. A single amount that proofs leave has no such neighbours.
-        if tried.is_none() && until.as_ref().is_some_and(|end| end.does == *does) {
-            return self.only(f, *does, otherwise);
+        if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
+            return self.only(f, *sufficient, otherwise);
         }
-        let much = self.much(words, *does, presses);
+        let much = self.amount_text(words, *sufficient, presses);
         let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
         match until {
             Some(end) if ends_small_motions => {
-                write!(f, "HOLDS {}", self.in_small_motions(words, end, *does))?;
+                write!(f, "HOLDS {}", self.in_small_motions(words, end, *sufficient))?;
             }
             None if ends_small_motions => {
                 write!(f, "TAKES {much}, up to which motions are small, and holds")?;
             }
             _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
-            Some(end) => write!(f, "TAKES {} and {aim}", self.between_ends(words, end.does, *does))?,
+            Some(end) => {
+                write!(f, "TAKES {} and {aim}", self.between_ends(words, end.sufficient, *sufficient))?;
+            }
             None => write!(f, "TAKES {much} and {aim}")?,
         }
-        let is_one_amount = self.beside(f, *does)? && !ends_small_motions;
-        self.safe_amount(f, (*does, presses), is_one_amount)?;
+        let is_one_amount = self.beside(f, *sufficient)? && !ends_small_motions;
+        self.safe_amount(f, (*sufficient, presses), is_one_amount)?;
         write!(f, ". With {} {otherwise}", if is_least { "less:" } else { "more:" })?;
         if let Some(unknown) = unknown {
             write!(f, ". With {} it is not known", self.short(words, *unknown, &[]))?;
@@ -119,8 +121,8 @@ impl Needed {
             write!(f, ". At rest {limit}")?;
         }
         self.far_end(f, until.as_ref())?;
-        let told = 1 + usize::from(until.is_some()) + self.windows(f, elsewhere)?;
-        if *changes > told {
+        let mentioned = 1 + usize::from(until.is_some()) + self.windows(f, elsewhere)?;
+        if *changes > mentioned {
             write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
         }
         self.amounts_tried(f, *tried)
@@ -136,14 +138,19 @@ impl Needed {
     ) -> fmt::Result {
         let (words, aim) = (Words::of(f), self.aim());
         if self.quantity.is_least() {
-            write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(to, true), &[]))?;
+            write!(f, "NEEDS none: {aim} down to {}", self.amount_text(words, roughly(to, true), &[]))?;
         } else if let Some(end) = until {
-            let [much, to] = [self.much(words, end.does, &[]), self.short(words, roughly(to, false), &[])];
+            let [much, to] =
+                [self.amount_text(words, end.sufficient, &[]), self.short(words, roughly(to, false), &[])];
             write!(f, "TAKES {much} and more: it holds up to {to}")?;
         } else {
             let amount = if self.quantity == Quantity::Angle { to } else { roughly(to, false) };
             let aim = if self.demand == Demand::Held { "it holds" } else { aim };
-            write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]).trim_end_matches(','))?;
+            write!(
+                f,
+                "TAKES any: {aim} up to {}",
+                self.amount_text(words, amount, &[]).trim_end_matches(',')
+            )?;
         }
         let is_one_amount = self.beside(f, to)? && until.is_none();
         self.safe_amount(f, (to, &[]), is_one_amount)?;
@@ -152,17 +159,17 @@ impl Needed {
     }
 
     /// Writes that one amount is sufficient, and no other.
-    fn only(&self, f: &mut fmt::Formatter<'_>, does: f64, otherwise: &str) -> fmt::Result {
-        let much = self.much(Words::of(f), does, &[]);
+    fn only(&self, f: &mut fmt::Formatter<'_>, sufficient: f64, otherwise: &str) -> fmt::Result {
+        let much = self.amount_text(Words::of(f), sufficient, &[]);
         write!(f, "ONLY {} does", much.trim_end_matches(','))?;
-        if does == 1.0 && self.quantity != Quantity::Friction {
+        if sufficient == 1.0 && self.quantity != Quantity::Friction {
             f.write_str(", as given")?;
         }
         if let Some(Amount::Bound { .. }) = self.sticks {
             f.write_str(", and nothing slides")?;
         }
         write!(f, ". With more or less {otherwise}")?;
-        self.safe_amount(f, (does, &[]), false)
+        self.safe_amount(f, (sufficient, &[]), false)
     }
 
     /// Writes that no amount is sufficient, with the proof or the range of amounts tried.
@@ -190,10 +197,10 @@ impl Needed {
     /// Writes the sentences about further intervals of sufficient amounts. Returns the number of their known ends, each of which is a change of
     /// verdict.
     fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
-        let (words, mut told) = (Words::of(f), 0);
+        let (words, mut mentioned) = (Words::of(f), 0);
         for window in elsewhere {
-            told += [window.from, window.to].iter().flatten().count();
-            let much = |amount: f64| self.much(words, amount, &[]);
+            mentioned += [window.from, window.to].iter().flatten().count();
+            let much = |amount: f64| self.amount_text(words, amount, &[]);
             let range = match (window.from, window.to) {
                 (Some(from), Some(to)) => self.range(words, from, to),
                 (Some(one), None) => format!("{} and more", much(one)),
@@ -201,7 +208,7 @@ impl Needed {
             };
             write!(f, ". Apart from that {range} would do")?;
         }
-        Ok(told)
+        Ok(mentioned)
     }
 
     /// Writes the number of amounts tried for the answer, and their range.
@@ -217,7 +224,7 @@ impl Needed {
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
-        let much = self.much(Words::of(f), end.does, &end.presses);
+        let much = self.amount_text(Words::of(f), end.sufficient, &end.presses);
         write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
         let limit = at_limit(&end.at_their_limit);
         limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
@@ -225,27 +232,27 @@ impl Needed {
 
     /// Writes the amount with which nothing slides, after the amount with which the object is held. Returns whether the sentence has only one amount
     /// up to here.
-    fn beside(&self, f: &mut fmt::Formatter<'_>, does: f64) -> Result<bool, fmt::Error> {
+    fn beside(&self, f: &mut fmt::Formatter<'_>, sufficient: f64) -> Result<bool, fmt::Error> {
         let words = Words::of(f);
         let is_least = self.quantity.is_least();
         match &self.sticks {
             None => return Ok(true),
-            Some(Amount::Bound { does: sticks, until, .. })
-                if (sticks - does).abs() <= ALIKE_IN_WORDS * does.abs() =>
+            Some(Amount::Bound { sufficient: sticks, until, .. })
+                if (sticks - sufficient).abs() <= ALIKE_IN_WORDS * sufficient.abs() =>
             {
                 f.write_str(if is_least { " and nothing slides" } else { ", and nothing slides" })?;
                 self.sticks_until(f, until.as_ref())?;
                 return Ok(until.is_none());
             }
-            Some(Amount::Bound { does: sticks, presses, until, .. }) => {
+            Some(Amount::Bound { sufficient: sticks, presses, until, .. }) => {
                 let much = match until {
                     None => self.short(words, *sticks, presses),
                     Some(end) if is_least => {
-                        let [from, to] = [(*sticks, presses), (end.does, &end.presses)]
+                        let [from, to] = [(*sticks, presses), (end.sufficient, &end.presses)]
                             .map(|(amount, presses)| self.short(words, amount, presses));
                         format!("{from} to {to}")
                     }
-                    Some(end) => self.range(words, end.does, *sticks),
+                    Some(end) => self.range(words, end.sufficient, *sticks),
                 };
                 write!(
                     f,
@@ -270,7 +277,7 @@ impl Needed {
     fn sticks_until(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let to = if self.quantity.is_least() { "up to" } else { "from" };
-        write!(f, " {to} {}", self.short(Words::of(f), end.does, &end.presses))
+        write!(f, " {to} {}", self.short(Words::of(f), end.sufficient, &end.presses))
     }
 
     /// Whether an arm is bounded only by small motions: a longer arm is held, too, but moves the object too far.
@@ -278,9 +285,12 @@ impl Needed {
         is_too_far && self.quantity == Quantity::Arm && demand == Demand::Held
     }
 
-    /// The interval from `until` to `does` as text: "from an arm of 0.25 m on (small motions: up to 54 m)".
-    fn in_small_motions(&self, words: Words, until: &FarEnd, does: f64) -> String {
-        let [from, to] = [self.much(words, until.does, &[]), self.short(words.rounded_to(2), does, &[])];
+    /// The interval from `until` to `sufficient` as text: "from an arm of 0.25 m on (small motions: up to 54 m)".
+    fn in_small_motions(&self, words: Words, until: &FarEnd, sufficient: f64) -> String {
+        let [from, to] = [
+            self.amount_text(words, until.sufficient, &[]),
+            self.short(words.rounded_to(2), sufficient, &[]),
+        ];
         format!("from {from} on (small motions: up to {to})")
     }
 
@@ -288,7 +298,7 @@ impl Needed {
     fn safe_amount(
         &self,
         f: &mut fmt::Formatter<'_>,
-        (does, presses): (f64, &[Press]),
+        (sufficient, presses): (f64, &[ContactPress]),
         is_one_amount: bool,
     ) -> fmt::Result {
         let words = Words::of(f);
@@ -302,28 +312,28 @@ impl Needed {
         }
         let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
         match &self.safe {
-            Some(Amount::Bound { does: safe, until: Some(end), is_too_far, .. })
+            Some(Amount::Bound { sufficient: safe, until: Some(end), is_too_far, .. })
                 if self.ends_small_motions(self.demand, *is_too_far) =>
             {
                 let much = self.in_small_motions(words, end, *safe);
                 write!(f, ". If {if_less} it holds {much}")
             }
-            Some(Amount::Bound { does: safe, presses: safe_presses, until, .. }) => {
+            Some(Amount::Bound { sufficient: safe, presses: safe_presses, until, .. }) => {
                 let much = match (press::alike(presses), press::alike(safe_presses)) {
                     // Both amounts lead to the same normal forces, because drives at their limit press no harder under a larger command. So the
                     // multiple of the command is named.
                     (Some(one), Some(other))
-                        if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != does =>
+                        if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != sufficient =>
                     {
-                        format!("{} times that command", words.number(safe / does))
+                        format!("{} times that command", words.number(safe / sufficient))
                     }
                     (None, _) if !presses.is_empty() => {
-                        format!("{} times as much", words.number(safe / does))
+                        format!("{} times as much", words.number(safe / sufficient))
                     }
                     _ => match until {
-                        Some(end) if !self.quantity.is_least() => self.range(words, end.does, *safe),
+                        Some(end) if !self.quantity.is_least() => self.range(words, end.sufficient, *safe),
                         Some(end) => {
-                            let [from, to] = [(*safe, safe_presses), (end.does, &end.presses)]
+                            let [from, to] = [(*safe, safe_presses), (end.sufficient, &end.presses)]
                                 .map(|(amount, presses)| self.short(words, amount, presses));
                             format!("{from} to {to}")
                         }
@@ -368,8 +378,8 @@ fn at_limit(drives: &[String]) -> Option<String> {
 impl Amount {
     /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. If there is no bound, true.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
-        let Self::Bound { does, until, elsewhere, .. } = self else { return true };
-        let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));
+        let Self::Bound { sufficient, until, elsewhere, .. } = self else { return true };
+        let (near, far) = (Some(*sufficient), until.as_ref().map(|end| end.sufficient));
         let own = if is_least {
             AmountWindow { from: near, to: far }
         } else {

@@ -75,8 +75,8 @@ impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
                 let scenes = Scenes { vectors, block, ready, first, squeezed };
                 for (k, question) in self.questions.iter().enumerate() {
                     let place = [k, self.questions.len()];
-                    let mut told = AnswerSlots::new(answers, these, place, Q::answers(contacts));
-                    question.ask(&scenes, [&mut *a, &mut *b, &mut *c], &mut told);
+                    let mut slots = AnswerSlots::new(answers, these, place, Q::answers(contacts));
+                    question.ask(&scenes, [&mut *a, &mut *b, &mut *c], &mut slots);
                 }
             }
         }

@@ -49,7 +49,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [rates, forces, answered]: Room<'_, C, X>,
-        told: &mut AnswerSlots<'_, f64, X>,
+        slots: &mut AnswerSlots<'_, f64, X>,
     ) {
         let (v, block, ready) = (scenes.vectors, &scenes.block, scenes.ready);
         let Pull { base, direction, loaded } = &self.pull;
@@ -79,7 +79,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
             motions: [&moved, &virtually],
             first,
         };
-        tell(v, &slopes, block, told);
+        write_gradient(v, &slopes, block, slots);
     }
 }
 
@@ -98,14 +98,14 @@ fn reach<V: Vectors, const C: usize, X: Packed>(
 }
 
 #[inline(never)]
-fn tell<V: Vectors, const C: usize, X: Packed>(
+fn write_gradient<V: Vectors, const C: usize, X: Packed>(
     v: V,
     slopes: &Slopes<'_, C, X>,
     block: &Block<'_, C, X>,
-    told: &mut AnswerSlots<'_, f64, X>,
+    slots: &mut AnswerSlots<'_, f64, X>,
 ) {
     v.run(
         #[inline(always)]
-        || slopes.tell(block, told),
+        || slopes.write_gradient(block, slots),
     );
 }

@@ -58,7 +58,7 @@ pub(super) struct Slopes<'a, const C: usize, X: Packed> {
 impl<const C: usize, X: Packed> Slopes<'_, C, X> {
     /// Computes the [`GradientRow`] of the grasp in each lane and stores it as an answer.
     #[inline(always)]
-    pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut AnswerSlots<'_, f64, X>) {
+    pub(super) fn write_gradient(&self, block: &Block<'_, C, X>, slots: &mut AnswerSlots<'_, f64, X>) {
         let contacts = count(block.contacts);
         let mut row = [X::all(0.0); LONGEST_ROW];
         let scale = X::all(-1.0) / self.edge.rate;
@@ -87,7 +87,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         }
         let numbers = GradientRow::<C>::numbers(contacts);
         for (scene, screened) in self.first.as_ref().iter().enumerate() {
-            if let Some(places) = told.places(scene) {
+            if let Some(places) = slots.places(scene) {
                 for (place, number) in places.iter_mut().zip(&row[..numbers]) {
                     *place = number.lane(scene);
                 }

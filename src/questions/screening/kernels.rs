@@ -10,8 +10,8 @@ use super::gradient::GradientOf;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
 use super::pull::Pull;
-use super::put_on::PutOn;
 use super::question::ScreeningQuestion;
+use super::slip_and_rotation::SlipAndRotation;
 use super::watch::{Measured, Watched};
 use crate::error::Error;
 use crate::grasp::Contact;
@@ -22,7 +22,7 @@ pub(super) struct Kernels<const C: usize> {
     pub(super) pull: Kernel<C, Pull<C>>,
     pub(super) load_cases: Kernel<C, LoadCases<C>>,
     pub(super) gradient: Kernel<C, GradientOf<C>>,
-    pub(super) put_on: fn(BatchPart<'_, C, PutOn<C>>),
+    pub(super) put_on: fn(BatchPart<'_, C, SlipAndRotation<C>>),
     pub(super) watch: fn(&OneGrasp<C>, &Measured<'_, C>) -> Watched,
 }
 

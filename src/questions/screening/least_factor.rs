@@ -182,7 +182,7 @@ impl<X: Packed> LeastFactor<X> {
             let (n, dn) = (cone.alpha * force.normal, cone.alpha * gain.normal);
             let (t, dt) = (cone.friction(force), cone.friction(gain));
             let binding = X::all((8 * load + i) as f64);
-            self.know([n.abs(), dn.abs()]);
+            self.require_valid([n.abs(), dn.abs()]);
             if const { C == 2 } {
                 for (value, gain) in [(n - t[0], dn - dt[0]), (n + t[0], dn + dt[0])] {
                     let margin = Margin { value, gain, noise, gain_noise };
@@ -218,12 +218,12 @@ impl<X: Packed> LeastFactor<X> {
         self.first_most = self.first_most.max(first + first_off);
         self.last_sure = self.last_sure.min(last - last_off);
         self.last_most = self.last_most.min(last + last_off);
-        self.know([first, first_off, last.abs(), last_off]);
+        self.require_valid([first, first_off, last.abs(), last_off]);
     }
 
     /// Makes the answer unclear if one of the numbers `sizes` is negative or NaN. Comparisons elsewhere would ignore NaN.
     #[inline(always)]
-    fn know<const K: usize>(&mut self, sizes: [X; K]) {
+    fn require_valid<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {
             self.doubt += size.above(X::all(-f64::MIN_POSITIVE), X::all(0.0), X::all(1.0));
         }

@@ -39,7 +39,7 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [commands, overlaps, others]: Room<'_, C, X>,
-        told: &mut AnswerSlots<'_, ScreenedSqueeze, X>,
+        slots: &mut AnswerSlots<'_, ScreenedSqueeze, X>,
     ) {
         scenes.apart([commands, overlaps]);
         let mut enough = LeastFactor::new();
@@ -49,6 +49,6 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
             enough.under(scenes.vectors, number, scenes.block.friction(), [&*commands, &*others]);
         }
         let (code, binding) = enough.least();
-        told.each(X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) }));
+        slots.each(X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) }));
     }
 }

@@ -45,9 +45,9 @@ impl<const C: usize> OneGrasp<C> {
         let (ready, squeezed) = (&self.ready, &self.squeezed);
         // The compiler removes those arrays of forces that a question does not use.
         let [mut a, mut b, mut c] = [Forces::<C, f64>::none(); 3];
-        let mut told = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
+        let mut slots = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
         let scenes = Scenes { vectors: Compiled, block, ready, first: 0, squeezed };
-        question.ask(&scenes, [&mut a, &mut b, &mut c], &mut told);
+        question.ask(&scenes, [&mut a, &mut b, &mut c], &mut slots);
     }
 
     /// The margins of measured contact forces of this grasp, and the first slip from them; see [`Measured`].

@@ -6,9 +6,9 @@ use super::kernels::Kernels;
 use super::lanes::{LANES, Lanes, Packed};
 use super::one_grasp::write_all;
 use super::pull::Pull;
-use super::put_on::PutOn;
 use super::question::ScreeningQuestion;
 use super::screened::Screened;
+use super::slip_and_rotation::SlipAndRotation;
 use crate::grasp::Contact;
 use crate::numerics::Each;
 use crate::prelude::*;
@@ -105,7 +105,8 @@ impl<const C: usize> PointBatch<C> {
     #[must_use]
     pub fn own_onsets(&self, pulls: Vec<Pull<C>>) -> Vec<Screened> {
         let mut onsets = Vec::with_capacity(pulls.len());
-        onsets.extend(PutOn { pulls, turns: false }.answers(self).iter().map(|answer| answer.first));
+        onsets
+            .extend(SlipAndRotation { pulls, turns: false }.answers(self).iter().map(|answer| answer.first));
         onsets
     }
 

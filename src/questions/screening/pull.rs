@@ -41,7 +41,7 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [rates, base, _]: Room<'_, C, X>,
-        told: &mut AnswerSlots<'_, Screened, X>,
+        slots: &mut AnswerSlots<'_, Screened, X>,
     ) {
         scenes.under(&self.direction, rates);
         let mut start = scenes.squeezed;
@@ -49,6 +49,6 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
             scenes.squeezed_under(&self.base, base);
             start = base;
         }
-        told.each(judge(scenes.vectors, &scenes.block, start, rates));
+        slots.each(judge(scenes.vectors, &scenes.block, start, rates));
     }
 }

@@ -41,7 +41,7 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         room: Room<'_, C, X>,
-        told: &mut AnswerSlots<'_, Self::Answer, X>,
+        slots: &mut AnswerSlots<'_, Self::Answer, X>,
     );
 }
 

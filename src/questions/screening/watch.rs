@@ -160,7 +160,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [to_come, measured, commands]: Room<'_, C, X>,
-        told: &mut AnswerSlots<'_, Watched, X>,
+        slots: &mut AnswerSlots<'_, Watched, X>,
     ) {
         let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
         scenes.under(self.to_come, to_come);
@@ -182,7 +182,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         enough.under(scenes.vectors, 0, friction, [&*commands, &*to_come]);
         let (code, binding) = enough.least();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
-        told.each(X::each(|scene| Watched {
+        slots.each(X::each(|scene| Watched {
             margin: margin.lane(scene),
             tightest: tightest.lane(scene) as usize,
             first_slip: first_slip.as_ref()[scene],

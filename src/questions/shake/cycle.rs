@@ -12,7 +12,7 @@ use crate::search::Settings;
 
 /// The units in which states between cycles are compared.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Scale {
+pub(super) struct CycleUnits {
     /// Unit of forces, N: the largest contact force of the cycle.
     pub(super) force: f64,
     /// Unit of gaps and slips, m: the stretch of the softest spring under `force`.
@@ -25,7 +25,7 @@ pub(super) struct Cycle {
     pub(super) from: CycleState,
     pub(super) to: CycleState,
     pub(super) record: CycleRecord,
-    pub(super) scale: Scale,
+    pub(super) scale: CycleUnits,
 }
 
 impl Cycle {
@@ -56,15 +56,15 @@ impl Cycle {
     /// Joins the next cycle to this one, so that both together are treated as one cycle.
     pub(super) fn append(&mut self, next: &Self) {
         self.record.append(&next.record);
-        self.scale = Scale {
+        self.scale = CycleUnits {
             force: self.scale.force.max(next.scale.force),
             stretch: self.scale.stretch.max(next.scale.stretch),
         };
         self.to = next.to.clone();
     }
 
-    /// The forces and gaps of a state as numbers, divided by the units of [`Scale`], and which contacts have kinetic friction. Gaps that stay open
-    /// during the whole cycle are replaced by zero.
+    /// The forces and gaps of a state as numbers, divided by the units of [`CycleUnits`], and which contacts have kinetic friction. Gaps that stay
+    /// open during the whole cycle are replaced by zero.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
@@ -115,13 +115,13 @@ impl Cycle {
     }
 }
 
-/// The [`Scale`] of this cycle; 1 N if no contact force acted, and the size of the grasp if no spring is stretched.
-fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> Scale {
+/// The [`CycleUnits`] of this cycle; 1 N if no contact force acted, and the size of the grasp if no spring is stretched.
+fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> CycleUnits {
     let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();
         if size > 0.0 { site.springs.deflection(force).norm() / size } else { 0.0 }
     };
     let softest = engine.sites().iter().zip(&at.forces).map(softness).fold(0.0, f64::max);
     let force = if record.largest > 0.0 { record.largest } else { 1.0 };
-    Scale { force, stretch: if softest > 0.0 { force * softest } else { engine.length() } }
+    CycleUnits { force, stretch: if softest > 0.0 { force * softest } else { engine.length() } }
 }

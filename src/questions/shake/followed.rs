@@ -1,8 +1,8 @@
 //! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles.
 
 use super::cycle::Cycle;
+use super::period_search::PeriodSearch;
 use super::recurrence::Recurrence;
-use super::round::Round;
 use super::tolerances::{NEAR_THE_LIMIT, NEAR_THE_LIMIT_ON_ARCS};
 use super::verdict::{Repeats, Shaken};
 use crate::equilibrium::TooFar;
@@ -43,7 +43,7 @@ impl Engine {
         };
         let slid = vec![false; rest.forces.len()];
         let places = vec![rest.clone()];
-        let shaking = Shaking {
+        let shaking = FollowedCycles {
             engine: self,
             settings,
             base: *base,
@@ -51,7 +51,7 @@ impl Engine {
             cycles,
             places,
             slid,
-            round: Round::new(),
+            round: PeriodSearch::new(),
             every: 1,
             alike: 0,
             followed: 0,
@@ -63,7 +63,7 @@ impl Engine {
 }
 
 /// A repeated load on a grasp, and the data of the cycles that were followed so far.
-struct Shaking<'g, 's> {
+struct FollowedCycles<'g, 's> {
     engine: &'g Engine,
     settings: &'s Settings,
     base: Wrench<3>,
@@ -73,7 +73,7 @@ struct Shaking<'g, 's> {
     places: Vec<CycleState>,
     /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
-    round: Round,
+    round: PeriodSearch,
     /// The period of the limit cycle, as a number of load cycles.
     every: usize,
     /// Number of successive cycles, up to the present one, that each had the same events (slipping, sticking, opening, closing) as the cycle before.
@@ -86,7 +86,7 @@ struct Shaking<'g, 's> {
     too_far: Option<TooFar>,
 }
 
-impl<'g> Shaking<'g, '_> {
+impl<'g> FollowedCycles<'g, '_> {
     fn until_it_repeats(mut self) -> Shaken<3> {
         let (mut last, mut change): (Option<Cycle>, _) = (None, 0.0);
         let (mut most_cycles, mut walked_out) = (self.settings.most_cycles, None);
@@ -94,13 +94,13 @@ impl<'g> Shaking<'g, '_> {
             self.followed += 1;
             self.cycles_gone += 1;
             let next = Cycle::next(self.engine, &mut self.cycles);
-            self.note_how_far(self.cycles.too_far());
+            self.record_motion_ratio(self.cycles.too_far());
             let Some(cycle) = next else {
                 let repeats = self.repeats_at_end(self.cycles_gone);
                 return walked_out.unwrap_or_else(|| self.answer(repeats, (change, 0.0), None));
             };
             change = cycle.change();
-            let mut round = core::mem::replace(&mut self.round, Round::new());
+            let mut round = core::mem::replace(&mut self.round, PeriodSearch::new());
             let alone = (change <= cycle.same()).then_some((&cycle, 1));
             if let Some((closed, many)) = alone.or_else(|| round.closed_by(&cycle)) {
                 let Some(more) = closed.cycles_until_closing() else {
@@ -111,7 +111,7 @@ impl<'g> Shaking<'g, '_> {
                 };
                 // Forces repeat, but an open gap shrinks in every cycle. Until the gap closes, all cycles (or groups of `many` cycles) have the same
                 // events and forces. These cycles are skipped.
-                let there = closed.to.moved_on(&closed.from, more as f64);
+                let there = closed.to.after_repeats(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
                 {
@@ -141,17 +141,17 @@ impl<'g> Shaking<'g, '_> {
             // cycles.
             if self.alike > 0 && self.alike.is_multiple_of(3) {
                 match self.extrapolate(&cycle) {
-                    Ahead::To { limit, ratio, error } => {
+                    Extrapolation::To { limit, ratio, error } => {
                         let repeats = self.repeats_from(&limit, None);
                         return self.answer(repeats, (error, ratio), Some(&limit.to));
                     }
-                    Ahead::Further { cycle, cycles, passed } => {
+                    Extrapolation::Further { cycle, cycles, passed } => {
                         self.cycles = *cycles;
                         self.restart_from(cycle.to.clone(), passed + 1);
                         last = Some(*cycle);
                         continue;
                     }
-                    Ahead::NotKnown => {}
+                    Extrapolation::NotKnown => {}
                 }
             }
             last = Some(cycle);
@@ -162,22 +162,22 @@ impl<'g> Shaking<'g, '_> {
     /// Continues with the cycles from `state`, which the grasp reaches `passed` cycles after the present state.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
-        self.round = Round::new();
+        self.round = PeriodSearch::new();
         self.alike = 0;
         self.cycles_gone += passed;
     }
 
-    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once. [`Ahead::NotKnown`] if
-    /// all trials fail.
+    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
+    /// [`Extrapolation::NotKnown`] if all trials fail.
     ///
     /// The states at the beginning of cycles with the same events form a convex set. Extrapolated states lie between the last state and the limit. If
     /// the events in the cycles from these two states are the same, they are the same for all states in between. Two events that only swap their
     /// order do not change the map from state to state.
-    fn extrapolate(&mut self, last: &Cycle) -> Ahead<'g> {
+    fn extrapolate(&mut self, last: &Cycle) -> Extrapolation<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
-            return Ahead::NotKnown;
+            return Extrapolation::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
         // A state is taken as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present
@@ -203,13 +203,17 @@ impl<'g> Shaking<'g, '_> {
                         && let Some(limit) = self.limit(&recurrence, last)
                     {
                         let (error, ratio) = (limit.change(), recurrence.ratio());
-                        return Ahead::To { limit: Box::new(limit), ratio, error };
+                        return Extrapolation::To { limit: Box::new(limit), ratio, error };
                     }
-                    return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
+                    return Extrapolation::Further {
+                        cycle: Box::new(cycle),
+                        cycles: Box::new(cycles),
+                        passed,
+                    };
                 }
                 // After a failed trial the next trial extrapolates over a quarter as many cycles.
                 _ if passed >= 4 * fewest => passed /= 4,
-                _ => return Ahead::NotKnown,
+                _ => return Extrapolation::NotKnown,
             }
         }
     }
@@ -220,7 +224,7 @@ impl<'g> Shaking<'g, '_> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, cycles) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        self.note_how_far(cycles.too_far());
+        self.record_motion_ratio(cycles.too_far());
         // If friction falls once contacts slide, events at the limit may differ from the events just before the limit. In that case the cycle at the
         // limit does not show the behaviour of the grasp.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
@@ -234,7 +238,7 @@ impl<'g> Shaking<'g, '_> {
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
     }
 
-    fn note_how_far(&mut self, too_far: Option<TooFar>) {
+    fn record_motion_ratio(&mut self, too_far: Option<TooFar>) {
         self.too_far = self.too_far.take().or(too_far);
     }
 
@@ -302,7 +306,7 @@ impl<'g> Shaking<'g, '_> {
 }
 
 /// The result of an extrapolation over cycles with the same events.
-enum Ahead<'g> {
+enum Extrapolation<'g> {
     /// The states between cycles converge, and a cycle from their limit repeats itself.
     To {
         /// The cycle that begins at the limit.

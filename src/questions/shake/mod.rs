@@ -26,8 +26,8 @@
 mod cycle;
 mod face;
 mod followed;
+mod period_search;
 mod recurrence;
-mod round;
 mod shakedown;
 mod tolerances;
 mod verdict;

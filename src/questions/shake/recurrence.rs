@@ -8,7 +8,7 @@
 use crate::numerics::{IntoList, Singular, matrix_of};
 use nalgebra::{DMatrix, DVector};
 
-use super::cycle::Scale;
+use super::cycle::CycleUnits;
 use crate::load_path::CycleState;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
@@ -131,7 +131,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 impl CycleState {
     /// The forces and gaps of this state in units of `scale`, and 1 for each contact with kinetic friction, else 0. Gaps of contacts for which
     /// `aside` returns true are replaced by zero.
-    pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
+    pub(super) fn numbers(&self, scale: &CycleUnits, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {
             numbers.extend(force.iter().map(|x| x / scale.force));
@@ -147,7 +147,7 @@ impl CycleState {
 
     /// This state after `times` further cycles that repeat: in each of them gaps, slips and motion change by their difference from `from`, the state
     /// one cycle before. Forces do not change.
-    pub(super) fn moved_on(&self, from: &Self, times: f64) -> Self {
+    pub(super) fn after_repeats(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);
         there.gaps.iter_mut().zip(&from.gaps).for_each(|(gap, before)| *gap += (*gap - before) * times);

@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, Matrix, SVector};
 
-use crate::contact::{Edges, Fit, PolygonCone};
+use crate::contact::{Edges, PolygonCone, PolygonFit};
 use crate::equilibrium::{ContactForces, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
@@ -89,7 +89,7 @@ impl Engine {
         let loads: Vec<_> =
             loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
         // Cones that contain the round cone are needed: only then is the greatest factor an upper bound.
-        let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
+        let around = PolygonCone::new(settings.cone.facets(), PolygonFit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
         let sticking = StickingResponse::new(self, &Settings { cone, ..*settings }.on_the_polygon());
         let Ok(rest) = sticking.forces(&self.offsets(), &at_rest) else { return Ok(None) };

@@ -6,7 +6,7 @@ use super::shakedown::{BindingContact, Shakedown};
 use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
-use crate::hold::does;
+use crate::hold::subject_and_verb;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -35,16 +35,21 @@ impl<const C: usize> Shaken<C> {
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => f.write_str("RESTS: nothing ever slides"),
             Repeats::Rests { after, slid } => {
-                write!(f, "RESTS after {}: until then {}", cycles(*after), does(slid, "slides", "slide"))?;
+                write!(
+                    f,
+                    "RESTS after {}: until then {}",
+                    cycles(*after),
+                    subject_and_verb(slid, "slides", "slide")
+                )?;
                 self.write_moved(f, words)
             }
             Repeats::DiesOut { slid } => {
-                let (slides, ratio) = (does(slid, "slides", "slide"), words.number(self.ratio));
+                let (slides, ratio) = (subject_and_verb(slid, "slides", "slide"), words.number(self.ratio));
                 write!(f, "COMES TO REST: {slides} less and less, {ratio} of it left from cycle to cycle")?;
                 self.write_moved(f, words)
             }
             Repeats::Alternates { slides, way, dissipated } => {
-                write!(f, "SLIDES TO AND FRO: {} ", does(slides, "slides", "slide"))?;
+                write!(f, "SLIDES TO AND FRO: {} ", subject_and_verb(slides, "slides", "slide"))?;
                 let heat = words.number(*dissipated);
                 write!(
                     f,
@@ -54,7 +59,7 @@ impl<const C: usize> Shaken<C> {
                 )
             }
             Repeats::Walks { by, slides, .. } => {
-                let slide = does(slides, "slides", "slide");
+                let slide = subject_and_verb(slides, "slides", "slide");
                 let moved = moves(words, by);
                 if self.change <= CONSTANT_FORCES {
                     write!(f, "WALKS: {moved} in {}", self.in_every())?;
@@ -135,6 +140,10 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 parts.insert(place, contact.clone());
             }
         }
-        if parts.is_empty() { Ok(()) } else { write!(f, ". With more, {}", does(&parts, "slides", "slide")) }
+        if parts.is_empty() {
+            Ok(())
+        } else {
+            write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))
+        }
     }
 }

@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::loads::check_point;
-use crate::equilibrium::{CountedMotion, Standing, StickingResponse, push};
+use crate::equilibrium::{CountedMotion, MotionData, StickingResponse, push};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Singular;
@@ -32,7 +32,7 @@ impl Engine {
         let (offsets, at_rest) = (self.offsets(), sticking.at_rest());
         let motions = |offsets: &[SVector<f64, 3>], state: &PieceState| {
             let (forces, twist) = (&state.forces, &state.twist);
-            let standing = Standing { offsets, slips: &at_rest, states: &sticking.states, forces, twist };
+            let standing = MotionData { offsets, slips: &at_rest, states: &sticking.states, forces, twist };
             self.counted_motions(&settings.small_motions, &standing)
         };
         let Some(under_base) = sticking.state(&offsets, &load) else { return Ok(None) };

@@ -1,7 +1,7 @@
 //! The least factor of the commands with which all contacts touch and stick under every one of a set of loads.
 
 use super::loads::Loads;
-use super::parts::{Condition, Parts};
+use super::parts::{Condition, ForceParts};
 use crate::equilibrium::StickingResponse;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
@@ -50,7 +50,7 @@ impl Engine {
     ) -> Result<LeastSqueeze<3>, Error> {
         self.refuse_hands("least_squeeze")?;
         loads.check(self)?;
-        let parts = match Parts::of(StickingResponse::new(self, settings), loads) {
+        let parts = match ForceParts::of(StickingResponse::new(self, settings), loads) {
             Ok(parts) => parts,
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };

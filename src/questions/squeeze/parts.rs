@@ -21,7 +21,7 @@ pub(super) struct Condition {
 
 /// The contact forces while all contacts stick, as a sum of two parts. One is due to the commands at factor 1 (`squeeze`), the other, without
 /// commands, to the loads and clearances.
-pub(super) struct Parts<'l> {
+pub(super) struct ForceParts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
@@ -31,7 +31,7 @@ pub(super) struct Parts<'l> {
     influences: Vec<Influence>,
 }
 
-impl<'l> Parts<'l> {
+impl<'l> ForceParts<'l> {
     pub(super) fn of(sticking: StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
         let grasp = sticking.grasp;
         let commands: Vec<_> = mapped(grasp.contacts(), &|contact| SVector::from(contact.commanded()));

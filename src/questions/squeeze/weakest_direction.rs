@@ -10,7 +10,7 @@ use crate::contact::Edges;
 use crate::equilibrium::{Influence, StickingResponse, push};
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
-use crate::load_path::Leaver;
+use crate::load_path::DepartingPart;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -30,7 +30,7 @@ pub enum WeakestDirection<const C: usize> {
         /// The base load plus the least force at its point, N and N m.
         load: Wrench<C>,
         /// The contact that stops sticking, or the drive of a hand that reaches its force limit.
-        leaver: Leaver,
+        leaver: DepartingPart,
     },
     /// All contacts keep sticking, and no drive reaches its force limit, under a force of any size in any direction.
     Never,
@@ -68,13 +68,13 @@ impl Engine {
             Ok(influences) => influences,
             Err(motion) => return Ok(WeakestDirection::GivesWay { motion }),
         };
-        let mut least = Least { size: f64::INFINITY, direction: SVector::zeros(), site: 0 };
+        let mut least = LeastForce { size: f64::INFINITY, direction: SVector::zeros(), site: 0 };
         for (site, edges) in sticking.edges.iter().enumerate() {
             if !least.lowered_to(site, edges, &forces.of[site], &influences[site]) {
                 return Ok(WeakestDirection::Undecided);
             }
         }
-        let Least { size, direction, site } = least;
+        let LeastForce { size, direction, site } = least;
         let Some(leaver) = self.leaver(site).filter(|_| size.is_finite()) else {
             return Ok(WeakestDirection::Never);
         };
@@ -84,13 +84,13 @@ impl Engine {
 }
 
 /// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index of this contact or drive.
-struct Least {
+struct LeastForce {
     size: f64,
     direction: SVector<f64, 3>,
     site: usize,
 }
 
-impl Least {
+impl LeastForce {
     /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. A round cone is
     /// replaced by planes that touch it, more of them in each round. Returns whether the allowed number of rounds was enough.
     fn lowered_to(

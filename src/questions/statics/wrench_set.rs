@@ -20,13 +20,13 @@ enum Cone {
     Corners(Vec<SVector<f64, 3>>),
 }
 
-struct Pushing {
+struct ContactCone {
     /// Maps a force in the contact frame to its wrench about the point of the [`WrenchScale`], with moments divided by its length.
     map: Map,
     cone: Cone,
 }
 
-impl Pushing {
+impl ContactCone {
     /// The force of this contact, per newton of normal force, that does most work along the motion `v`, and that work.
     fn most(&self, v: &Vector) -> (SVector<f64, 3>, f64) {
         let u = self.map.tr_mul(v);
@@ -48,7 +48,7 @@ impl Pushing {
 /// The wrenches that contact forces within a budget can exert. Moments are about the point of `scale` and divided by its length.
 pub(super) struct WrenchSet {
     space: Space,
-    contacts: Vec<Pushing>,
+    contacts: Vec<ContactCone>,
     budget: Budget,
     scale: WrenchScale<3>,
     /// Wrench of the suction cups' vacuum, which is added to every wrench of the set and does not depend on the contact forces.
@@ -88,7 +88,7 @@ impl WrenchSet {
             } else {
                 Cone::Corners(vec![unit(0)])
             };
-            Ok(Pushing { map, cone })
+            Ok(ContactCone { map, cone })
         };
         let contacts =
             problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);

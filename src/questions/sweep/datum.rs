@@ -1,6 +1,6 @@
 //! The uncertain data of a grasp that change forces, one by one.
 
-use super::off::{ContactErrors, factor};
+use super::contact_errors::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Engine};

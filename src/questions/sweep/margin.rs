@@ -6,7 +6,7 @@
 //!
 //! Here μ is the coefficient of friction, with the standard deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the
 //! data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
-//! errors. The [interaction](super::joint_effects) of several data is computed at the point of failure and added as a constant force.
+//! errors. The [interaction](super::interaction) of several data is computed at the point of failure and added as a constant force.
 //!
 //! The reliability β is the length of the shortest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
 //! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
@@ -37,7 +37,7 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
 
 /// The interaction of the errors of all data in their effect on a contact force, at a facet's point of failure z.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct JointEffect {
+pub(super) struct Interaction {
     /// The exact change of the force at z less the sum of the changes due to each datum alone, N.
     pub(super) force: SVector<f64, 3>,
     /// Second derivative of the interaction along the direction of z, N: twice `force` divided by |z|², or by 1 if |z|² is smaller.
@@ -53,7 +53,7 @@ pub(super) struct UncertainForce<'a> {
     pub(super) changes: &'a [Effect],
     /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single entry for a round cone. An empty list means
     /// that interactions are neglected.
-    pub(super) joint: &'a [JointEffect],
+    pub(super) joint: &'a [Interaction],
     /// The number of standard deviations that the user wants in reserve.
     pub(super) sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficient of friction.
@@ -156,7 +156,7 @@ impl UncertainForce<'_> {
         if arrived && margin.reliability > 0.0 {
             margin.curved = margin.curved(rubs(facet), self.sigmas, self.friction, &|factor| {
                 let row_there = SVector::from([factor * facet[0], facet[1], facet[2]]);
-                let of = |joint: &JointEffect| {
+                let of = |joint: &Interaction| {
                     [row_there.dot(&joint.bend), row_there.dot(&(joint.squares * row_there))]
                 };
                 self.joint.get(row).map_or([0.0; 2], of)

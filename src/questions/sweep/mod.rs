@@ -5,27 +5,27 @@
 //! Outside this module only the sums over very many contacts of one scene use threads; they give the same bits, too.
 
 mod batch;
-mod caught;
-mod courses;
+mod contact_errors;
 mod datum;
 mod failure;
 mod in_order;
-mod joint_effects;
+mod interaction;
 mod margin;
-mod off;
+mod panic_as_error;
 mod progress;
 mod reserve;
 mod second_order;
+mod source_forces;
 mod stuck_grasp;
 mod tolerances;
 mod uncertainty;
 mod union;
 
 pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch};
-pub(crate) use caught::caught;
-#[cfg(feature = "json")]
-pub(crate) use caught::fault_in;
 pub use in_order::map_in_order;
+pub(crate) use panic_as_error::caught;
+#[cfg(feature = "json")]
+pub(crate) use panic_as_error::fault_in;
 pub use progress::{Progress, map_watched};
 pub use reserve::Reserve;
 pub use uncertainty::Uncertainty;

@@ -1,7 +1,7 @@
 //! The load up to which all contacts of a grasp with uncertain data keep sticking with a given number of standard deviations in reserve.
 
-use super::courses::{courses, unit};
-use super::joint_effects::OffTogether;
+use super::interaction::PerturbedGrasp;
+use super::source_forces::{source_forces, unit};
 use super::stuck_grasp::StuckGrasp;
 use super::uncertainty::Uncertainty;
 use crate::contact::State;
@@ -15,19 +15,19 @@ use crate::prelude::*;
 /// one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
-    rest: AtBase,
+    rest: BaseState,
     sigmas: f64,
 }
 
 /// The state of the grasp under the base load: no contact slides, some contact slides or no equilibrium exists, or the equilibrium is undecided.
 #[derive(Debug, Clone)]
-enum AtBase {
+enum BaseState {
     Sticks(Box<StuckGrasp>),
     Slides,
     NotKnown,
 }
 
-same_on_both_sides! { AtBase }
+same_on_both_sides! { BaseState }
 
 face_of_struct! {
     Reserve { rest, sigmas }
@@ -42,9 +42,9 @@ impl<const C: usize> Reserve<C> {
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {
-            AtBase::NotKnown => f64::NAN,
-            AtBase::Slides => 0.0,
-            AtBase::Sticks(sticking) => sticking.most(&inside(direction)),
+            BaseState::NotKnown => f64::NAN,
+            BaseState::Slides => 0.0,
+            BaseState::Sticks(sticking) => sticking.most(&inside(direction)),
         }
     }
 
@@ -73,13 +73,13 @@ impl Engine {
             self.refuse_hands("reserve with uncertain positions")?;
         }
         let rest = match self.solve(base, settings)? {
-            Outcome::Equilibrium(state) if state.local.states.iter().any(State::slides) => AtBase::Slides,
+            Outcome::Equilibrium(state) if state.local.states.iter().any(State::slides) => BaseState::Slides,
             Outcome::Equilibrium(state) => {
                 let states = &state.local.states;
-                AtBase::Sticks(Box::new(self.sticking(base, states, uncertainty, sigmas, settings)?))
+                BaseState::Sticks(Box::new(self.sticking(base, states, uncertainty, sigmas, settings)?))
             }
-            Outcome::NoEquilibrium(_) => AtBase::Slides,
-            Outcome::Undecided(_) => AtBase::NotKnown,
+            Outcome::NoEquilibrium(_) => BaseState::Slides,
+            Outcome::Undecided(_) => BaseState::NotKnown,
         };
         Ok(Reserve { rest, sigmas })
     }
@@ -95,7 +95,7 @@ impl Engine {
         let cone = Cone::of(self.space(), settings);
         let response = StickingResponse::in_states(self, cone, states);
         let data = self.data(uncertainty);
-        let courses = courses(&response, cone, &data, sigmas)?;
+        let source_forces = source_forces(&response, cone, &data, sigmas)?;
         let mut unresisted = Vec::new();
         for motion in response.piece.free_motions() {
             let of = |k: usize| self.inside_unchecked(&unit(self.space(), k)).dot(motion);
@@ -103,8 +103,8 @@ impl Engine {
             unresisted.push(Wrench::among(self.space(), &Vector::from_slice(&work)));
         }
         let load_spread = uncertainty.load;
-        let off = OffTogether { grasp: self.clone(), cone, states: states.to_vec(), data, load_spread };
+        let off = PerturbedGrasp { grasp: self.clone(), cone, states: states.to_vec(), data, load_spread };
         let spreads = [sigmas, uncertainty.friction];
-        Ok(StuckGrasp::new(off, response.edges, courses, base, unresisted, spreads))
+        Ok(StuckGrasp::new(off, response.edges, source_forces, base, unresisted, spreads))
     }
 }

@@ -5,12 +5,12 @@
 //! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops
 //! sticking, under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the
 //! uncertain data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors,
-//! see [`joint_effects`](super::joint_effects).
+//! see [`interaction`](super::interaction).
 
-use super::courses::Course;
 use super::failure::{failures, roughly};
-use super::joint_effects::OffTogether;
-use super::margin::{Effect, FacetMargin, JointEffect, LOOKED_AT, UncertainForce, effect};
+use super::interaction::PerturbedGrasp;
+use super::margin::{Effect, FacetMargin, Interaction, LOOKED_AT, UncertainForce, effect};
+use super::source_forces::SourceForces;
 use super::tolerances::{NEGLECTED_SHARE, PRECISE_FACTOR, RARE_SHARE};
 use super::union::Failures;
 use crate::contact::Edges;
@@ -24,13 +24,13 @@ use crate::prelude::*;
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the mixed second derivatives of the force with respect to the errors of pairs of data.
-type JointEffects = Vec<Vec<JointEffect>>;
+type MixedDerivatives = Vec<Vec<Interaction>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
 #[derive(Clone, Copy)]
-struct Further<'a> {
+struct AddedLoad<'a> {
     direction: &'a Wrench<3>,
-    rate: &'a Course,
+    rate: &'a SourceForces,
     factor: f64,
 }
 
@@ -38,20 +38,20 @@ struct Further<'a> {
 /// of contacts that errors of the data may cause under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
-    off: OffTogether,
+    off: PerturbedGrasp,
     edges: Vec<Edges>,
     /// Which sites share one coefficient of friction: for each point of a contact the index of its first point; for a drive its own index.
     contacts: Vec<usize>,
     /// The base load, N and N m, under which no contact slides.
     base_load: Wrench<3>,
     /// For each component of the load, the forces that 1 N or 1 N m of it causes, and their changes due to errors of the data.
-    by_component: Vec<Course>,
+    by_component: Vec<SourceForces>,
     /// Contact forces under the commands and the base load.
-    base: Course,
+    base: SourceForces,
     /// Contact forces that the base load alone causes.
-    by_base_load: Course,
+    by_base_load: SourceForces,
     /// For each contact or drive and each of its facets, the interaction of the errors of all data under the base load.
-    joint_at_base: JointEffects,
+    joint_at_base: MixedDerivatives,
     /// The failures of contacts (they stop sticking) that errors of the data may cause under the base load.
     fails_at_base: Failures,
     sigmas: f64,
@@ -65,20 +65,20 @@ pub(super) struct StuckGrasp {
 
 impl StuckGrasp {
     /// The grasp with the interactions of the errors of its data, and with the possible failures of contacts to stick, both under the base load.
-    /// `courses` has the contact forces, and their changes due to errors of the data, for each source: first for commands together with constant
-    /// loads, then for each component of the load.
+    /// `source_forces` has the contact forces, and their changes due to errors of the data, for each source: first for commands together with
+    /// constant loads, then for each component of the load.
     pub(super) fn new(
-        off: OffTogether,
+        off: PerturbedGrasp,
         edges: Vec<Edges>,
-        mut courses: Vec<Course>,
+        mut source_forces: Vec<SourceForces>,
         base_load: &Wrench<3>,
         unresisted: Vec<Wrench<3>>,
         [sigmas, friction]: [f64; 2],
     ) -> Self {
-        let by_component = courses.split_off(1);
-        let by_base_load = Course::of(&by_component, off.grasp.space(), base_load);
+        let by_component = source_forces.split_off(1);
+        let by_base_load = SourceForces::of(&by_component, off.grasp.space(), base_load);
         let mut base = by_base_load.clone();
-        base.add(1.0, &courses[0]);
+        base.add(1.0, &source_forces[0]);
         let load = LOOKED_AT.each(|part| (off.load_spread * sigmas * part).exp_m1());
         let mut contacts = (0..edges.len()).list();
         for whole in off.grasp.wholes().iter() {
@@ -115,7 +115,7 @@ impl StuckGrasp {
 
     /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with the
     /// joint effects `before`, those of the last round.
-    fn joint(&self, more: Option<Further<'_>>, before: &JointEffects) -> JointEffects {
+    fn joint(&self, more: Option<AddedLoad<'_>>, before: &MixedDerivatives) -> MixedDerivatives {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
         let mut joint = Vec::new();
@@ -134,10 +134,10 @@ impl StuckGrasp {
         if self.unresisted.iter().any(|motion| work(motion).abs() > SOLVED_ROUNDING * size) {
             return 0.0;
         }
-        let rate = Course::of(&self.by_component, self.off.grasp.space(), direction);
+        let rate = SourceForces::of(&self.by_component, self.off.grasp.space(), direction);
         // The search compares reliabilities, because they are nearly linear in the load factor; probabilities are not.
         let allowed = reliability(self.allowed());
-        let further = |factor: f64| Further { direction, rate: &rate, factor };
+        let further = |factor: f64| AddedLoad { direction, rate: &rate, factor };
         if allowed >= reliability(self.fails_at_base.any(&Failures::default())) {
             return 0.0;
         }
@@ -169,7 +169,7 @@ impl StuckGrasp {
     }
 
     /// The sum of the first-order failure probabilities of all contacts under the base load and this further load.
-    fn roughly(&self, more: Further<'_>) -> f64 {
+    fn roughly(&self, more: AddedLoad<'_>) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
         for (i, edges) in self.edges.iter().enumerate() {
@@ -179,7 +179,7 @@ impl StuckGrasp {
     }
 
     /// The possible failures of all contacts and drives under the base load; with `more`, under the base load and this further load.
-    fn failures(&self, more: Option<Further<'_>>, joint: &JointEffects) -> Failures {
+    fn failures(&self, more: Option<AddedLoad<'_>>, joint: &MixedDerivatives) -> Failures {
         let (mut margin, mut memory, mut events) = (FacetMargin::default(), Vec::new(), Failures::default());
         for (i, edges) in self.edges.iter().enumerate() {
             let here = self.spread(i, more, joint, &mut memory);
@@ -193,14 +193,14 @@ impl StuckGrasp {
     fn spread<'m>(
         &self,
         i: usize,
-        more: Option<Further<'_>>,
-        joint: &'m JointEffects,
+        more: Option<AddedLoad<'_>>,
+        joint: &'m MixedDerivatives,
         changes: &'m mut Vec<Effect>,
     ) -> UncertainForce<'m> {
         changes.clear();
         changes.extend(self.base.off.iter().map(|of_datum| of_datum[i]));
         let (mut force, mut of_load) = (self.base.known[i], self.by_base_load.known[i]);
-        if let Some(Further { rate, factor, .. }) = more {
+        if let Some(AddedLoad { rate, factor, .. }) = more {
             for (change, of_datum) in changes.iter_mut().zip(&rate.off) {
                 change.iter_mut().zip(&of_datum[i]).for_each(|(change, rate)| *change += rate * factor);
             }

@@ -1,7 +1,7 @@
 //! Grasps with uncertain data, and random samples of grasps, which depend only on a seed and a number.
 
-use super::caught::each_answered;
-use super::off::{ContactErrors, factor};
+use super::contact_errors::{ContactErrors, factor};
+use super::panic_as_error::each_answered;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;

@@ -227,13 +227,13 @@ pub fn checked<const C: usize>(
     // Here a force is multiplied before a command is computed from it, in the crate after: their last digits differ.
     let off = if needed.of.is_some() { 1e-12 } else { 0.0 };
     let middle = match &needed.amount {
-        Amount::Bound { does, does_not, until, .. } => {
-            claim(tried(scene, does * (1.0 + off))? == Some(true), "what does fails", *does);
-            claim(tried(scene, does_not * (1.0 - off))? != Some(true), "less does, too", *does_not);
+        Amount::Bound { sufficient, insufficient, until, .. } => {
+            claim(tried(scene, sufficient * (1.0 + off))? == Some(true), "what does fails", *sufficient);
+            claim(tried(scene, insufficient * (1.0 - off))? != Some(true), "less does, too", *insufficient);
             if let Some(end) = until {
-                claim(tried(scene, end.does)? == Some(true), "far end fails", end.does);
+                claim(tried(scene, end.sufficient)? == Some(true), "far end fails", end.sufficient);
             }
-            *does
+            *sufficient
         }
         Amount::None { best, .. } => *best,
         _ => 1.0,
@@ -245,8 +245,8 @@ pub fn checked<const C: usize>(
         let holds = tried(scene, amount)?;
         match &needed.amount {
             Amount::None { .. } => claim(holds != Some(true), "one holds", amount),
-            Amount::Bound { does, elsewhere, .. } => {
-                let is_beyond = if is_least { amount < *does } else { amount > *does };
+            Amount::Bound { sufficient, elsewhere, .. } => {
+                let is_beyond = if is_least { amount < *sufficient } else { amount > *sufficient };
                 let is_told = elsewhere.iter().any(|window| {
                     window.from.is_none_or(|from| from <= amount * 1.001)
                         && window.to.is_none_or(|to| amount <= to * 1.001)
@@ -254,7 +254,8 @@ pub fn checked<const C: usize>(
                 claim(!(is_beyond && holds == Some(true)) || is_told, "less would do", amount);
             }
             Amount::Any { to, until, .. } => {
-                let far = until.as_ref().map_or(if is_least { f64::INFINITY } else { 0.0 }, |end| end.does);
+                let far =
+                    until.as_ref().map_or(if is_least { f64::INFINITY } else { 0.0 }, |end| end.sufficient);
                 let is_inside = (amount - to) * (amount - far) < 0.0;
                 claim(!is_inside || holds != Some(false), "one fails", amount);
             }

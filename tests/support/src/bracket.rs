@@ -3,7 +3,7 @@
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::{Error, Fit, PolygonCone};
+use grasp_lcp::{Error, PolygonCone, PolygonFit};
 
 /// The three answers, and the largest distances between them.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ pub fn bracket<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<Brac
         grasp.with(&settings.with_cone(polygon).on_the_polygon()).solve(load)
     };
     let (inscribed, round, circumscribed) =
-        (on(Fit::Inscribed)?, grasp.solve(load)?, on(Fit::Circumscribed)?);
+        (on(PolygonFit::Inscribed)?, grasp.solve(load)?, on(PolygonFit::Circumscribed)?);
     let all = [&inscribed, &round, &circumscribed].map(Outcome::equilibrium);
     let spread = if let [Some(a), Some(b), Some(c)] = all {
         let pairs = [apart(a, b), apart(b, c), apart(a, c)];

@@ -1,6 +1,6 @@
 //! Simulated slips of grasps with known data and random scatter, and the coverage of the confidence intervals found from them.
 
-use grasp_lcp::identify::{Ending, Identify, Slip, SlipKind, Unknown};
+use grasp_lcp::identify::{FitEnding, Identify, Slip, SlipKind, Unknown};
 use grasp_lcp::{Error, planar, spatial};
 
 use crate::Failure;
@@ -122,7 +122,7 @@ impl<const C: usize> Known<C> {
         for _ in 0..draws {
             let found = self.guess.identify(&self.asked(&limits, &mut draw))?;
             // A search that does not converge, or an unknown without an interval, makes no claim to check.
-            if found.ending != Ending::Converged {
+            if found.ending != FitEnding::Converged {
                 continue;
             }
             for (k, (estimate, truth)) in found.estimates.iter().zip(&self.truth).enumerate() {

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
-use grasp_lcp::{Fit, PolygonCone};
+use grasp_lcp::{PolygonCone, PolygonFit};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use crate::quadratic_program::QuadraticProgram;
@@ -132,8 +132,8 @@ pub(crate) fn facets<const C: usize>(cone: &PolygonCone) -> Vec<SVector<f64, C>>
     let m = cone.facets();
     let half = PI / m as f64;
     let distance = match cone.fit() {
-        Fit::Inscribed => half.cos(),
-        Fit::Circumscribed => 1.0,
+        PolygonFit::Inscribed => half.cos(),
+        PolygonFit::Circumscribed => 1.0,
         _ => half.cos().sqrt(),
     };
     let facet = |j: usize| {

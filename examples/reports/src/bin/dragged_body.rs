@@ -8,7 +8,7 @@ use std::error::Error;
 use grasp_lcp::Settings;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Grasp, Leg, Wrench};
-use grasp_lcp::{Fit, PolygonCone};
+use grasp_lcp::{PolygonCone, PolygonFit};
 use support::best_time::timed;
 use support::tractrix::{self, WAY, exact, leash, limit};
 
@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         lines.push((format!("round, steps to {tolerance:.0e}"), true, follow(&grasp, &legs, &settings)?));
     }
     for facets in [8, 16, 32, 64, 128] {
-        let cone = PolygonCone::new(facets, Fit::Inscribed)?;
+        let cone = PolygonCone::new(facets, PolygonFit::Inscribed)?;
         let settings = Settings::default().with_cone(cone).on_the_polygon();
         lines.push((format!("{facets} facets, inscribed"), false, follow(&grasp, &legs, &settings)?));
     }

@@ -6,7 +6,7 @@
 
 use grasp_lcp::picture::{Chart, Page, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
-use grasp_lcp::{Error, Fit, PolygonCone, Settings};
+use grasp_lcp::{Error, PolygonCone, PolygonFit, Settings};
 use support::bracket::bracket;
 
 /// Load of the equilibrium beyond the onset, as a multiple of the load at the onset.
@@ -90,8 +90,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("\nThe onset on polygons, relative to the round cone:");
     println!("  facets   inscribed                 balanced                  circumscribed");
-    let fits =
-        [("inscribed", Fit::Inscribed), ("balanced", Fit::Balanced), ("circumscribed", Fit::Circumscribed)];
+    let fits = [
+        ("inscribed", PolygonFit::Inscribed),
+        ("balanced", PolygonFit::Balanced),
+        ("circumscribed", PolygonFit::Circumscribed),
+    ];
     let mut errors = vec![Vec::new(); fits.len()];
     for facets in [4, 6, 8, 12, 16, 24, 32, 48, 64] {
         print!("  {facets:6}");

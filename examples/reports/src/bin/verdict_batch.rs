@@ -7,7 +7,7 @@
 //! which must agree within 1e-9; so are three needed amounts, each of which takes some ten milliseconds.
 
 use grasp_lcp::Settings;
-use grasp_lcp::hold::{How, ShortVerdict};
+use grasp_lcp::hold::{ShortVerdict, VerdictKind};
 use grasp_lcp::need::{Demand, Quantity, ShortAmount};
 use grasp_lcp::spatial::{Contact, Grasp, Need, PointBatch, Pressure, Pull, Ramp, SoftFingertip, Wrench};
 use support::Failure;
@@ -74,7 +74,7 @@ fn report(family: &str, load: f64, row: Row<'_>, count: usize) -> Result<(), Fai
     let settings = Settings::default().with_most_load(1.0);
     let (verdicts, seconds) = timed(|| Ok(Grasp::hold_batch(count, row, &settings)))?;
     let verdicts: Vec<ShortVerdict> = verdicts.into_iter().collect::<Result<_, _>>()?;
-    let sticks = verdicts.iter().filter(|verdict| verdict.how == How::Sticks).count();
+    let sticks = verdicts.iter().filter(|verdict| verdict.how == VerdictKind::Sticks).count();
     let (compared, mut differ) = (count.min(10_000), 0);
     for (number, short) in verdicts.iter().enumerate().take(compared) {
         let mut contacts = Vec::new();

@@ -8,7 +8,7 @@ use grasp_lcp::scene::Scene;
 use grasp_lcp::words::Words;
 
 use self::charts::{chart, cycles};
-use self::shown::{Shown, What, shown};
+use self::shown::{PictureContent, ShownState, shown};
 use crate::failure::Failure;
 use crate::files::Pictures;
 use grasp_lcp::scene::{Answer, Setup};
@@ -36,14 +36,14 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
         let answers = shown(setup, &grasp, question, answer.clone(), words)?;
         let keys = answers.keys().into_iter();
         stills.extend(keys.map(|(key, besides)| (ending(index + 1, besides), page.answers() + key)));
-        for Shown { label, mut says, grasp: other, what } in answers.0 {
+        for ShownState { label, mut says, grasp: other, what } in answers.0 {
             let label = format!("{}. {label}", index + 1);
             page = match what {
-                What::State { state, leaving } => {
+                PictureContent::State { state, leaving } => {
                     let page = page.frame_of(label, other.as_ref().unwrap_or(&grasp), &state);
                     page.maybe_leaving(leaving.as_ref())
                 }
-                What::Nothing { load } => {
+                PictureContent::Nothing { load } => {
                     let page = page.nothing(label, said_first(&mut says));
                     if let Some(load) = load { page.under(load) } else { page }
                 }

@@ -16,16 +16,16 @@ use crate::words::NO_WORDS;
 use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// One state of a grasp that a picture shows, with its label and its sentences.
-pub(super) struct Shown {
+pub(super) struct ShownState {
     pub(super) label: String,
     pub(super) says: Vec<String>,
     /// The grasp to draw, if it is not the grasp of the scene: the grasp with the needed amount of a quantity, or with improved finger places.
     pub(super) grasp: Option<Grasp<3>>,
-    pub(super) what: What,
+    pub(super) what: PictureContent,
 }
 
 /// The content of a picture: an equilibrium, or the grasp alone.
-pub(super) enum What {
+pub(super) enum PictureContent {
     /// An equilibrium; if the object is lost at this state, also its motion.
     State { state: Box<Equilibrium<3>>, leaving: Option<Motion<3>> },
     /// The grasp without an equilibrium, and the load if it is known.
@@ -33,13 +33,13 @@ pub(super) enum What {
 }
 
 /// The states that illustrate the answer to one question; for a load program one for each event and one for its end.
-pub(super) struct ShownAnswers(pub(super) Vec<Shown>);
+pub(super) struct ShownAnswers(pub(super) Vec<ShownState>);
 
 impl ShownAnswers {
     /// The states that are saved as pictures of their own: the index of each, and the end of its file name. For a load program this is the last
     /// state, for other questions the first. Improved fingers also have a picture of the grasp before the improvement.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
-        let begins = |shown: &Shown, with| shown.label.starts_with(with);
+        let begins = |shown: &ShownState, with| shown.label.starts_with(with);
         let key = self.0.first().map(|first| if begins(first, EVENT_LABEL) { self.0.len() - 1 } else { 0 });
         let before = self.0.iter().position(|shown| begins(shown, BEFORE_LABEL)).filter(|k| Some(*k) != key);
         key.map(|key| (key, "")).into_iter().chain(before.map(|before| (before, "_before"))).collect()
@@ -88,7 +88,7 @@ pub(super) fn shown(
         }
         (_, Answer::Shake(answer)) => vec![shaken(answer.shaken)],
         (Question::Shakedown { base, .. }, Answer::Shakedown(_)) => {
-            vec![Shown { label: "at rest".to_owned(), ..under(grasp.solve(base)?, *base) }]
+            vec![ShownState { label: "at rest".to_owned(), ..under(grasp.solve(base)?, *base) }]
         }
         _ => vec![nothing("no picture", None)],
     };
@@ -100,17 +100,22 @@ pub(super) fn shown(
     Ok(ShownAnswers(states))
 }
 
-fn nothing(label: &str, load: Option<Wrench<3>>) -> Shown {
-    Shown { label: label.to_owned(), says: Vec::new(), grasp: None, what: What::Nothing { load } }
+fn nothing(label: &str, load: Option<Wrench<3>>) -> ShownState {
+    ShownState {
+        label: label.to_owned(),
+        says: Vec::new(),
+        grasp: None,
+        what: PictureContent::Nothing { load },
+    }
 }
 
-fn state(label: impl Into<String>, state: Equilibrium<3>, leaving: Option<Motion<3>>) -> Shown {
-    let what = What::State { state: Box::new(state), leaving };
-    Shown { label: label.into(), says: Vec::new(), grasp: None, what }
+fn state(label: impl Into<String>, state: Equilibrium<3>, leaving: Option<Motion<3>>) -> ShownState {
+    let what = PictureContent::State { state: Box::new(state), leaving };
+    ShownState { label: label.into(), says: Vec::new(), grasp: None, what }
 }
 
 /// The equilibrium under a load, or the grasp and the load alone.
-fn under(outcome: Outcome<3>, load: Wrench<3>) -> Shown {
+fn under(outcome: Outcome<3>, load: Wrench<3>) -> ShownState {
     match outcome {
         Outcome::Equilibrium(found) => state("under the load", *found, None),
         _ => nothing("under the load", Some(load)),
@@ -118,7 +123,7 @@ fn under(outcome: Outcome<3>, load: Wrench<3>) -> Shown {
 }
 
 /// The equilibrium under the load; then, if the object is lost on the load path, the equilibrium at the loss, with the motion of the object.
-fn held(verdict: Verdict<3>, load: Wrench<3>) -> Vec<Shown> {
+fn held(verdict: Verdict<3>, load: Wrench<3>) -> Vec<ShownState> {
     let lost = verdict.lost.and_then(|lost| Some(state("where it is lost", *lost.state?, lost.motion)));
     let under = verdict.state.map(|found| state("under the load", *found, None));
     let states: Vec<_> = under.into_iter().chain(lost).collect();
@@ -126,7 +131,7 @@ fn held(verdict: Verdict<3>, load: Wrench<3>) -> Vec<Shown> {
 }
 
 /// The equilibrium between two cycles, with the motion of the object in each cycle; without an equilibrium the grasp under the base load.
-fn shaken(shaken: Shaken<3>) -> Shown {
+fn shaken(shaken: Shaken<3>) -> ShownState {
     let (drift, base) = (shaken.drift(), shaken.base);
     match shaken.state {
         Some(between) => state("between two cycles", *between, drift),
@@ -136,22 +141,26 @@ fn shaken(shaken: Shaken<3>) -> Shown {
 
 /// The grasp with the needed amount of the sought quantity, in its equilibrium under the most demanding load of the question. Without such an amount,
 /// the given grasp and the load alone.
-fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<Shown, Failure> {
+fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
-        Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
-        Amount::Any { to, .. } => (Some(*to), "with an amount that does"),
+        Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),
+        Amount::Any { to, .. } => (Some(*to), "with an amount that suffices"),
         _ => (None, "what does it need?"),
     };
     let found = amount.map(|amount| grasp.with_amount(need, amount)).transpose()?.flatten();
     Ok(match found {
-        Some((other, found)) => Shown { grasp: Some(other), ..state(label, found, None) },
+        Some((other, found)) => ShownState { grasp: Some(other), ..state(label, found, None) },
         None => nothing(label, need.given_load()),
     })
 }
 
 /// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full
 /// load; without such a load it is shown at rest.
-fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Result<Vec<Shown>, Failure> {
+fn improved(
+    grasp: &Grasp<3>,
+    asked: &Improve<3>,
+    improved: &Improved<3>,
+) -> Result<Vec<ShownState>, Failure> {
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
@@ -163,7 +172,7 @@ fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Res
         let at = asked.load().zip(value).map(|(load, value)| base + load * times(value));
         let load = at.unwrap_or(base);
         let label = format!("{label}, {}", if at.is_some() { when } else { "at rest" });
-        Ok::<_, Failure>(Shown { label, ..under(grasp.solve(load)?, load) })
+        Ok::<_, Failure>(ShownState { label, ..under(grasp.solve(load)?, load) })
     };
     let before = seen(grasp, BEFORE_LABEL, improved.before)?;
     if improved.after.is_none() {
@@ -171,7 +180,7 @@ fn improved(grasp: &Grasp<3>, asked: &Improve<3>, improved: &Improved<3>) -> Res
     }
     let other = improved.placed(grasp)?;
     let after = seen(&other, "after", improved.after)?;
-    Ok(vec![Shown { grasp: Some(other), ..after }, before])
+    Ok(vec![ShownState { grasp: Some(other), ..after }, before])
 }
 
 /// The equilibrium under the load. If no such equilibrium was found, the states that the load reaches as it grows from rest: the equilibrium under
@@ -182,7 +191,7 @@ fn solved(
     outcome: Outcome<3>,
     from_rest: Option<Verdict<3>>,
     words: Words,
-) -> Result<Vec<Shown>, Failure> {
+) -> Result<Vec<ShownState>, Failure> {
     if let Outcome::Equilibrium(found) = outcome {
         return Ok(vec![state("under the load", *found, None)]);
     }
@@ -191,8 +200,8 @@ fn solved(
     let mut shown = held(verdict, *load).swap_remove(0);
     shown.says.push(says);
     shown.label = match shown.what {
-        What::State { .. } => format!("put on from rest, {}", shown.label),
-        What::Nothing { .. } => "under the load".to_owned(),
+        PictureContent::State { .. } => format!("put on from rest, {}", shown.label),
+        PictureContent::Nothing { .. } => "under the load".to_owned(),
     };
     Ok(vec![shown])
 }
@@ -204,7 +213,7 @@ fn first_slip<At>(
     start: &Wrench<3>,
     leg: Leg<3>,
     at: &dyn Fn(&At) -> String,
-) -> Result<Shown, Failure> {
+) -> Result<ShownState, Failure> {
     let label = match onset {
         OnsetAnswer::At(event) => {
             return Ok(state(format!("onset of sliding, {}", at(&event.at)), event.state, None));
@@ -228,7 +237,7 @@ fn first_slip<At>(
 }
 
 /// The equilibria at the events of a load program, then the equilibrium at its end. If the end has no equilibrium, the grasp alone.
-fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<Shown> {
+fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<ShownState> {
     let mut states: Vec<_> = path.events.into_iter().map(|event| changed(event, words)).collect();
     let (found, leaving, (leg, fraction), how) = match path.end {
         PathOutcome::Completed { state } => {
@@ -250,7 +259,7 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
 }
 
 /// The equilibrium at an event, with the contacts and drives that change their state at this event.
-fn changed(event: Event<3>, words: Words) -> Shown {
+fn changed(event: Event<3>, words: Words) -> ShownState {
     let contacts = event.whole_changes();
     let contacts =
         contacts.iter().map(|change| format!("{} {}", change.contact.text(), change.verb_in(words)));

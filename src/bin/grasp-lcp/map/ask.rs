@@ -1,7 +1,7 @@
 //! The question for one direction of a map, and its answer.
 
 use grasp_lcp::Error;
-use grasp_lcp::load_path::{Leaving, Onset, Ramp};
+use grasp_lcp::load_path::{DepartingContact, Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
 use grasp_lcp::words::Words;
@@ -19,14 +19,14 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 }
 
 /// First slip in one direction.
-pub(crate) struct First {
+pub(crate) struct FirstSlipForce {
     /// The force at first slip, or at which the grasp gives way, N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) factor: f64,
     /// The contacts that stop sticking and how (slide, open), in words; or the reason why there is no first slip.
     pub(crate) contacts: String,
 }
 
-impl First {
+impl FirstSlipForce {
     fn without_contact(factor: f64, contacts: &str) -> Self {
         Self { factor, contacts: contacts.to_owned() }
     }
@@ -51,10 +51,10 @@ pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
 }
 
 /// The first slip along a ramp.
-pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
+pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<FirstSlipForce, Error> {
     Ok(match grasp.onset(ramp)? {
         Onset::At(event) => {
-            let mut verbs: Vec<_> = event.leaving.iter().map(Leaving::verb).collect();
+            let mut verbs: Vec<_> = event.leaving.iter().map(DepartingContact::verb).collect();
             verbs.sort_unstable();
             verbs.dedup();
             // Many points of a soft fingertip stop sticking at once, and count as one contact.
@@ -71,11 +71,11 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
                 let others = contacts.len() - 1;
                 contacts = vec![format!("{} and {others} others", contacts[0])];
             }
-            First { factor: event.factor, contacts: contacts.join(", ") }
+            FirstSlipForce { factor: event.factor, contacts: contacts.join(", ") }
         }
-        Onset::Never => First::without_contact(f64::INFINITY, "never"),
-        Onset::GivesWay { factor, .. } => First::without_contact(factor, "nothing resists"),
-        _ => First::without_contact(f64::NAN, "not known"),
+        Onset::Never => FirstSlipForce::without_contact(f64::INFINITY, "never"),
+        Onset::GivesWay { factor, .. } => FirstSlipForce::without_contact(factor, "nothing resists"),
+        _ => FirstSlipForce::without_contact(f64::NAN, "not known"),
     })
 }
 

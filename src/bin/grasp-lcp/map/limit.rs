@@ -54,7 +54,7 @@ impl LimitEnd {
 
 /// The end of a load path: the force, and how the path ends.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Last {
+pub(crate) struct LimitForce {
     /// The force at the end, N; infinite if the whole path is held, NaN if the end is not known.
     pub(crate) factor: f64,
     pub(crate) end: LimitEnd,
@@ -73,7 +73,7 @@ pub(crate) fn last<const C: usize>(
     base: Wrench<C>,
     direction: Wrench<C>,
     most: f64,
-) -> Result<Last, Error> {
+) -> Result<LimitForce, Error> {
     let grasp = grasp.with(&grasp.settings().with_step_error(STEP_ERROR));
     let mut path = grasp.follow(base, &[Leg::load_by(direction * most)])?;
     path.run_while_small();
@@ -95,10 +95,10 @@ pub(crate) fn last<const C: usize>(
         }
         _ => (LimitEnd::Unknown, f64::NAN),
     };
-    Ok(Last { factor: fraction * most, end })
+    Ok(LimitForce { factor: fraction * most, end })
 }
 
-impl Last {
+impl LimitForce {
     /// The force at the end as text, for a table of paths that were followed up to `most`, N.
     pub(crate) fn words(&self, most: f64) -> String {
         let number = |x: f64| Words::default().number(x);
@@ -111,7 +111,7 @@ impl Last {
 }
 
 /// For each kind of end that occurs, its name and the number of paths that end in this way, as text.
-pub(crate) fn count(lasts: &[Last]) -> String {
+pub(crate) fn count(lasts: &[LimitForce]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();
         (count > 0).then(|| format!("{} {count}", end.word()))

@@ -6,11 +6,11 @@
 //! the grasp may or may not reach another equilibrium.
 
 mod ask;
+mod data_deviations;
 mod limit;
 mod plane;
 mod rows;
 mod space;
-mod unsure;
 mod watch;
 mod written;
 
@@ -19,8 +19,8 @@ use grasp_lcp::scene::Scene;
 use crate::arguments::Numbers;
 use crate::failure::Failure;
 use crate::files::Pictures;
-use crate::loads::Meaning;
-pub(crate) use unsure::Unsure;
+use crate::loads::OptionVectors;
+pub(crate) use data_deviations::DataDeviations;
 pub(crate) use watch::MapProgress;
 
 /// Prints a table and draws the maps of a scene for a force at a point, in addition to the base load of the first onset among the scene's questions.
@@ -28,10 +28,10 @@ pub(crate) use watch::MapProgress;
 pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,
-    asked: (&Unsure, MapProgress),
+    asked: (&DataDeviations, MapProgress),
     pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
-    let at = Meaning::of(&scene.setup).point(at)?;
+    let at = OptionVectors::of(&scene.setup).point(at)?;
     match scene.planar() {
         Some(setup) => plane::map(&setup, [at[0], at[1]], asked, pictures),
         None => space::map(&scene.setup, at, asked, pictures),

@@ -7,10 +7,10 @@ use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 use grasp_lcp::scene::Setup;
 use grasp_lcp::words::Words;
 
-use super::ask::{self, First};
-use super::limit::{self, FOLLOWED_TO, Last, LimitEnd};
+use super::ask::{self, FirstSlipForce};
+use super::data_deviations::DataDeviations;
+use super::limit::{self, FOLLOWED_TO, LimitEnd, LimitForce};
 use super::rows;
-use super::unsure::Unsure;
 use super::watch::{MOST_SWEEP_TIME, MapProgress};
 use super::written::WrittenMap;
 use crate::failure::Failure;
@@ -24,7 +24,7 @@ const RESERVE_EVERY: usize = 4;
 pub(crate) fn map(
     setup: &Setup<2>,
     at: [f64; 2],
-    (unsure, watch): (&Unsure, MapProgress),
+    (data_deviations, watch): (&DataDeviations, MapProgress),
     pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
@@ -49,7 +49,7 @@ pub(crate) fn map(
             "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
         ));
     }
-    let reserve = grasp.reserve(base, &unsure.uncertainty(), unsure.sigmas)?;
+    let reserve = grasp.reserve(base, &data_deviations.uncertainty(), data_deviations.sigmas)?;
     let kept: Vec<f64> = angles.iter().copied().step_by(RESERVE_EVERY).collect();
     let reserves = watch
         .sweep("reserves", &kept, MOST_SWEEP_TIME, |angle| Ok(reserve.along(&pull(*angle))))?
@@ -65,7 +65,7 @@ pub(crate) fn map(
         let onsets = angles.iter().map(along).zip(&firsts).collect();
         let paths = angles.iter().map(along).zip(&lasts).collect();
         let reserves = reserves.iter().map(|(angle, held)| (along(angle), *held)).collect();
-        WrittenMap { at, base, unsure, onsets, reserves, paths, most, weakest }.print();
+        WrittenMap { at, base, data_deviations, onsets, reserves, paths, most, weakest }.print();
         return Ok(());
     };
     let title = pictures.title();
@@ -74,13 +74,14 @@ pub(crate) fn map(
     let words = ask::words(at, &base);
     println!("{title}: {}", words.join(", "));
     print_table(&angles, &firsts, &reserves, &lasts, most);
-    println!("  {}", unsure.words().join(" "));
+    println!("  {}", data_deviations.words().join(" "));
     println!("  of {MAP_DIRECTIONS} paths: {}", limit::count(&lasts));
     if let Some((angle, size)) = weakest {
         let words = Words::default();
         println!("  weakest direction {}: first slip at {} N", words.angle(angle), words.number(size));
     }
-    let drawing = Drawing { title: &title, grasp: &grasp, words: &words, reserve: unsure.words().join("\n") };
+    let drawing =
+        Drawing { title: &title, grasp: &grasp, words: &words, reserve: data_deviations.words().join("\n") };
     let svg = drawing.of(&angles, &firsts, &reserves, &lasts, weakest)?;
     pictures.save("_map.svg", &svg)?;
     Ok(())
@@ -92,7 +93,13 @@ fn quarter(angle: f64) -> Option<(f64, f64)> {
     values.into_iter().zip([0.0, 0.25, 0.5, 0.75]).find(|(_, turns)| angle == turns * TAU).map(|(v, _)| v)
 }
 
-fn print_table(angles: &[f64], firsts: &[First], reserves: &[(f64, f64)], lasts: &[Last], most: f64) {
+fn print_table(
+    angles: &[f64],
+    firsts: &[FirstSlipForce],
+    reserves: &[(f64, f64)],
+    lasts: &[LimitForce],
+    most: f64,
+) {
     rows::head();
     // Every sixtieth direction is in the table.
     let every = 60;
@@ -119,9 +126,9 @@ impl Drawing<'_> {
     fn of(
         &self,
         angles: &[f64],
-        firsts: &[First],
+        firsts: &[FirstSlipForce],
         reserves: &[(f64, f64)],
-        lasts: &[Last],
+        lasts: &[LimitForce],
         weakest: Option<(f64, f64)>,
     ) -> Result<String, Failure> {
         let Self { title, grasp, words, reserve } = self;

@@ -2,8 +2,8 @@
 
 use grasp_lcp::words::Words;
 
-use super::ask::First;
-use super::limit::Last;
+use super::ask::FirstSlipForce;
+use super::limit::LimitForce;
 
 /// Prints the names of the columns.
 pub(super) fn head() {
@@ -14,7 +14,7 @@ pub(super) fn head() {
 }
 
 /// Prints one direction; load paths were followed up to `most`, N.
-pub(super) fn row(direction: &str, first: &First, reserve: f64, last: &Last, most: f64) {
+pub(super) fn row(direction: &str, first: &FirstSlipForce, reserve: f64, last: &LimitForce, most: f64) {
     let number = |x: f64| Words::default().number(x);
     println!(
         "  {direction:>9}  {:>12}  {:>12}  {:>15}  {:22} {}",

@@ -8,10 +8,10 @@ use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 use grasp_lcp::sweep::Reserve;
 use grasp_lcp::words::Words;
 
-use super::ask::{self, First};
-use super::limit::{self, FOLLOWED_TO, Last, LimitEnd};
+use super::ask::{self, FirstSlipForce};
+use super::data_deviations::DataDeviations;
+use super::limit::{self, FOLLOWED_TO, LimitEnd, LimitForce};
 use super::rows;
-use super::unsure::Unsure;
 use super::watch::{MOST_SWEEP_TIME, MapProgress};
 use super::written::WrittenMap;
 use crate::failure::Failure;
@@ -25,7 +25,7 @@ const MOST_PATH_TIME: Duration = Duration::from_secs(120);
 pub(crate) fn map(
     setup: &Setup<3>,
     at: [f64; 3],
-    (unsure, watch): (&Unsure, MapProgress),
+    (data_deviations, watch): (&DataDeviations, MapProgress),
     pictures: Option<&Pictures>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
@@ -57,7 +57,7 @@ pub(crate) fn map(
     let coarse = SphereGrid::new(PATH_GRID.0, PATH_GRID.1);
     let most = FOLLOWED_TO * largest;
     let ways = coarse.directions();
-    let reserve = grasp.reserve(base, &unsure.uncertainty(), unsure.sigmas)?;
+    let reserve = grasp.reserve(base, &data_deviations.uncertainty(), data_deviations.sigmas)?;
     let reserves = watch
         .sweep("reserves", &ways, MOST_SWEEP_TIME, |d| Ok(reserve.along(&pull(*d))))?
         .ok_or_else(ask::too_long)?;
@@ -67,22 +67,31 @@ pub(crate) fn map(
         let onsets = directions.iter().copied().zip(&firsts).collect();
         let paths = ways.iter().copied().zip(lasts.iter().flatten()).collect();
         let reserves = ways.iter().copied().zip(reserves).collect();
-        WrittenMap { at, base, unsure, onsets, reserves, paths, most, weakest: Some((weakest, onset)) }
-            .print();
+        WrittenMap {
+            at,
+            base,
+            data_deviations,
+            onsets,
+            reserves,
+            paths,
+            most,
+            weakest: Some((weakest, onset)),
+        }
+        .print();
         return Ok(());
     };
     let title = pictures.title();
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
     print_table((&grasp, watch), (&first, &reserve), &pull, (base, most), weakest)?;
-    println!("  {}", unsure.words().join(" "));
+    println!("  {}", data_deviations.words().join(" "));
     let number = |x: f64| Words::default().number(x);
     println!("  onsets in {} directions: {} to {} N", directions.len(), number(least), number(largest));
     println!("  weakest direction ({}): first slip at {} N", components(weakest), number(onset));
     print_paths(&grasp, lasts.as_deref(), (ways.len(), most));
     let first = first(weakest)?;
 
-    let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words, unsure };
+    let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words, data_deviations };
     let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.contacts);
     drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
     drawing.of_reserves(coarse, reserves)?;
@@ -99,7 +108,7 @@ fn load_paths(
     base: Wrench,
     pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (ways, most): (&[[f64; 3]], f64),
-) -> Result<Option<Vec<Last>>, Failure> {
+) -> Result<Option<Vec<LimitForce>>, Failure> {
     if grasp.len() > MOST_NAMED_POINTS {
         return Ok(None);
     }
@@ -113,7 +122,7 @@ fn load_paths(
 }
 
 /// Prints the force up to which load paths were followed, and the number of paths by kind of end.
-fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)) {
+fn print_paths(grasp: &Grasp, lasts: Option<&[LimitForce]>, (ways, most): (usize, f64)) {
     match lasts {
         Some(lasts) => println!(
             "  of {ways} paths, followed to {most:.1} N with an error of a step of {:.0e}: {}",
@@ -133,7 +142,7 @@ struct Drawing<'a> {
     pictures: &'a Pictures,
     title: &'a str,
     words: &'a str,
-    unsure: &'a Unsure,
+    data_deviations: &'a DataDeviations,
 }
 
 impl Drawing<'_> {
@@ -141,7 +150,7 @@ impl Drawing<'_> {
     fn of_onsets(
         &self,
         grid: SphereGrid,
-        firsts: &[First],
+        firsts: &[FirstSlipForce],
         (weakest, onset, weak): ([f64; 3], f64, &str),
     ) -> Result<(), Failure> {
         let onsets = firsts.iter().map(|first| first.factor).collect();
@@ -154,15 +163,15 @@ impl Drawing<'_> {
 
     /// Draws the force that keeps the given number of standard deviations in reserve.
     fn of_reserves(&self, grid: SphereGrid, held: Vec<f64>) -> Result<(), Failure> {
-        let sigmas = self.unsure.sigmas;
+        let sigmas = self.data_deviations.sigmas;
         let title = format!("{}: onset of sliding with {sigmas}σ in reserve", self.title);
         let map =
             SphereMap::new(title, "with reserve (N)", grid, held)?.meanings("never slides", "not known");
-        self.save("_map_robust.svg", map, &self.unsure.words().join(" "))
+        self.save("_map_robust.svg", map, &self.data_deviations.words().join(" "))
     }
 
     /// Draws the force at the end of load paths.
-    fn of_limits(&self, grid: SphereGrid, lasts: &[Last], most: f64) -> Result<(), Failure> {
+    fn of_limits(&self, grid: SphereGrid, lasts: &[LimitForce], most: f64) -> Result<(), Failure> {
         let held = lasts.iter().map(|last| last.factor).collect();
         let title = format!("{}: what is held on the load path", self.title);
         let map = SphereMap::new(title, "held to (N)", grid, held)?
@@ -191,7 +200,7 @@ const MOST_NAMED_POINTS: usize = 8;
 
 fn print_table(
     (grasp, watch): (&Grasp, MapProgress),
-    (first, reserve): (&impl Fn([f64; 3]) -> Result<First, grasp_lcp::Error>, &Reserve<3>),
+    (first, reserve): (&impl Fn([f64; 3]) -> Result<FirstSlipForce, grasp_lcp::Error>, &Reserve<3>),
     pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (base, most): (Wrench, f64),
     weakest: [f64; 3],

@@ -34,14 +34,14 @@ impl MapProgress {
         }
         bar.set_message(what);
         let is_seen = io::stderr().is_terminal();
-        let seconds_told = AtomicU64::new(0);
+        let seconds_reported = AtomicU64::new(0);
         let answers = map_watched(items, f, |progress| {
             let seconds = start.elapsed().as_secs();
             // The progress bar appears only if the sweep takes more than a second.
             if bar.is_hidden() && start.elapsed() > Duration::from_secs(1) && is_seen {
                 bar.set_draw_target(ProgressDrawTarget::stderr());
             }
-            if self.lines && !is_seen && seconds_told.fetch_max(seconds, Ordering::Relaxed) < seconds {
+            if self.lines && !is_seen && seconds_reported.fetch_max(seconds, Ordering::Relaxed) < seconds {
                 eprintln!("{what}: {} of {} after {seconds} s", progress.answered, progress.of);
             }
             bar.set_position(progress.answered as u64);

@@ -2,21 +2,21 @@
 
 use serde_json::{Value, json};
 
-use super::ask::First;
-use super::limit::{Last, LimitEnd};
-use super::unsure::Unsure;
+use super::ask::FirstSlipForce;
+use super::data_deviations::DataDeviations;
+use super::limit::{LimitEnd, LimitForce};
 use grasp_lcp::grasp::Wrench;
 
 /// All numbers of a map, to be written as JSON.
 pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) at: [f64; C],
     pub(super) base: Wrench<C>,
-    pub(super) unsure: &'a Unsure,
-    pub(super) onsets: Vec<([f64; C], &'a First)>,
+    pub(super) data_deviations: &'a DataDeviations,
+    pub(super) onsets: Vec<([f64; C], &'a FirstSlipForce)>,
     /// For each direction, the force, N, that keeps the given number of standard deviations in reserve.
     pub(super) reserves: Vec<([f64; C], f64)>,
     /// For each direction, the end of the load path.
-    pub(super) paths: Vec<([f64; C], &'a Last)>,
+    pub(super) paths: Vec<([f64; C], &'a LimitForce)>,
     pub(super) most: f64,
     pub(super) weakest: Option<([f64; C], f64)>,
 }
@@ -24,7 +24,7 @@ pub(super) struct WrittenMap<'a, const C: usize> {
 impl<const C: usize> WrittenMap<'_, C> {
     /// Prints the map as one JSON object. An infinite force is written as "never" or "further", an unknown force as null.
     pub(super) fn print(&self) {
-        let onset = |(direction, first): &([f64; C], &First)| {
+        let onset = |(direction, first): &([f64; C], &FirstSlipForce)| {
             json!({
                 "direction": direction.to_vec(),
                 "onset": force(first.factor, "never"),
@@ -32,7 +32,7 @@ impl<const C: usize> WrittenMap<'_, C> {
             })
         };
         let reserve = |(direction, held): &([f64; C], f64)| json!({ "direction": direction.to_vec(), "held": force(*held, "never") });
-        let path = |(direction, last): &([f64; C], &Last)| {
+        let path = |(direction, last): &([f64; C], &LimitForce)| {
             let held =
                 if last.end == LimitEnd::Held { json!("further") } else { force(last.factor, "further") };
             json!({ "direction": direction.to_vec(), "held_to": held, "end": last.end.word() })
@@ -42,7 +42,7 @@ impl<const C: usize> WrittenMap<'_, C> {
         let map = json!({
             "at": self.at.to_vec(),
             "base": self.base.components(),
-            "standard_deviations": self.unsure.written(),
+            "standard_deviations": self.data_deviations.written(),
             "weakest": weakest,
             "onsets": self.onsets.iter().map(onset).collect::<Vec<_>>(),
             "reserves": self.reserves.iter().map(reserve).collect::<Vec<_>>(),

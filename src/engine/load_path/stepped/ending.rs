@@ -1,20 +1,20 @@
 //! The end of a path followed in steps, if no step leads further.
 
-use super::stepped_path::Steps;
+use super::stepped_path::SteppedFollower;
 use crate::contact::Law;
 use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
-use crate::load_path::journey::Journey;
+use crate::load_path::program_run::ProgramRun;
 use crate::numerics::{Vector, chosen};
 use crate::prelude::*;
-use crate::search::{Doubt, Settled, settle};
+use crate::search::{Doubt, SearchOutcome, settle};
 
-impl<'g> Steps<'g> {
+impl<'g> SteppedFollower<'g> {
     /// The end of the path, if no step leads further. It is a loss if the object's speed grows without bound, or if the search shows that no rates of
     /// forces and motion exist. Otherwise the path is undecided, for the reason `doubt`.
-    pub(super) fn end_here(&self, journey: &Journey<'g>, doubt: Doubt) -> PathEnd<3> {
+    pub(super) fn end_here(&self, run: &ProgramRun<'g>, doubt: Doubt) -> PathEnd<3> {
         let fraction = self.present.fraction;
-        let edge = self.present.edge(journey);
+        let edge = self.present.edge(run);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = chosen(edge.rates.len(), &leaves);
         if self.pace.speeds.run_to(fraction) {
@@ -23,13 +23,13 @@ impl<'g> Steps<'g> {
             // some hundredths, at least a thousandth; towards asymptotes it falls to about 1e-5.
             let kind = if self.pace.changed < 2e-4 { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);
-            return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion.as_ref())));
+            return PathEnd::Lost(Box::new(run.loss(fraction, kind, leaving, motion.as_ref())));
         }
-        match settle(&edge.rates, &journey.settings) {
-            (Settled::Found(..) | Settled::Undecided(_), _) => journey.undecided(fraction, doubt),
+        match settle(&edge.rates, &run.settings) {
+            (SearchOutcome::Found(..) | SearchOutcome::Undecided(_), _) => run.undecided(fraction, doubt),
             (nothing, effort) => {
-                let loss = journey.loss(fraction, LossKind::Corner, leaving, None);
-                end_of_path(&edge, (nothing, &effort), loss, &journey.settings)
+                let loss = run.loss(fraction, LossKind::Corner, leaving, None);
+                end_of_path(&edge, (nothing, &effort), loss, &run.settings)
             }
         }
     }

@@ -10,18 +10,18 @@
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
 //! | `stepped_path` | the follower of the load program, and its state |
-//! | `step_length`, `places`, `pace` | step control: steps as long as the allowed error permits |
-//! | `coarse`, `unseen` | the error of the path: measured by a second path, and estimated where both paths share it |
+//! | `step_length`, `step_doubling`, `pace` | step control: steps as long as the allowed error permits |
+//! | `coarse_path`, `unseen` | the error of the path: measured by a second path, and estimated where both paths share it |
 //! | `standing_at` | the equilibrium at the present place, and the contacts on an edge of their cone |
 //! | `ending`, `speeds` | the end of a path: a loss of equilibrium, or undecided |
 
-mod coarse;
+mod coarse_path;
 mod ending;
 mod one_step;
 mod pace;
-mod places;
 mod speeds;
 mod standing_at;
+mod step_doubling;
 mod step_length;
 mod stepped_path;
 mod unseen;

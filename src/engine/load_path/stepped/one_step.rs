@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::contact::{ContactResponse, State};
-use crate::load_path::journey::Journey;
+use crate::load_path::program_run::ProgramRun;
 use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -38,7 +38,7 @@ impl SteppedState {
 
 impl SteppedState {
     /// A state without contacts: memory that later states overwrite.
-    pub(super) fn nowhere() -> Self {
+    pub(super) fn without_contacts() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
     }
@@ -67,18 +67,18 @@ pub(super) struct StepProblem<'g> {
 }
 
 impl<'g> StepProblem<'g> {
-    /// The problem for steps along the present leg of `journey`.
-    pub(super) fn along(journey: &Journey<'g>) -> Self {
-        let course = journey.program.inside_course(journey.grasp);
-        let offsets = journey.program.offsets(journey.grasp);
-        let problem = journey.problem(offsets[0].clone(), &course.at(0.0));
+    /// The problem for steps along the present leg of `run`.
+    pub(super) fn along(run: &ProgramRun<'g>) -> Self {
+        let course = run.program.inside_course(run.grasp);
+        let offsets = run.program.offsets(run.grasp);
+        let problem = run.problem(offsets[0].clone(), &course.at(0.0));
         Self { problem, offsets, course, before: Vec::new(), answers: Vec::new() }
     }
 
-    /// Prepares the present leg of `journey`, after a change of legs, in the same memory.
-    pub(super) fn start_leg(&mut self, journey: &Journey<'g>) {
-        self.course = journey.program.inside_course(journey.grasp);
-        journey.program.offsets_into(journey.grasp, &mut self.offsets);
+    /// Prepares the present leg of `run`, after a change of legs, in the same memory.
+    pub(super) fn start_leg(&mut self, run: &ProgramRun<'g>) {
+        self.course = run.program.inside_course(run.grasp);
+        run.program.offsets_into(run.grasp, &mut self.offsets);
     }
 
     /// Change of the offset (command minus clearance, m) of contact i over the whole leg.

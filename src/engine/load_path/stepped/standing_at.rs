@@ -6,14 +6,14 @@ use super::one_step::SteppedState;
 use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
 use crate::load_path::follower::StateAtEdge;
-use crate::load_path::journey::Journey;
+use crate::load_path::program_run::ProgramRun;
 use crate::numerics::{mapped, numbered};
-use crate::search::Found;
+use crate::search::SearchSolution;
 
 impl SteppedState {
     /// This state as a complete equilibrium for the caller, with residuals, computed in one pass over all contacts.
-    pub(super) fn equilibrium(&self, journey: &Journey<'_>) -> Equilibrium<3> {
-        let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
+    pub(super) fn equilibrium(&self, run: &ProgramRun<'_>) -> Equilibrium<3> {
+        let problem = run.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
@@ -23,14 +23,15 @@ impl SteppedState {
             other => *other,
         };
         let states = mapped(&self.states, &standing);
-        let found = Found { sizes, ..Found::new(states, self.forces.clone(), self.twist.clone()) };
-        journey.equilibrium(&problem, self.fraction, found)
+        let found =
+            SearchSolution { sizes, ..SearchSolution::new(states, self.forces.clone(), self.twist.clone()) };
+        run.equilibrium(&problem, self.fraction, found)
     }
 
     /// The forces of this state, with the complementarity problem for the rates of forces and motion in this state. A contact is taken as on the edge
     /// of its cone if its margin is at most 1e-9 of the largest force, the resolution of the last steps.
-    pub(super) fn edge<'g>(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
-        let segment = journey.segment(self.slips.clone());
+    pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
+        let segment = run.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
         // A friction reserve, or the force that would close a gap, is taken as zero below this fraction of the largest force. The last steps are
         // 1e-12 of a leg. With a smaller fraction, a contact that such a step would bring to its edge would still be taken as inside its cone, and

@@ -1,21 +1,21 @@
 //! Step control: tries steps that are as long as the allowed error permits.
 
 use super::one_step::SteppedState;
-use super::places::Places;
-use super::stepped_path::{Step, Steps};
+use super::step_doubling::StepDoubling;
+use super::stepped_path::{Step, SteppedFollower};
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Advance;
-use crate::load_path::journey::Journey;
+use crate::load_path::program_run::ProgramRun;
 use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::numerics::{Vector, largest};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Sizes of a step made both in two halves and at once; its states are in [`Places`].
+/// Sizes of a step made both in two halves and at once; its states are in [`StepDoubling`].
 #[derive(Debug)]
-struct Twice {
+struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
     largest: f64,
     /// The largest error of a contact force that the step at once and its two halves may have in common, as a fraction of the largest force.
@@ -24,13 +24,13 @@ struct Twice {
     force_change: f64,
 }
 
-impl<'g> Steps<'g> {
+impl<'g> SteppedFollower<'g> {
     /// Tries a step and chooses the length of the next step. Returns the step if its error is at most the allowed error, or `OnTheWay` if a shorter
     /// step is to be tried next. The error is the end of the path, if steps become too short or too many.
-    pub(super) fn try_step(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+    pub(super) fn try_step(&mut self, run: &ProgramRun<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
-        if self.pace.tried == journey.settings.most_steps {
-            return Err(journey.undecided(from, Doubt::OutOfSteps));
+        if self.pace.tried == run.settings.most_steps {
+            return Err(run.undecided(from, Doubt::OutOfSteps));
         }
         self.pace.tried += 1;
         let rest = 1.0 - from;
@@ -40,7 +40,7 @@ impl<'g> Steps<'g> {
             // If no equilibrium was found at the end of a step, a step of a quarter of the length is tried.
             self.pace.step = length * 0.25;
             return if self.pace.step < SHORTEST_STEP {
-                Err(self.end_here(journey, Doubt::OnTheBoundary))
+                Err(self.end_here(run, Doubt::OnTheBoundary))
             } else {
                 Ok(Advance::OnTheWay)
             };
@@ -54,7 +54,7 @@ impl<'g> Steps<'g> {
         if part > 1.0 {
             // If even so short a step is refused, rounding is larger than the allowed error.
             return if self.pace.step < SHORTEST_STEP {
-                Err(self.end_here(journey, Doubt::Inaccurate))
+                Err(self.end_here(run, Doubt::Inaccurate))
             } else {
                 Ok(Advance::OnTheWay)
             };
@@ -63,28 +63,28 @@ impl<'g> Steps<'g> {
         self.pace.rate = Some((&to.twist - &self.present.twist) / length);
         self.pace.speeds.note(to.fraction, twice.force_change / length);
         self.pace.changed = to.distance_to(&self.present) / twice.force_change;
-        Ok(Advance::Reached(self.accept_step(journey, &twice)))
+        Ok(Advance::Reached(self.accept_step(run, &twice)))
     }
 
     /// The error of a step divided by the allowed error, the largest such ratio over all contacts.
-    fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
-        let (from, Places { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
+    fn part_of_what_is_allowed(&self, twice: &DoubledStepSizes) -> f64 {
+        let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction of
         // the leg. The second is the change of forces, and the third the change of forces that the motion would cause in sticking springs, both
         // divided by the largest force. Errors in the directions of friction decay while the third measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second path (see `coarse`). It grows with `way`, the sum of the
+        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
-            let so_far = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
+            let accumulated = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
             // A step may use this fraction of a contact's remaining budget. With a larger fraction, a few steps would use up the budget, and later
             // steps would have too little of it. With a smaller fraction, steps are shorter than necessary.
-            let allowed = even.max(0.05 * (budget - so_far)).max(rounding);
+            let allowed = even.max(0.05 * (budget - accumulated)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
@@ -95,8 +95,8 @@ impl<'g> Steps<'g> {
 
     /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of these steps finds no
     /// equilibrium, or only an equilibrium to which the object would have to jump.
-    fn twice(&mut self, length: f64) -> Option<Twice> {
-        let Self { along, present: from, places: Places { middle, to, at_once, .. }, .. } = self;
+    fn twice(&mut self, length: f64) -> Option<DoubledStepSizes> {
+        let Self { along, present: from, places: StepDoubling { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
         let near = |at: &SteppedState, rate: &Vector, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
@@ -114,23 +114,23 @@ impl<'g> Steps<'g> {
         let unseen = along.unseen([from, middle, to]) / largest;
         along.step(from, (length, to.twist.clone()), at_once)?;
         let finite = unseen.is_finite() && (to.distance_to(at_once) / largest).is_finite();
-        finite.then_some(Twice { largest, unseen, force_change })
+        finite.then_some(DoubledStepSizes { largest, unseen, force_change })
     }
 
-    fn accept_step(&mut self, journey: &Journey<'g>, twice: &Twice) -> Step<3> {
-        let Twice { largest, unseen, .. } = *twice;
-        let Places { to, at_once, beside, .. } = &mut self.places;
+    fn accept_step(&mut self, run: &ProgramRun<'g>, twice: &DoubledStepSizes) -> Step<3> {
+        let DoubledStepSizes { largest, unseen, .. } = *twice;
+        let StepDoubling { to, at_once, beside, .. } = &mut self.places;
         self.coarse.follow(&mut self.along, [&self.present, to, at_once], beside);
         self.unseen = self.unseen.max(unseen);
         self.way += to.distance_to(&self.present) / largest;
         let error = (to.distance_to(at_once) / largest).max(unseen);
         core::mem::swap(&mut self.present, to);
         let to = &self.present;
-        let (leg, fraction) = (journey.program.leg, to.fraction);
+        let (leg, fraction) = (run.program.leg, to.fraction);
         Step {
             leg,
             fraction,
-            load: journey.program.load_at(fraction),
+            load: run.program.load_at(fraction),
             sliding: to.states.iter().filter(|state| state.slides()).count(),
             open: to.states.iter().filter(|state| state.is_open()).count(),
             error,

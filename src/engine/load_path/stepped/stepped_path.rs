@@ -2,41 +2,41 @@
 
 use nalgebra::SVector;
 
-use super::coarse::Coarse;
+use super::coarse_path::CoarsePath;
 use super::one_step::{StepProblem, SteppedState};
 use super::pace::StepPace;
-use super::places::Places;
+use super::step_doubling::StepDoubling;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::{Advance, Follower, StateAtEdge};
 use crate::load_path::following::Following;
-use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{Path, SteppedPath};
+use crate::load_path::program_run::ProgramRun;
 use crate::numerics::indexed;
 use crate::object::Problem;
 use crate::prelude::*;
-use crate::search::{Found, Settings};
+use crate::search::{SearchSolution, Settings};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
 /// The follower of a [`SteppedPath`], which follows a load program in steps.
 #[derive(Debug)]
-pub(crate) struct Steps<'g> {
+pub(crate) struct SteppedFollower<'g> {
     /// The static problem at the end of a step along the present leg.
     pub(super) along: StepProblem<'g>,
     /// The state at the present place of the path.
     pub(super) present: SteppedState,
     /// The states after the halves of the last step tried, and after this step at once.
-    pub(super) places: Places,
+    pub(super) places: StepDoubling,
     /// Step control along the present leg: the length of the next step, and the speeds of the object.
     pub(super) pace: StepPace,
     /// The allowed error of contact forces for each leg, divided by the largest contact force.
     pub(super) error: f64,
     /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error.
-    pub(super) coarse: Coarse,
+    pub(super) coarse: CoarsePath,
     /// The largest error of a contact force that both paths may have in common in a step so far, divided by the largest contact force of that step.
     pub(super) unseen: f64,
     /// Sum over all steps so far of the largest change of a contact force in the step, divided by the largest contact force at its ends.
@@ -87,20 +87,20 @@ impl Engine {
         self.refuse_kinetic("follow_in_steps")?;
         check_leg_error("error of a leg", error)?;
         let settings = Settings { round: true, ..*settings };
-        let path = Following::start(self, (start, legs), &settings, |journey, problem| {
-            let present = at_start(problem, journey.start(problem)?);
-            let along = StepProblem::along(journey);
+        let path = Following::start(self, (start, legs), &settings, |run, problem| {
+            let present = at_start(problem, run.start(problem)?);
+            let along = StepProblem::along(run);
             let pace = StepPace::along(&along.course);
-            let coarse = Coarse::starting_at(&present);
-            let places = Places::nowhere();
-            Ok(Steps { along, present, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
+            let coarse = CoarsePath::starting_at(&present);
+            let places = StepDoubling::without_contacts();
+            Ok(SteppedFollower { along, present, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
         })?;
         Ok(Path::new(Box::new(path)))
     }
 }
 
 /// The state at the start of a path, the solution `found` of `problem`. The slips of its sliding and open contacts become slip memory.
-fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
+fn at_start(problem: &Problem<'_>, found: SearchSolution) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;
         if state.is_sticking() || !springs.resists_tangentially() {
@@ -112,30 +112,30 @@ fn at_start(problem: &Problem<'_>, found: Found) -> SteppedState {
     SteppedState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 
-impl<'g> Follower<'g> for Steps<'g> {
+impl<'g> Follower<'g> for SteppedFollower<'g> {
     type Report = Step<3>;
 
-    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
-        self.along.start_leg(journey);
+    fn start_leg(&mut self, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
+        self.along.start_leg(run);
         self.pace.start_leg(&self.along.course);
         self.present.fraction = 0.0;
         self.coarse.present.fraction = 0.0;
         Ok(())
     }
 
-    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
-        if self.present.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_step(journey) }
+    fn advance(&mut self, run: &ProgramRun<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
+        if self.present.fraction >= 1.0 { Ok(Advance::EndOfLeg) } else { self.try_step(run) }
     }
 
     fn fraction(&self) -> f64 {
         self.present.fraction
     }
 
-    fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
-        Some(self.present.equilibrium(journey))
+    fn state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
+        Some(self.present.equilibrium(run))
     }
 
-    fn forces(&self, _: &Journey<'g>) -> Vec<SVector<f64, 3>> {
+    fn forces(&self, _: &ProgramRun<'g>) -> Vec<SVector<f64, 3>> {
         self.present.forces.clone()
     }
 
@@ -143,7 +143,7 @@ impl<'g> Follower<'g> for Steps<'g> {
         self.coarse.farthest + self.unseen
     }
 
-    fn edge(&self, journey: &Journey<'g>) -> StateAtEdge<'g> {
-        self.present.edge(journey)
+    fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
+        self.present.edge(run)
     }
 }

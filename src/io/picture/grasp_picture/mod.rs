@@ -26,7 +26,7 @@ use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
 
 /// Layout of a picture, pixels.
-struct Paper {
+struct PictureSize {
     size: Place,
     /// The rectangle for the grasp. Sentences below the title move it down.
     window: Window,
@@ -36,14 +36,14 @@ struct Paper {
     letters: usize,
 }
 
-const OF_A_FILE: Paper = Paper {
+const OF_A_FILE: PictureSize = PictureSize {
     size: (860.0, 560.0),
     window: Window { left: 70.0, top: 46.0, wide: 776.0, high: 462.0 },
     border: (130.0, 62.0),
     letters: 96,
 };
 /// A layout small enough for its letters to be legible on a narrow screen.
-const OF_A_PAGE: Paper = Paper {
+const OF_A_PAGE: PictureSize = PictureSize {
     size: (520.0, 460.0),
     window: Window { left: 62.0, top: 10.0, wide: 448.0, high: 398.0 },
     border: (104.0, 58.0),
@@ -53,7 +53,7 @@ const OF_A_PAGE: Paper = Paper {
 pub(super) struct Picture<'a> {
     of: &'a PlanarPicture<'a>,
     actuators: Actuators,
-    tips: Vec<Tip<'a>>,
+    tips: Vec<DrawnFingertip<'a>>,
     load: Option<PlanarLoad>,
     way_out: Option<MovedOutlines>,
     /// Largest extent of contact points, outlines and links of the hand along an axis, m; 1 m if there is none.
@@ -76,16 +76,16 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
 }
 
 /// A fingertip with its contact frame, and its resultant force if there is an equilibrium.
-struct Tip<'a> {
+struct DrawnFingertip<'a> {
     of: &'a ContactPoints,
     middle: Vector3<f64>,
     frame: Matrix3<f64>,
     slope: f64,
     link: Option<PlanarLink>,
-    does: Option<Resultant>,
+    resultant: Option<Resultant>,
 }
 
-impl Tip<'_> {
+impl DrawnFingertip<'_> {
     fn normal(&self) -> Vector2<f64> {
         self.frame.column(0).xy()
     }
@@ -110,20 +110,20 @@ impl<'a> Picture<'a> {
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
         let span = size(bounds([held, ends_of_bones(grasp)].concat()));
         let frames: Vec<_> = grasp.frames().copied().collect();
-        let tip = |tip: &'a ContactPoints| Tip {
+        let tip = |tip: &'a ContactPoints| DrawnFingertip {
             middle: tip.middle(contacts),
             frame: frames[tip.range.start],
             slope: slope(&contacts[tip.range.start]),
             link: PlanarLink::of(tip, contacts),
-            does: state.map(|state| tip.resultant(contacts, state)),
+            resultant: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
         };
         let tips: Vec<_> = mapped(grasp.engine.wholes(), &tip);
         let loaded = load.as_ref().map_or(0.0, |load| load.force.norm());
-        let doing = || tips.iter().filter_map(|tip| Some((tip, tip.does.as_ref()?)));
-        let most = doing().map(|(_, does)| does.force.norm()).fold(loaded, f64::max);
-        let push = |(tip, does): (&Tip, &Resultant)| {
-            (tip.middle, tip.frame.column(0).into_owned(), does.normal_force)
+        let doing = || tips.iter().filter_map(|tip| Some((tip, tip.resultant.as_ref()?)));
+        let most = doing().map(|(_, resultant)| resultant.force.norm()).fold(loaded, f64::max);
+        let push = |(tip, resultant): (&DrawnFingertip, &Resultant)| {
+            (tip.middle, tip.frame.column(0).into_owned(), resultant.normal_force)
         };
         let pushes: Vec<_> = doing().map(push).collect();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
@@ -143,8 +143,8 @@ impl<'a> Picture<'a> {
     }
 
     /// Draws the picture at a scale at which all `points` fit.
-    fn draw_on(&self, paper: &Paper, points: &[Vector2<f64>]) -> Result<String, PictureError> {
-        let Paper { size, window, border, .. } = *paper;
+    fn draw_on(&self, paper: &PictureSize, points: &[Vector2<f64>]) -> Result<String, PictureError> {
+        let PictureSize { size, window, border, .. } = *paper;
         let title = lines(self.of.title, 70);
         let caution = caution(self.state(), self.of.says.iter().copied());
         let sentences = self.of.says.iter().copied().chain(caution.as_deref());
@@ -199,13 +199,13 @@ impl<'a> Picture<'a> {
                 continue;
             }
             points.extend(self.finger(tip));
-            if let Some(does) = &tip.does {
-                let (at, force) = (does.at.xy(), does.force.xy() * self.scale);
+            if let Some(resultant) = &tip.resultant {
+                let (at, force) = (resultant.at.xy(), resultant.force.xy() * self.scale);
                 points.extend([at, at + force]);
                 if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
                     points.push(at - force);
                 }
-                if let Some(cone) = self.cone(tip, does) {
+                if let Some(cone) = self.cone(tip, resultant) {
                     points.extend(cone);
                 }
             }
@@ -245,7 +245,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    fn paint_tip(&self, axes: &EqualScales, painting: &mut Painting, tip: &Tip) {
+    fn paint_tip(&self, axes: &EqualScales, painting: &mut Painting, tip: &DrawnFingertip) {
         let place = |point| axes.place(point);
         if let Some(link) = &tip.link {
             link.paint(axes, painting);
@@ -256,12 +256,12 @@ impl<'a> Picture<'a> {
                 -2.0,
             );
         }
-        let Some(does) = &tip.does else {
+        let Some(resultant) = &tip.resultant else {
             painting.dot(flat(place(tip.middle.xy())), 4.0, GREY, true);
             return;
         };
-        let (at, force, what) = (does.at.xy(), does.force.xy() * self.scale, does.word);
-        if let Some(cone) = self.cone(tip, does) {
+        let (at, force, what) = (resultant.at.xy(), resultant.force.xy() * self.scale, resultant.word);
+        if let Some(cone) = self.cone(tip, resultant) {
             painting.area(mapped(&cone, &|corner| place(*corner)), ink(what).mix(0.16), -1.0);
             for edge in [cone[1], cone[2]] {
                 painting.line([cone[0], edge].each(|end| flat(place(end))), ink(what), 1.0);
@@ -280,16 +280,16 @@ impl<'a> Picture<'a> {
     }
 
     /// The corners of the finger, a wedge behind the contact.
-    fn finger(&self, tip: &Tip) -> [Vector2<f64>; 3] {
+    fn finger(&self, tip: &DrawnFingertip) -> [Vector2<f64>; 3] {
         let (middle, n, t) = (tip.middle.xy(), tip.normal(), tip.tangent());
         let corner = |side: f64| middle + (t * (0.35 * side) - n) * (PLANAR.finger * self.span);
         [middle, corner(1.0), corner(-1.0)]
     }
 
     /// The corners of the friction cone; `None` without friction or normal force.
-    fn cone(&self, tip: &Tip, does: &Resultant) -> Option<[Vector2<f64>; 3]> {
-        let (at, n, t) = (does.at.xy(), tip.normal(), tip.tangent());
-        let [high, wide] = cone_size(tip.slope, does.normal_force * self.scale, self.span / 2.0)?;
+    fn cone(&self, tip: &DrawnFingertip, resultant: &Resultant) -> Option<[Vector2<f64>; 3]> {
+        let (at, n, t) = (resultant.at.xy(), tip.normal(), tip.tangent());
+        let [high, wide] = cone_size(tip.slope, resultant.normal_force * self.scale, self.span / 2.0)?;
         let corner = |side: f64| at + n * high + t * (side * wide);
         Some([at, corner(1.0), corner(-1.0)])
     }

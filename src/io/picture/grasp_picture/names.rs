@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use super::{Picture, Tip};
+use super::{DrawnFingertip, Picture};
 use crate::picture::axes::EqualScales;
 use crate::picture::labels::Labels;
 use crate::picture::layout::{MARKS, PLANAR};
@@ -68,20 +68,20 @@ impl Picture<'_> {
     }
 
     /// Writes name, state and force of a fingertip at the outer end of the finger; between two bodies, where no finger is drawn, at the contact.
-    fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
+    fn write_tip(&self, tip: &DrawnFingertip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
         let is_between = self.of.grasp.contacts()[tip.of.range.start].against.is_some();
         let behind = if is_between { 0.0 } else { PLANAR.finger * self.span };
         let at = axes.place(tip.middle.xy() - tip.normal() * behind);
         let name = tip.of.text();
-        match &tip.does {
-            // If there are more fingertips than `most_told`, names are written without state and force.
-            Some(does) if self.tips.len() <= PLANAR.most_told && tip.link.is_some() => {
-                let force = format!("{} N", short(does.force.norm()));
+        match &tip.resultant {
+            // If there are more fingertips than `most_labelled`, names are written without state and force.
+            Some(resultant) if self.tips.len() <= PLANAR.most_labelled && tip.link.is_some() => {
+                let force = format!("{} N", short(resultant.force.norm()));
                 labels.write(paper, at, &[&name, &force], PLANAR.letters);
             }
-            Some(does) if self.tips.len() <= PLANAR.most_told => {
-                let force = format!("|F| = {} N", short(does.force.norm()));
-                labels.write(paper, at, &[&name, does.word, &force], PLANAR.letters);
+            Some(resultant) if self.tips.len() <= PLANAR.most_labelled => {
+                let force = format!("|F| = {} N", short(resultant.force.norm()));
+                labels.write(paper, at, &[&name, resultant.word, &force], PLANAR.letters);
             }
             _ => labels.write(paper, at, &[&name], PLANAR.letters),
         }

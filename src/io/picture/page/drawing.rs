@@ -38,7 +38,7 @@ pub(super) struct Drawing<'p> {
 
 /// The largest force, moment and displacement of all answers: N, N m, m.
 #[derive(Default)]
-struct Largest {
+struct LargestValues {
     force: f64,
     moment: f64,
     displacement: f64,
@@ -126,7 +126,7 @@ impl<'p> Drawing<'p> {
                 (drawing.displacement, drawing.undrawn) = (0.0, Some(largest.displacement));
             }
         }
-        let Largest { force, moment, displacement } = largest;
+        let LargestValues { force, moment, displacement } = largest;
         let scales = [drawing.force, drawing.moment, drawing.displacement, size, force, moment, displacement];
         if !scales.iter().chain(drawing.centre.iter()).all(|x| x.is_finite()) {
             return Err(PictureError(
@@ -136,8 +136,8 @@ impl<'p> Drawing<'p> {
         Ok(drawing)
     }
 
-    fn largest<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Largest {
-        let mut most = Largest::default();
+    fn largest<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> LargestValues {
+        let mut most = LargestValues::default();
         for state in states {
             for tip in self.tips {
                 let resultant = tip.resultant(self.page.grasp.contacts(), state);

@@ -14,7 +14,7 @@ use crate::picture::sheet::{Place, Sheet};
 use crate::picture::words::{lines, short};
 use crate::spatial::Equilibrium;
 
-enum Sample {
+enum LegendSample {
     None,
     Contact { ink: Rgb, open: bool, cone: bool },
     Point { ink: Rgb, open: bool },
@@ -23,7 +23,7 @@ enum Sample {
 }
 
 struct Entry {
-    sample: Sample,
+    sample: LegendSample,
     words: String,
     size: f64,
     ink: Rgb,
@@ -37,10 +37,15 @@ impl Legend {
         let mut entries = Vec::new();
         let state = frame.and_then(Frame::state);
         if let Some(Frame { shown: Err(why), .. }) = frame {
-            entries.push(Entry { sample: Sample::None, words: why.clone(), size: 13.0, ink: VERMILION });
+            entries.push(Entry {
+                sample: LegendSample::None,
+                words: why.clone(),
+                size: 13.0,
+                ink: VERMILION,
+            });
         }
         if let Some(state) = state {
-            entries.push(entry(Sample::None, "Contact, force on the object, friction cone:"));
+            entries.push(entry(LegendSample::None, "Contact, force on the object, friction cone:"));
             entries.extend(of_contacts(drawing, state));
         }
         if let Some(frame) = frame {
@@ -52,7 +57,7 @@ impl Legend {
             entries.extend(scale(drawing.moment * pixels, 2.0, 2, "N m").filter(|_| moment));
         }
         for words in drawing.scales() {
-            entries.push(Entry { sample: Sample::None, words, size: 13.0, ink: GREY });
+            entries.push(Entry { sample: LegendSample::None, words, size: 13.0, ink: GREY });
         }
         Self(entries)
     }
@@ -79,20 +84,20 @@ impl Legend {
 impl Entry {
     fn left(&self) -> f64 {
         match self.sample {
-            Sample::None => LEGEND.left,
-            Sample::Arrow { long, .. } => LEGEND.left + long + 10.0,
+            LegendSample::None => LEGEND.left,
+            LegendSample::Arrow { long, .. } => LEGEND.left + long + 10.0,
             _ => LEGEND.left + LEGEND.sample + 10.0,
         }
     }
 
     fn lines(&self) -> Vec<String> {
         // Texts without a sample have smaller letters and the whole width.
-        let letters = if matches!(self.sample, Sample::None) { 32 } else { 24 };
+        let letters = if matches!(self.sample, LegendSample::None) { 32 } else { 24 };
         lines(&self.words, letters)
     }
 }
 
-fn entry(sample: Sample, words: &str) -> Entry {
+fn entry(sample: LegendSample, words: &str) -> Entry {
     Entry { sample, words: words.into(), size: 14.0, ink: BLACK }
 }
 
@@ -102,7 +107,7 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     let shown = 100.0 / pixels;
     (pixels > 0.0 && shown > 0.0 && shown.is_finite()).then(|| {
         let round = round_down(shown);
-        let sample = Sample::Arrow { ink: GREY, width, heads, long: round * pixels };
+        let sample = LegendSample::Arrow { ink: GREY, width, heads, long: round * pixels };
         entry(sample, &format!("{} {unit}", short(round)))
     })
 }
@@ -124,10 +129,10 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
             tips.iter().filter(|tip| tip.word == what).map(|tip| tip.normal_force > 0.0).max()
         {
             let cone = pushes && what != "frictionless";
-            entries.push(entry(Sample::Contact { ink, open, cone }, what));
+            entries.push(entry(LegendSample::Contact { ink, open, cone }, what));
         }
         if points.contains(&what) {
-            entries.push(entry(Sample::Point { ink, open }, &format!("point of a fingertip, {what}")));
+            entries.push(entry(LegendSample::Point { ink, open }, &format!("point of a fingertip, {what}")));
         }
     }
     entries
@@ -149,8 +154,8 @@ fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let slides =
         |state: &Equilibrium| drawing.tips.iter().any(|tip| tip.resultant(contacts, state).slides.is_some());
-    let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: LEGEND.sample };
-    let dashes = |ink| Sample::Dashes { ink };
+    let arrow = |ink, width, heads| LegendSample::Arrow { ink, width, heads, long: LEGEND.sample };
+    let dashes = |ink| LegendSample::Dashes { ink };
     let displaced = |state: &Equilibrium| {
         drawing.displacement > 0.0 && state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0)
     };
@@ -176,13 +181,13 @@ fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
     there.map(|(_, sample, words)| entry(sample, words)).collect()
 }
 
-fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
+fn draw_sample(paper: &mut Sheet, sample: &LegendSample, y: f64) {
     let ends: [Place; 2] = [(LEGEND.left, y), (LEGEND.left + LEGEND.sample, y)];
     let from = (LEGEND.left + 6.0, y);
     let mut drawn = Painting::default();
     match *sample {
-        Sample::None => {}
-        Sample::Contact { ink, open, cone } => {
+        LegendSample::None => {}
+        LegendSample::Contact { ink, open, cone } => {
             if cone {
                 let rim = [(ends[1].0, y - 9.0), (ends[1].0, y + 9.0)];
                 drawn.area(vec![from, rim[0], rim[1]], ink.mix(0.24), -1.0);
@@ -192,13 +197,13 @@ fn draw_sample(paper: &mut Sheet, sample: &Sample, y: f64) {
             }
             drawn.dot(flat(from), SPATIAL.contact, ink, open);
         }
-        Sample::Point { ink, open } => {
+        LegendSample::Point { ink, open } => {
             drawn.dot(flat((LEGEND.left + LEGEND.sample / 2.0, y)), SPATIAL.soft_point, ink, open);
         }
-        Sample::Arrow { ink, width, heads, long } => {
+        LegendSample::Arrow { ink, width, heads, long } => {
             drawn.arrow([(LEGEND.left, y), (LEGEND.left + long, y)].each(flat), ink, width, heads);
         }
-        Sample::Dashes { ink } => paper.dashes(&ends, ink, 1.5),
+        LegendSample::Dashes { ink } => paper.dashes(&ends, ink, 1.5),
     }
     drawn.draw(paper);
 }

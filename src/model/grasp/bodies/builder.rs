@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::body::Body;
 use super::link::Link;
-use super::place::{PlacedBodies, Sharing};
+use super::place::{LoadSharing, PlacedBodies};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::face::Face;
@@ -46,12 +46,12 @@ pub struct Bodies<const C: usize> {
     hand: Hand<C>,
     links: Vec<Link<C>>,
     gravity: SVector<f64, C>,
-    loaded: Loaded,
+    loaded: LoadedBodies,
 }
 
 /// The bodies on which the load of a question acts.
 #[derive(Debug, Clone, PartialEq)]
-enum Loaded {
+enum LoadedBodies {
     First,
     Body(Arc<str>),
     ByMass,
@@ -65,7 +65,7 @@ impl<const C: usize> Bodies<C> {
             hand: Hand::new([]),
             links: Vec::new(),
             gravity: SVector::zeros(),
-            loaded: Loaded::First,
+            loaded: LoadedBodies::First,
         }
     }
 
@@ -95,7 +95,7 @@ impl<const C: usize> Bodies<C> {
 
     /// Makes the loads of questions act on this body.
     pub fn loaded(mut self, body: impl Into<String>) -> Self {
-        self.loaded = Loaded::Body(body.into().into());
+        self.loaded = LoadedBodies::Body(body.into().into());
         self
     }
 
@@ -103,7 +103,7 @@ impl<const C: usize> Bodies<C> {
     /// The moment that remains is shared in the same proportion. A load parallel to gravity thus scales all weights, and a turning load turns all
     /// weights.
     pub fn shared_by_mass(mut self) -> Self {
-        self.loaded = Loaded::ByMass;
+        self.loaded = LoadedBodies::ByMass;
         self
     }
 
@@ -147,24 +147,24 @@ impl<const C: usize> Bodies<C> {
             return Err(Error::Argument { what: "gravity", value, allowed: MODERATE });
         }
         let object = match &loaded {
-            Loaded::First | Loaded::ByMass => 0,
-            Loaded::Body(name) => match names.iter().position(|other| other == name) {
+            LoadedBodies::First | LoadedBodies::ByMass => 0,
+            LoadedBodies::Body(name) => match names.iter().position(|other| other == name) {
                 Some(body) => body,
                 None => return refuse(name, format!("is to be loaded, and is none of {}", names.join(", "))),
             },
         };
         let mass: f64 = summed(&bodies, &|body| body.mass);
-        if loaded == Loaded::ByMass && mass == 0.0 {
+        if loaded == LoadedBodies::ByMass && mass == 0.0 {
             return refuse(
                 &names[0],
                 "and all others have no mass by which a load could be shared".to_owned(),
             );
         }
         let sharing = match loaded {
-            Loaded::ByMass => {
-                Sharing::ByParts(mapped(&bodies, &|body| (body.mass / mass, body.centre.into_inside())))
+            LoadedBodies::ByMass => {
+                LoadSharing::ByParts(mapped(&bodies, &|body| (body.mass / mass, body.centre.into_inside())))
             }
-            Loaded::First | Loaded::Body(_) => Sharing::OnObject,
+            LoadedBodies::First | LoadedBodies::Body(_) => LoadSharing::OnObject,
         };
         let loads = mapped(&bodies, &|body| (body.load + body.weight(&gravity)).into_inside());
         let user_loads = mapped(&bodies, &|body| body.load.into_inside());

@@ -28,7 +28,7 @@ pub(crate) struct BodyPlace {
 
 /// How the load of a question is shared among the bodies.
 #[derive(Debug, Clone)]
-pub(super) enum Sharing {
+pub(super) enum LoadSharing {
     /// One body carries the whole load.
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
@@ -52,7 +52,7 @@ pub(crate) struct PlacedBodies {
     pub(crate) user_loads: Vec<Wrench<3>>,
     /// The part of `loads` that a load program has applied; usually empty.
     pub(super) program_loads: Vec<Wrench<3>>,
-    pub(super) sharing: Sharing,
+    pub(super) sharing: LoadSharing,
     pub(crate) places: Vec<BodyPlace>,
     /// For each contact, the body into which its normal points and the body on the other side, if any.
     pub(crate) sides: Vec<(usize, Option<usize>)>,
@@ -63,7 +63,7 @@ impl PlacedBodies {
         names: Vec<Arc<str>>,
         object: usize,
         (loads, user_loads): (Vec<Wrench<3>>, Vec<Wrench<3>>),
-        sharing: Sharing,
+        sharing: LoadSharing,
     ) -> Self {
         let (program_loads, places, sides) = (Vec::new(), Vec::new(), Vec::new());
         Self {
@@ -166,16 +166,16 @@ impl PlacedBodies {
     /// For each body the load that follows from the load of a question, without constant loads.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
-            Sharing::OnObject => {
+            LoadSharing::OnObject => {
                 let on = |body: usize| if body == self.object { *load } else { Wrench::ZERO };
                 return numbered(self.names.len(), &on);
             }
-            Sharing::Together { one, loads } => {
+            LoadSharing::Together { one, loads } => {
                 let along = |x: &Wrench<3>| dot(x.components(), one.components());
                 let times = along(load) / along(one);
                 return mapped(loads, &|of| *of * times);
             }
-            Sharing::ByParts(list) => list,
+            LoadSharing::ByParts(list) => list,
         };
         // Each body gets its fraction of the force, at its centre of mass, and its fraction of the moment that these forces leave unbalanced.
         let force = load.force_part();
@@ -217,14 +217,14 @@ impl PlacedBodies {
 
     /// Whether the load of a question may act on more than one body.
     pub(crate) fn is_shared(&self) -> bool {
-        !matches!(self.sharing, Sharing::OnObject)
+        !matches!(self.sharing, LoadSharing::OnObject)
     }
 
     /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor: the number of newtons in the first force
     /// component of the question's load.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
-        let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
+        let sharing = LoadSharing::Together { one: Wrench::from_components(&[1.0]), loads };
         Self { loads: none, sharing, ..self.clone() }
     }
 
@@ -247,7 +247,7 @@ impl PlacedBodies {
             let body = self.called(name)?;
             loads[body] = loads[body] + *load;
         }
-        Ok(Self { sharing: Sharing::Together { one: *one, loads }, ..self.clone() })
+        Ok(Self { sharing: LoadSharing::Together { one: *one, loads }, ..self.clone() })
     }
 }
 

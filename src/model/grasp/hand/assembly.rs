@@ -3,10 +3,10 @@
 use nalgebra::DMatrix;
 
 use super::draft::{Assembly, refuse};
-use super::drive::{Drive, Owner, Role};
+use super::drive::{Drive, DriveLaw, DriveOwner};
 use super::hand_builder::Hand;
 use super::joint::{Joint, JointKind, Limit};
-use super::linkage::{Linkage, Named};
+use super::linkage::{Linkage, NamedPart};
 use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
@@ -121,7 +121,7 @@ impl Assembly {
             self.held_forces[k] += torque / length;
             if stiffness > 0.0 {
                 let spring = Spring { along, stiffness: stiffness / (length * length), unit: length };
-                self.drive(Owner::Joint(j), &spring, (j, length), limit, true);
+                self.drive(DriveOwner::Joint(j), &spring, (j, length), limit, true);
             }
         }
         Ok(())
@@ -142,8 +142,8 @@ impl Assembly {
                 (0..count).map(|j| (first + j, column[j])).filter(|(_, arm)| *arm != 0.0).list();
             let (spring, unit) = self.over(&arms, 1.0);
             let drive = Drive {
-                owner: Owner::Nobody,
-                role: Role::Holds,
+                owner: DriveOwner::Nobody,
+                role: DriveLaw::Holds,
                 along: spring.along,
                 stiffness: spring.stiffness,
                 bound: f64::INFINITY,
@@ -156,7 +156,7 @@ impl Assembly {
         Ok(())
     }
 
-    fn add_tendon(&mut self, tendon: &super::tendon::Tendon, number: usize) -> Result<Named, Error> {
+    fn add_tendon(&mut self, tendon: &super::tendon::Tendon, number: usize) -> Result<NamedPart, Error> {
         let named = tendon.name.as_ref().map_or_else(String::new, |name| format!(" ({})", printable(name)));
         let label = format!("tendon {number}{named}");
         check_spring(&label, tendon.stiffness, tendon.limit)?;
@@ -190,9 +190,15 @@ impl Assembly {
         self.held_forces += &along * tendon.tension;
         if tendon.stiffness > 0.0 {
             let actuator = self.joints.len() + number;
-            self.drive(Owner::Tendon(number), &spring, (actuator, 1.0 / unit), tendon.limit, tendon.pushes);
+            self.drive(
+                DriveOwner::Tendon(number),
+                &spring,
+                (actuator, 1.0 / unit),
+                tendon.limit,
+                tendon.pushes,
+            );
         }
-        Ok(Named {
+        Ok(NamedPart {
             name: tendon.name.clone(),
             limit: tendon.limit,
             kind: JointKind::Slides,
@@ -215,7 +221,7 @@ impl Assembly {
     /// Adds a drive; a drive that saturates is added as two halves.
     fn drive(
         &mut self,
-        owner: Owner,
+        owner: DriveOwner,
         spring: &Spring,
         command: (usize, f64),
         limit: Option<Limit>,
@@ -224,7 +230,7 @@ impl Assembly {
         let bound = limit.map_or(f64::INFINITY, Limit::bound) / spring.unit;
         let drive = Drive {
             owner,
-            role: if pushes { Role::Holds } else { Role::Pulls },
+            role: if pushes { DriveLaw::Holds } else { DriveLaw::Pulls },
             along: spring.along.clone(),
             stiffness: spring.stiffness,
             bound,
@@ -234,7 +240,7 @@ impl Assembly {
         };
         match limit {
             None => self.drives.push(drive),
-            Some(Limit::Slips(_)) => self.drives.push(Drive { role: Role::Slips, ..drive }),
+            Some(Limit::Slips(_)) => self.drives.push(Drive { role: DriveLaw::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
                 // A saturating drive becomes two springs in series, with one more coordinate between them. The first spring carries the upper bound
                 // minus the drive's force, the second spring the force minus the lower bound, and neither spring can pull. Both bounds also act as
@@ -247,9 +253,11 @@ impl Assembly {
                 self.held_forces += &drive.along * bound - &between * (bound + below);
                 let rest = below / stiffness;
                 let (along, above) = (&between - &drive.along, bound / stiffness);
-                let lower = Drive { role: Role::EndsBelow, along: between, stiffness, rest, ..drive.clone() };
+                let lower =
+                    Drive { role: DriveLaw::EndsBelow, along: between, stiffness, rest, ..drive.clone() };
                 let commands = Vec::new();
-                let upper = Drive { role: Role::EndsAbove, along, stiffness, rest: above, commands, ..drive };
+                let upper =
+                    Drive { role: DriveLaw::EndsAbove, along, stiffness, rest: above, commands, ..drive };
                 self.drives.extend([upper, lower]);
             }
         }
@@ -258,7 +266,7 @@ impl Assembly {
     /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives that were collected.
     fn grasp(
         self,
-        tendons: Vec<Named>,
+        tendons: Vec<NamedPart>,
         commands: Vec<f64>,
         bodies: Option<PlacedBodies>,
     ) -> Result<Engine, Error> {
@@ -267,7 +275,7 @@ impl Assembly {
             let (joint, k) = (&self.joints[number], self.object() + number);
             let mut along = Vector::zeros();
             along[k] = 1.0 / self.lengths[k];
-            Named {
+            NamedPart {
                 name: joint.name.clone(),
                 limit: joint.limit,
                 kind: joint.kind(),

@@ -12,7 +12,7 @@ use crate::prelude::*;
 
 /// The part of the hand to which a drive belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Owner {
+pub(crate) enum DriveOwner {
     /// The joint with this index.
     Joint(usize),
     /// The tendon with this index.
@@ -23,7 +23,7 @@ pub(crate) enum Owner {
 
 /// How the force of a drive is bounded, and the contact law that models this bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Role {
+pub(crate) enum DriveLaw {
     /// Pushes and pulls without limit.
     Holds,
     /// Only pulls: its force obeys the law of a frictionless contact.
@@ -39,8 +39,8 @@ pub(crate) enum Role {
 /// A drive in the engine's coordinates: its force is in N and its displacement a length, for any units of its joints.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
-    pub(crate) owner: Owner,
-    pub(crate) role: Role,
+    pub(crate) owner: DriveOwner,
+    pub(crate) role: DriveLaw,
     /// Generalised force on the coordinates per newton of the drive's force.
     pub(super) along: Vector,
     pub(super) stiffness: f64,
@@ -60,8 +60,8 @@ impl Drive {
         let mut along = Vector::zeros();
         along[coordinate] = 1.0;
         Self {
-            owner: Owner::Nobody,
-            role: Role::Holds,
+            owner: DriveOwner::Nobody,
+            role: DriveLaw::Holds,
             along,
             stiffness,
             bound: f64::INFINITY,
@@ -73,17 +73,17 @@ impl Drive {
 
     /// The axis of the drive's frame along which the spring acts.
     fn axis(&self) -> usize {
-        usize::from(self.role == Role::Slips)
+        usize::from(self.role == DriveLaw::Slips)
     }
 
     /// The point contact that models this drive by a contact law.
     pub(crate) fn site(&self, space: Space, size: Size) -> Site {
-        let slips = self.role == Role::Slips;
+        let slips = self.role == DriveLaw::Slips;
         let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { space.axes() } else { 1 });
         let hold = match self.role {
-            Role::Holds => Hold::Bonded,
-            Role::Slips => Hold::KeptClosed,
-            Role::Pulls | Role::EndsAbove | Role::EndsBelow => Hold::Unilateral,
+            DriveLaw::Holds => Hold::Bonded,
+            DriveLaw::Slips => Hold::KeptClosed,
+            DriveLaw::Pulls | DriveLaw::EndsAbove | DriveLaw::EndsBelow => Hold::Unilateral,
         };
         let mut site = Site::of_axis(space, size, (self.axis(), &self.along), springs, hold);
         if !slips {
@@ -99,7 +99,7 @@ impl Drive {
     pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
-        if self.role == Role::Slips {
+        if self.role == DriveLaw::Slips {
             stretch[0] = self.bound / self.stiffness;
         }
         stretch
@@ -116,9 +116,9 @@ impl Drive {
     /// upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
-            Role::EndsBelow => None,
-            Role::EndsAbove => Some((self.bound - force[0]) * self.unit),
-            Role::Holds | Role::Pulls | Role::Slips => Some(force[self.axis()] * self.unit),
+            DriveLaw::EndsBelow => None,
+            DriveLaw::EndsAbove => Some((self.bound - force[0]) * self.unit),
+            DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::Slips => Some(force[self.axis()] * self.unit),
         }
     }
 
@@ -131,7 +131,7 @@ impl Drive {
     /// Ratio of the drive's stiffness to the stiffness of its joint or tendon: 2 for each half of a saturating drive, since both halves are in
     /// series.
     fn halves(&self) -> f64 {
-        if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
+        if matches!(self.role, DriveLaw::EndsAbove | DriveLaw::EndsBelow) { 2.0 } else { 1.0 }
     }
 
     /// Derivative of the drive's force with respect to the stiffness of its joint or tendon, N m/rad or N/m, at constant stretch.
@@ -140,9 +140,9 @@ impl Drive {
         // In an unloaded drive, the spring of the upper half carries the upper bound, and the spring of the lower half carries the magnitude of the
         // lower bound. The elastic force is `force` minus this preload.
         let elastic = match self.role {
-            Role::EndsAbove => force[0] - self.bound,
-            Role::EndsBelow => force[0] - self.rest * self.stiffness,
-            Role::Holds | Role::Pulls | Role::Slips => force[self.axis()],
+            DriveLaw::EndsAbove => force[0] - self.bound,
+            DriveLaw::EndsBelow => force[0] - self.rest * self.stiffness,
+            DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::Slips => force[self.axis()],
         };
         more[self.axis()] = self.halves() * elastic / self.stiffness / (self.unit * self.unit);
         more
@@ -153,17 +153,17 @@ impl Drive {
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
-            Role::Slips => {
+            DriveLaw::Slips => {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
             // The limit enters both the stretch of a half and its constant force. The lower half of a drive that only pulls has the bound zero,
             // whatever the limit.
-            Role::EndsAbove | Role::EndsBelow if !self.pulls_only() => {
+            DriveLaw::EndsAbove | DriveLaw::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
             }
-            Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => Vector::zeros(),
+            DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::EndsAbove | DriveLaw::EndsBelow => Vector::zeros(),
         };
         (stretch, held)
     }
@@ -175,16 +175,16 @@ impl Drive {
 
     /// Whether the drive never pushes: a tendon, or the lower half of a saturating tendon.
     pub(crate) fn pulls_only(&self) -> bool {
-        self.role == Role::Pulls || (self.role == Role::EndsBelow && self.rest == 0.0)
+        self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
     }
 
     /// Stored energy, J, at a force of the drive. The upper half of a saturating drive returns the energy of both halves.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
-            Role::Holds | Role::Pulls | Role::Slips => 0.5 * square(force[self.axis()]),
-            Role::EndsAbove => square(self.bound - force[0]),
-            Role::EndsBelow => 0.0,
+            DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::Slips => 0.5 * square(force[self.axis()]),
+            DriveLaw::EndsAbove => square(self.bound - force[0]),
+            DriveLaw::EndsBelow => 0.0,
         }
     }
 

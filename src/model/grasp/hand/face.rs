@@ -3,7 +3,7 @@
 
 use nalgebra::SVector;
 
-use super::finger::{Carried, ContactMover, Finger};
+use super::finger::{ContactMover, Finger, FingerContact};
 use super::hand_builder::Hand;
 use super::joint::{Joint, JointMotion, Limit};
 use super::tendon::Tendon;
@@ -14,7 +14,7 @@ same_on_both_sides! { ContactMover, Limit, Tendon }
 face_of_struct! {
     Hand { fingers, tendons }
     Finger { joints, coupling, compliance, contacts }
-    Carried { contact, by }
+    FingerContact { contact, by }
     Joint { name, motion, stiffness, command, torque, limit }
 }
 

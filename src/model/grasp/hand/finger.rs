@@ -18,7 +18,7 @@ pub(super) enum ContactMover {
 
 /// A contact, and how the joints of its finger move it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Carried<const C: usize> {
+pub(super) struct FingerContact<const C: usize> {
     pub(super) contact: Contact<C>,
     pub(super) by: ContactMover,
 }
@@ -50,7 +50,7 @@ pub struct Finger<const C: usize> {
     pub(crate) coupling: Option<DMatrix<f64>>,
     /// Compliance matrix over the axes of all contacts, in addition to the compliance of joints and pads.
     pub(crate) compliance: Option<DMatrix<f64>>,
-    pub(super) contacts: Vec<Carried<C>>,
+    pub(super) contacts: Vec<FingerContact<C>>,
 }
 
 impl<const C: usize> Finger<C> {
@@ -109,14 +109,14 @@ impl<const C: usize> Finger<C> {
 
     /// Adds a contact on another link. Only the first `joints` joints move this link; with 0 the contact is on the palm.
     pub fn contact_on(mut self, joints: usize, contact: Contact<C>) -> Self {
-        self.contacts.push(Carried { contact, by: ContactMover::Link(joints) });
+        self.contacts.push(FingerContact { contact, by: ContactMover::Link(joints) });
         self
     }
 
     /// Adds a contact with a given Jacobian, `C x joints`: velocity of the contact point along the coordinate axes, per unit velocity of each
     /// joint.
     pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
-        self.contacts.push(Carried { contact, by: ContactMover::World(jacobian) });
+        self.contacts.push(FingerContact { contact, by: ContactMover::World(jacobian) });
         self
     }
 }

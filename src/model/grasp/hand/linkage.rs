@@ -5,7 +5,7 @@ use core::fmt;
 
 use nalgebra::SVector;
 
-use super::drive::{Drive, Owner};
+use super::drive::{Drive, DriveOwner};
 use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
@@ -16,8 +16,8 @@ use crate::words::printable;
 /// Joints, tendons and drives behind the contacts of a grasp, and its bodies, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
-    pub(crate) joints: Vec<Named>,
-    pub(crate) tendons: Vec<Named>,
+    pub(crate) joints: Vec<NamedPart>,
+    pub(crate) tendons: Vec<NamedPart>,
     /// Reference lengths that convert the coordinates after the object's into lengths; entries of the object are 1.
     pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
@@ -40,7 +40,7 @@ pub(crate) struct Linkage {
 
 /// Data of a joint or of a tendon, used in answers.
 #[derive(Debug, Clone)]
-pub(crate) struct Named {
+pub(crate) struct NamedPart {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
     /// Kind of the joint's motion; not used for a tendon.
@@ -51,7 +51,7 @@ pub(crate) struct Named {
     pub(crate) along: Vector,
 }
 
-impl Named {
+impl NamedPart {
     /// Multiplies the constant torque or tension by `factor`, and adjusts the generalised forces `held_forces` to it.
     fn hold(&mut self, factor: f64, held_forces: &mut Vector) {
         *held_forces += &self.along * ((factor - 1.0) * self.held_torque);
@@ -121,9 +121,9 @@ impl Linkage {
         let joints = self.joints.len();
         for drive in &mut linkage.drives {
             match drive.owner {
-                Owner::Joint(joint) => drive.stiffen(times(joint)),
-                Owner::Tendon(tendon) => drive.stiffen(times(joints + tendon)),
-                Owner::Nobody => {}
+                DriveOwner::Joint(joint) => drive.stiffen(times(joint)),
+                DriveOwner::Tendon(tendon) => drive.stiffen(times(joints + tendon)),
+                DriveOwner::Nobody => {}
             }
         }
         linkage
@@ -186,16 +186,20 @@ impl Linkage {
     /// Drives of an actuator with their indices. Actuators are the joints, then the tendons.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
-        let owner = if actuator < joints { Owner::Joint(actuator) } else { Owner::Tendon(actuator - joints) };
+        let owner = if actuator < joints {
+            DriveOwner::Joint(actuator)
+        } else {
+            DriveOwner::Tendon(actuator - joints)
+        };
         self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)
     }
 
     /// The joint or tendon to which the drive belongs, if any.
     pub(crate) fn part(&self, drive: usize) -> Option<HandPart> {
         match self.drives[drive].owner {
-            Owner::Joint(joint) => Some(HandPart::Joint(joint)),
-            Owner::Tendon(tendon) => Some(HandPart::Tendon(tendon)),
-            Owner::Nobody => None,
+            DriveOwner::Joint(joint) => Some(HandPart::Joint(joint)),
+            DriveOwner::Tendon(tendon) => Some(HandPart::Tendon(tendon)),
+            DriveOwner::Nobody => None,
         }
     }
 }

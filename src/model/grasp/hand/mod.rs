@@ -23,12 +23,12 @@
 //! The contact law stays the same: a drive is one more spring of a single axis, whose grasp map has entries only for joints.
 
 mod assembly;
-mod carried;
 mod compliant;
 mod draft;
 mod drive;
 mod face;
 mod finger;
+mod finger_contacts;
 mod hand_builder;
 mod held_by_force;
 mod joint;
@@ -37,7 +37,7 @@ mod positive;
 mod tendon;
 
 pub(super) use draft::{Assembly, Columns};
-pub(crate) use drive::{Drive, Owner, Role};
+pub(crate) use drive::{Drive, DriveLaw, DriveOwner};
 pub use finger::Finger;
 pub use hand_builder::Hand;
 pub(crate) use held_by_force::SLIDE_OF;
@@ -45,5 +45,5 @@ pub(crate) use held_by_force::SLIDE_OF;
 pub(crate) use joint::JointMotion;
 pub use joint::{Joint, JointKind, Limit};
 pub use linkage::{HandPart, PartLabel};
-pub(crate) use linkage::{Linkage, Named};
+pub(crate) use linkage::{Linkage, NamedPart};
 pub use tendon::Tendon;

@@ -13,7 +13,7 @@ mod round_cost;
 use by_hand::{difference, onset_by_hand, residual};
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{ContactState, Grasp};
-use grasp_lcp::{Fit, PolygonCone, Settings};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings};
 use support::Failure;
 use support::best_time::{best_in_turns, once, timed};
 use support::loaded::{Scene, dragged_block, four_fingers, three_fingers};
@@ -28,7 +28,8 @@ const ROUNDING: f64 = 1.1e-16;
 const METHODS: [&str; 4] = ["inscribed", "circumscribed", "balanced", "turned"];
 
 fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
-    let fit = [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced, Fit::Inscribed][method];
+    let fit = [PolygonFit::Inscribed, PolygonFit::Circumscribed, PolygonFit::Balanced, PolygonFit::Inscribed]
+        [method];
     // Neither proofs of non-existence nor an enumeration of contact states are included in the time.
     let settings = Settings::default().with_most_states(0).on_the_polygon();
     Ok(settings.with_cone(PolygonCone::new(usize::try_from(facets)?, fit)?))

@@ -4,7 +4,7 @@
 //! load balances these forces. So the exact forces are known in advance.
 
 use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcome, Ramp, Twist, Wrench};
-use grasp_lcp::{Fit, PolygonCone, Settings};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings};
 use nalgebra::{Vector3, Vector6};
 
 use crate::onset::pinch;
@@ -14,10 +14,10 @@ use support::best_time::timed;
 use support::loaded::three_fingers;
 
 const FACETS: [usize; 7] = [4, 8, 16, 32, 64, 128, 256];
-const FITS: [(&str, Fit); 3] = [
-    ("inscribed polygon", Fit::Inscribed),
-    ("circumscribed polygon", Fit::Circumscribed),
-    ("balanced polygon", Fit::Balanced),
+const FITS: [(&str, PolygonFit); 3] = [
+    ("inscribed polygon", PolygonFit::Inscribed),
+    ("circumscribed polygon", PolygonFit::Circumscribed),
+    ("balanced polygon", PolygonFit::Balanced),
 ];
 /// Displacement of the object, m and rad: two of the three fingers slide. A ninth farther the load has another equilibrium, in which all slide.
 const TWIST: [f64; 6] = [0.00216, 0.00036, -0.00792, 0.243, -0.00315, 0.063];
@@ -25,7 +25,7 @@ const TWIST: [f64; 6] = [0.00216, 0.00036, -0.00792, 0.243, -0.00315, 0.063];
 const SLIDE: usize = 2;
 
 /// Settings for a polygon, without the enumeration of contact states, which would add to the time.
-fn on(facets: usize, fit: Fit) -> Result<Settings, Failure> {
+fn on(facets: usize, fit: PolygonFit) -> Result<Settings, Failure> {
     Ok(Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit)?))
 }
 
@@ -52,7 +52,7 @@ fn onset() -> Result<Panel, Failure> {
             panel.add(name, facets.to_string(), (factor / exact - 1.0).abs(), time);
         }
     }
-    let settings = on(8, Fit::Inscribed)?;
+    let settings = on(8, PolygonFit::Inscribed)?;
     let (factor, time) =
         timed(|| Ok(grasp.with(&settings).onset(&ramp)?.factor().ok_or("a sticking base")?))?;
     panel.add("round cone, and 8 facets beside it", "", (factor / exact - 1.0).abs(), time);
@@ -84,7 +84,7 @@ fn sliding() -> Result<Panel, Failure> {
         }
     }
     for facets in [8, 16, 32] {
-        let settings = on(facets, Fit::Inscribed)?;
+        let settings = on(facets, PolygonFit::Inscribed)?;
         let (outcome, time) = timed(|| Ok(grasp.with(&settings).solve(load)?))?;
         let answer = outcome.equilibrium().ok_or("the scene was made to have one")?;
         if facets == 8 {

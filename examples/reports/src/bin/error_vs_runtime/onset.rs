@@ -7,7 +7,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::screening::{Fingers, Pull};
-use grasp_lcp::{Fit, PolygonCone, spatial};
+use grasp_lcp::{PolygonCone, PolygonFit, spatial};
 
 use crate::report::{Panel, Report};
 use support::Failure;
@@ -213,7 +213,7 @@ fn in_space() -> Result<Panel, Failure> {
     );
     screened(&mut panel, &contacts, &direction, exact)?;
     let on = |facets: usize| -> Result<_, Failure> {
-        let cone = PolygonCone::new(facets, Fit::Inscribed)?;
+        let cone = PolygonCone::new(facets, PolygonFit::Inscribed)?;
         Ok(Question { grasp: &grasp, direction, cone, most: 8.0 })
     };
     on(8)?.direct(&mut panel, exact)?;

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
-use grasp_lcp::{Fit, PolygonCone, Settings};
+use grasp_lcp::{PolygonCone, PolygonFit, Settings};
 use nalgebra::Vector3;
 
 use crate::report::{Panel, Report};
@@ -58,7 +58,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
         panel.add("Grasp::follow_in_steps", format!("{error:.0e}"), off(&forces), time);
     }
     for facets in [8, 16, 32, 64, 128] {
-        let cone = PolygonCone::new(facets, Fit::Balanced)?;
+        let cone = PolygonCone::new(facets, PolygonFit::Balanced)?;
         let (forces, time) = timed(|| {
             let asked = grasp.with(&Settings::default().on_the_polygon().with_cone(cone));
             let mut path = asked.follow(start, &legs)?;

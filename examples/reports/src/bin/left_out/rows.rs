@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use grasp_lcp::forms::Why;
+use grasp_lcp::forms::OmissionReason;
 
 use crate::full::Full;
 use crate::scene::{self, Failure, Scene};
@@ -37,7 +37,7 @@ struct Answer {
 impl Answer {
     fn new<const C: usize>(answer: &Equilibrium<C>) -> Self {
         let left_out = &answer.work.rows_left_out;
-        let mut reasons: Vec<(Why, usize)> = Vec::new();
+        let mut reasons: Vec<(OmissionReason, usize)> = Vec::new();
         for part in left_out {
             match reasons.iter_mut().find(|(why, _)| *why == part.why) {
                 Some((_, rows)) => *rows += part.rows,
@@ -61,13 +61,13 @@ impl Answer {
     }
 }
 
-fn reason(why: Why) -> &'static str {
+fn reason(why: OmissionReason) -> &'static str {
     match why {
-        Why::EverythingSticks => "everything sticks",
-        Why::Frictionless => "smooth",
-        Why::InfiniteFriction => "never slide",
-        Why::KeptClosed => "kept closed",
-        Why::Bonded => "bonded",
+        OmissionReason::EverythingSticks => "everything sticks",
+        OmissionReason::Frictionless => "smooth",
+        OmissionReason::InfiniteFriction => "never slide",
+        OmissionReason::KeptClosed => "kept closed",
+        OmissionReason::Bonded => "bonded",
         _ => "other",
     }
 }

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 const INTERVAL: Duration = Duration::from_secs(1);
 
 /// Prints a line of progress each second until this value is dropped. A terminal shows one line, which is cleared at the end.
-pub(crate) struct Waiting(Option<(Sender<()>, JoinHandle<()>)>);
+pub(crate) struct ProgressLine(Option<(Sender<()>, JoinHandle<()>)>);
 
-impl Waiting {
+impl ProgressLine {
     /// The result of `work`. In the meantime lines of progress show `what` and the time; without a terminal they are printed only if `lines` is set.
     pub(crate) fn during<R>(what: &str, lines: bool, work: impl FnOnce() -> R) -> R {
         let _waiting = Self::begin(what.to_owned(), lines);
@@ -44,7 +44,7 @@ impl Waiting {
     }
 }
 
-impl Drop for Waiting {
+impl Drop for ProgressLine {
     fn drop(&mut self) {
         if let Some((stop, thread)) = self.0.take() {
             drop(stop);

@@ -19,16 +19,16 @@ use crate::words::{Words, listed, printable};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Caught {
+pub struct CaughtJump {
     /// The load factor of the jump: the multiple of the load that grows.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// The contacts that slip in the jump, each with the length of its slip.
-    pub slips: Vec<SlippedBy>,
+    pub slips: Vec<CaughtSlip>,
     /// The motion in the jump of the body that moves farthest, if the jump closes gaps. `None` if no gap closes: contacts that are closed already
     /// catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub moves: Option<MovesTo>,
+    pub moves: Option<CaughtMotion>,
     /// Whether the object snaps over from the end of its path (a fold, a corner or an asymptote) to another equilibrium ([`Jump::snaps`]).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
@@ -42,7 +42,7 @@ pub struct Caught {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct SlippedBy {
+pub struct CaughtSlip {
     /// The contact that slips in the jump.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: WholeContact,
@@ -56,7 +56,7 @@ pub struct SlippedBy {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct MovesTo {
+pub struct CaughtMotion {
     /// The contacts whose gaps close at the end of the motion.
     pub contacts: Vec<WholeContact>,
     /// The name of the body that moves farthest.
@@ -75,7 +75,7 @@ pub struct MovesTo {
     pub slides: bool,
 }
 
-impl MovesTo {
+impl CaughtMotion {
     fn of(parts: &WholeContacts, jump: &Jump<3>) -> Option<Self> {
         let contacts = parts.with(&|i| jump.reaches.iter().any(|contact| contact.index == i));
         let farthest = jump.moved.iter().max_by(|a, b| a.speed().total_cmp(&b.speed()))?;
@@ -87,7 +87,7 @@ impl MovesTo {
 }
 
 /// Writes the motion: "the object slides 0.4 mm to stop", "lid turns 0.1° to hinge".
-impl fmt::Display for MovesTo {
+impl fmt::Display for CaughtMotion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let goes = match (self.turning > self.distance, self.slides) {
@@ -110,7 +110,7 @@ impl Engine {
     }
 }
 
-impl Caught {
+impl CaughtJump {
     /// Writes the clause about all jumps, with the load and the motion of the last jump. An example is ", caught at 7.5 N of 12 N after slipping 0.4
     /// mm at left". `size` is the magnitude and unit of the whole load, if one number describes it.
     pub(super) fn write_clause(
@@ -146,9 +146,9 @@ impl Caught {
                 let range = &parts[contact.contact].range;
                 let of_it = |slip: &&JumpSlip<3>| range.contains(&slip.contact.index);
                 let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
-                SlippedBy { distance: distances.fold(0.0, f64::max), contact }
+                CaughtSlip { distance: distances.fold(0.0, f64::max), contact }
             };
-            let (slips, moves) = (whole.map(far).collect(), MovesTo::of(parts, jump));
+            let (slips, moves) = (whole.map(far).collect(), CaughtMotion::of(parts, jump));
             Self { factor, slips, moves, snaps: jump.snaps, energy_lost: jump.energy_lost }
         };
         jumps.map(caught).collect()
@@ -156,7 +156,7 @@ impl Caught {
 }
 
 /// Writes the slips of the jump: "after slipping 0.4 mm at left", "snaps over, slipping 0.4 mm at left".
-impl fmt::Display for Caught {
+impl fmt::Display for CaughtJump {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);

@@ -19,7 +19,7 @@ use crate::numerics::Vectors;
 use crate::prelude::*;
 
 /// The question for first slip and rotation of each grasp of a batch under its own load; `pulls` has one load for each grasp.
-pub(crate) struct PutOn<const C: usize> {
+pub(crate) struct SlipAndRotation<const C: usize> {
     pub(crate) pulls: Vec<Pull<C>>,
     /// Whether the rotation of the object is to be computed, too.
     pub(crate) turns: bool,
@@ -34,7 +34,7 @@ pub(crate) struct WhileSticking {
     pub(crate) turn: f64,
 }
 
-impl<const C: usize> PutOn<C> {
+impl<const C: usize> SlipAndRotation<C> {
     /// First slip and rotation of every grasp of a batch, on one thread. Empty if the number of loads is not the number of grasps.
     pub(crate) fn answers(self, batch: &PointBatch<C>) -> Vec<WhileSticking> {
         let mut answers = Vec::new();
@@ -54,7 +54,7 @@ impl<const C: usize> PutOn<C> {
     }
 }
 
-impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
+impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
     type Answer = WhileSticking;
     const UNKNOWN: WhileSticking = WhileSticking { first: Screened(SlipCode::UNKNOWN), turn: f64::NAN };
 
@@ -63,7 +63,7 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
         &self,
         scenes: &Scenes<'_, V, C, X>,
         [rates, base, _]: Room<'_, C, X>,
-        told: &mut AnswerSlots<'_, WhileSticking, X>,
+        slots: &mut AnswerSlots<'_, WhileSticking, X>,
     ) {
         let zero = X::all(0.0);
         let [mut at_rest, mut more] = [[zero; 6]; 2];
@@ -86,7 +86,7 @@ impl<const C: usize> ScreeningQuestion<C> for PutOn<C> {
             turn = start.max(scenes.turned(&more, base)) + zero * start;
         }
         let first = first.as_ref();
-        told.each(X::each(|lane| WhileSticking { first: first[lane], turn: turn.lane(lane) }));
+        slots.each(X::each(|lane| WhileSticking { first: first[lane], turn: turn.lane(lane) }));
     }
 }
 

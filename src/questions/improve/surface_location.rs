@@ -11,7 +11,7 @@ use crate::prelude::*;
 /// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates on this part: lengths,
 /// m, or angles, rad; on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Spot {
+pub(super) struct SurfaceLocation {
     part: usize,
     at: [f64; 3],
     /// 1 if the contact's normal is the normal of the surface, -1 if it is opposite.
@@ -28,7 +28,7 @@ pub(super) struct Spot {
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
-impl Spot {
+impl SurfaceLocation {
     fn new(surface: &Shape, part: usize, at: [f64; 3], side: f64) -> Self {
         let there = surface.surface_point(part, at);
         let (normal, bends) = (there.normal * side, mapped(&there.bends, &|bend| bend * side));
@@ -38,23 +38,23 @@ impl Spot {
     /// The place on the surface nearest to a point. The normal there points to the same side of the surface as `normal`.
     pub(super) fn nearest(surface: &Shape, point: &SVector<f64, 3>, normal: &SVector<f64, 3>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
-            let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
-            let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
-            if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
+            let location = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
+            let side = if location.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
+            if side > 0.0 { location } else { Self::new(surface, part, location.at, side) }
         });
         // At a point where segments or triangles meet, several places are equally near. The place with the least angle between its normal and
         // `normal` is chosen.
-        let distance = |spot: &Self| (spot.point - point).norm();
-        let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
+        let distance = |location: &Self| (location.point - point).norm();
+        let turned = |location: &Self| 1.0 - location.normal.dot(normal) / normal.norm();
         let edge = SOLVED_ROUNDING * surface.largest();
         let mut best: Option<Self> = None;
-        for spot in spots {
+        for location in spots {
             let better = best.as_ref().is_none_or(|best| {
-                distance(&spot) < distance(best) - edge
-                    || (distance(&spot) <= distance(best) + edge && turned(&spot) < turned(best))
+                distance(&location) < distance(best) - edge
+                    || (distance(&location) <= distance(best) + edge && turned(&location) < turned(best))
             });
             if better {
-                best = Some(spot);
+                best = Some(location);
             }
         }
         best.unwrap_or_else(|| Self::new(surface, 0, [0.0; 3], 1.0))
@@ -113,7 +113,7 @@ impl Spot {
         let others = (0..surface.parts()).filter(|part| *part != self.part);
         let there =
             others.map(|part| Self::new(surface, part, surface.nearest_of(part, &self.point), self.side));
-        there.filter(|spot| (spot.point - self.point).norm() <= near).list()
+        there.filter(|location| (location.point - self.point).norm() <= near).list()
     }
 
     /// A random place on the whole surface, on the same side as this place, with uniform density.
@@ -141,11 +141,11 @@ mod tests {
     fn only_an_end_has_parts_beside_it_whatever_the_unit() {
         for unit in [1e-10, 1.0, 1e16] {
             let Surface(corner) = Surface::polyline([[0.0, 0.0], [unit, 0.0], [unit, unit]]);
-            let on_the_first = |part: f64| Spot::new(&corner, 0, [part * unit, 0.0, 0.0], 1.0);
+            let on_the_first = |part: f64| SurfaceLocation::new(&corner, 0, [part * unit, 0.0, 0.0], 1.0);
             assert!(on_the_first(0.5).adjacent(&corner).is_empty(), "{unit:e}");
             assert!(on_the_first(0.0).adjacent(&corner).is_empty(), "{unit:e}");
             let beside = on_the_first(1.0).adjacent(&corner);
-            assert_eq!(beside.iter().map(|spot| spot.part).collect::<Vec<_>>(), [1], "{unit:e}");
+            assert_eq!(beside.iter().map(|location| location.part).collect::<Vec<_>>(), [1], "{unit:e}");
         }
     }
 }

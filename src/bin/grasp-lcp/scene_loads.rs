@@ -6,7 +6,7 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::need::{Need, Quantity};
 use grasp_lcp::squeeze::Loads;
 
-use crate::arguments::{SoughtQuantity, Wanted};
+use crate::arguments::{NeedArguments, SoughtQuantity};
 use grasp_lcp::scene::{Question, Setup};
 
 /// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies that grow in proportion to the added loads.
@@ -51,13 +51,22 @@ impl SceneLoads {
 }
 
 /// The scene's own question `need` for the sought quantity; `None` if the command line gives a load or another option that replaces the question.
-pub(crate) fn own_need(setup: &Setup<3>, wanted: &Wanted, sought: SoughtQuantity) -> Option<Need<3>> {
-    let given = [&wanted.load.force, &wanted.load.moment, &wanted.load.acceleration, &wanted.base];
-    let others = [&wanted.along, &wanted.axis, &wanted.load.at];
+pub(crate) fn own_need(
+    setup: &Setup<3>,
+    need_arguments: &NeedArguments,
+    sought: SoughtQuantity,
+) -> Option<Need<3>> {
+    let given = [
+        &need_arguments.load.force,
+        &need_arguments.load.moment,
+        &need_arguments.load.acceleration,
+        &need_arguments.base,
+    ];
+    let others = [&need_arguments.along, &need_arguments.axis, &need_arguments.load.at];
     let is_given = given.iter().chain(&others).any(|given| given.is_some())
-        || wanted.load.mass.is_some()
-        || wanted.any_force.is_some();
-    if is_given || wanted.contact.is_some() || wanted.of.is_some() {
+        || need_arguments.load.mass.is_some()
+        || need_arguments.any_force.is_some();
+    if is_given || need_arguments.contact.is_some() || need_arguments.of.is_some() {
         return None;
     }
     let quantity = match sought {

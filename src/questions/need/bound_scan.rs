@@ -1,7 +1,7 @@
 //! A scan of amounts around the bound: how far the sufficient amounts extend from it, and further intervals of sufficient amounts.
 
 use super::answer::AmountWindow;
-use super::search::{SearchPlan, Tries};
+use super::search::{SearchPlan, TrialFunctions};
 use super::threshold::{Threshold, where_it_vanishes};
 use super::tolerances::{
     BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, NEAR_THE_START, TOWARDS_ZERO, WHERE_MARGINS_VANISH,
@@ -14,7 +14,7 @@ use crate::prelude::*;
 
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
-pub(super) struct Around {
+pub(super) struct BoundScan {
     /// Number of changes between sufficient and insufficient among the amounts of the scan, including the change at the bound.
     pub(super) changes: usize,
     /// The other end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour.
@@ -49,7 +49,7 @@ impl SearchPlan {
     }
 }
 
-impl Around {
+impl BoundScan {
     /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads. `known` amounts
     /// are included in the scan. If `far`, there is one more amount on the easier side, 16 times as large, or as small, as the bound.
     pub(super) fn of(
@@ -58,7 +58,7 @@ impl Around {
         far: bool,
         plan: &SearchPlan,
         known: &[(f64, Trial)],
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
     ) -> Result<Self, Error> {
         let mut around = Self { changes: 1, until: None, elsewhere: Vec::new() };
         if plan.is_monotone {
@@ -67,10 +67,13 @@ impl Around {
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
             let is_beyond = up == plan.is_least;
-            let mut amounts = plan.scanned(bound.does, up, count, far && is_beyond);
+            let mut amounts = plan.scanned(bound.sufficient, up, count, far && is_beyond);
             let begin = plan.begin();
-            let is_far_behind =
-                if up { begin > FAR_BEHIND * bound.does } else { bound.does > FAR_BEHIND * begin };
+            let is_far_behind = if up {
+                begin > FAR_BEHIND * bound.sufficient
+            } else {
+                bound.sufficient > FAR_BEHIND * begin
+            };
             if is_beyond && is_far_behind && scan > 0 {
                 amounts.extend(plan.scanned(begin, up, NEAR_THE_START, false));
                 if !up {
@@ -84,9 +87,9 @@ impl Around {
             }
             in_order(&mut amounts, up);
             let from = if is_beyond {
-                (bound.does, None)
+                (bound.sufficient, None)
             } else {
-                (bound.does_not.0, Some(bound.does_not.1.clone()))
+                (bound.insufficient.0, Some(bound.insufficient.1.clone()))
             };
             around.side(from, up, is_beyond, &amounts, tries)?;
         }
@@ -102,7 +105,7 @@ impl Around {
         scan: usize,
         plan: &SearchPlan,
         known: &[(f64, Trial)],
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
     ) -> Result<Option<Threshold>, Error> {
         let mut around = Self { changes: 0, until: None, elsewhere: Vec::new() };
         let up = plan.is_least;
@@ -126,7 +129,7 @@ impl Around {
         up: bool,
         mut is_bounds_own: bool,
         amounts: &[f64],
-        tries: Tries<'_>,
+        tries: TrialFunctions<'_>,
     ) -> Result<(), Error> {
         let mut window = None;
         for &amount in amounts {
@@ -134,26 +137,31 @@ impl Around {
                 continue;
             }
             let now = (tries.short)(amount)?;
-            let (did, does) = (trial.as_ref().is_none_or(Trial::does), now.does());
+            let (was_sufficient, sufficient) =
+                (trial.as_ref().is_none_or(Trial::is_sufficient), now.is_sufficient());
             if let Trial::Unknown(_) = now {
                 continue;
             }
-            if did != does {
+            if was_sufficient != sufficient {
                 self.changes += 1;
                 // Narrowing a bracket costs many trials. Therefore, from the ninth change on, changes are only counted.
                 if self.changes <= 8 {
                     let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
-                    let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
-                    let measures = does.1.map_or([None; 2], |trial| trial.measures());
-                    let Some(does_not) = does_not.1.map(|trial| (does_not.0, trial)) else { continue };
-                    let edge = Threshold { does: does.0, does_not, unknown: None }.beside(tries, measures)?;
-                    match (did, is_bounds_own) {
+                    let (sufficient, insufficient) =
+                        if was_sufficient { (inner, outer) } else { (outer, inner) };
+                    let measures = sufficient.1.map_or([None; 2], |trial| trial.measures());
+                    let Some(insufficient) = insufficient.1.map(|trial| (insufficient.0, trial)) else {
+                        continue;
+                    };
+                    let edge = Threshold { sufficient: sufficient.0, insufficient, unknown: None }
+                        .beside(tries, measures)?;
+                    match (was_sufficient, is_bounds_own) {
                         (true, true) => (self.until, is_bounds_own) = (Some(edge), false),
                         (true, false) => {
                             self.elsewhere
-                                .extend(window.take().map(|near| between(near, Some(edge.does), up)));
+                                .extend(window.take().map(|near| between(near, Some(edge.sufficient), up)));
                         }
-                        (false, _) => window = Some(edge.does),
+                        (false, _) => window = Some(edge.sufficient),
                     }
                 }
             }
@@ -171,7 +179,7 @@ impl Around {
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
-    tries: Tries<'_>,
+    tries: TrialFunctions<'_>,
 ) -> Result<bool, Error> {
     let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
     let mut is_new = false;
@@ -179,9 +187,9 @@ pub(super) fn between_known(
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
         let vanishes = where_a_margin_vanishes(&list).filter(|_| count < WHERE_MARGINS_VANISH);
         let next = vanishes.map(|at| (at, true)).or_else(|| states_differ(&list, tries));
-        let Some((at, did)) = next else { break };
+        let Some((at, was_sufficient)) = next else { break };
         let now = (tries.short)(at)?;
-        is_new |= now.carried().is_some() && now.does() != did;
+        is_new |= now.carried().is_some() && now.is_sufficient() != was_sufficient;
         list.push((at, now));
     }
     Ok(is_new)
@@ -189,16 +197,16 @@ pub(super) fn between_known(
 
 /// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether they
 /// suffice.
-fn states_differ(list: &[(f64, Trial)], tries: Tries<'_>) -> Option<(f64, bool)> {
+fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &&[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
         let are_decided = trial.carried().is_some() && next.carried().is_some();
-        let is_same = are_decided && trial.does() == next.does();
+        let is_same = are_decided && trial.is_sufficient() == next.is_sufficient();
         is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
     };
     let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
     let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.does()))
+    Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }
 
 /// An amount between two neighbouring sufficient ones, a little beyond the place where a margin would vanish if it fell on as it does towards the first
@@ -212,9 +220,9 @@ fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
         };
         let mut roots = [0, 1].into_iter().filter_map(root);
         let root = roots.find(|root| (root - here.0) * (root - next.0) <= 0.0)?;
-        let all_do = before.1.does() && here.1.does() && next.1.does();
+        let all_suffice = before.1.is_sufficient() && here.1.is_sufficient() && next.1.is_sufficient();
         let is_apart = (next.0 - root).abs() > (BETWEEN_STATES - 1.0) * root;
-        (all_do && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
+        (all_suffice && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
     };
     let both_ways = |of: &[(f64, Trial)]| [[&of[0], &of[1], &of[2]], [&of[2], &of[1], &of[0]]].map(beyond);
     list.windows(3).flat_map(both_ways).flatten().next()

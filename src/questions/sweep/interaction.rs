@@ -3,11 +3,11 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::courses::forces_or_gaps;
+use super::contact_errors::factor;
 use super::datum::{UncertainDatum, with_errors};
 use super::failure::facets;
-use super::margin::{FacetMargin, JointEffect, UncertainForce};
-use super::off::factor;
+use super::margin::{FacetMargin, Interaction, UncertainForce};
+use super::source_forces::forces_or_gaps;
 use crate::contact::{Edges, State};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::grasp::{Engine, Wrench};
@@ -21,7 +21,7 @@ const PROBES: u64 = 8;
 
 /// The grasp whose data are uncertain, in fixed contact states: gives exact contact forces with several data in error at once.
 #[derive(Debug, Clone)]
-pub(super) struct OffTogether {
+pub(super) struct PerturbedGrasp {
     pub(super) grasp: Engine,
     pub(super) cone: Cone,
     pub(super) states: Vec<State>,
@@ -30,7 +30,7 @@ pub(super) struct OffTogether {
     pub(super) load_spread: f64,
 }
 
-impl OffTogether {
+impl PerturbedGrasp {
     /// The exact force on contact or drive `i` under `load`, N, if the data and last the load factor have the errors `z`, in standard deviations.
     /// `None` if a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
@@ -48,7 +48,7 @@ impl OffTogether {
         load: &Wrench<3>,
         here: &UncertainForce<'_>,
         rare: f64,
-    ) -> Vec<JointEffect> {
+    ) -> Vec<Interaction> {
         if self.data.is_empty() {
             return Vec::new();
         }
@@ -57,7 +57,7 @@ impl OffTogether {
             margin.start_over(here.changes.len());
             here.find(row, facet, &mut margin);
             if margin.fails() < rare {
-                return JointEffect::default();
+                return Interaction::default();
             }
             let beyond =
                 |z: &[f64]| self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
@@ -78,7 +78,7 @@ impl OffTogether {
                 let twice = beyond(&z) * 2.0;
                 squares += twice * twice.transpose() * (0.5 / PROBES as f64);
             }
-            JointEffect { force, bend, squares }
+            Interaction { force, bend, squares }
         };
         facets(edges, here).iter().enumerate().map(of).list()
     }

@@ -1,10 +1,10 @@
-//! The variables of the search (places and squeezes), their values ([`Placing`]), and the grasp with these values.
+//! The variables of the search (places and squeezes), their values ([`DesignPoint`]), and the grasp with these values.
 
 use nalgebra::SVector;
 
 use super::places::clockwise;
 use super::question::Improve;
-use super::spot::Spot;
+use super::surface_location::SurfaceLocation;
 use super::tolerances::OFF_THE_SURFACE;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
@@ -32,7 +32,7 @@ pub(super) enum DesignKind {
 
 /// The variables of the search, and the data of the given grasp and the question that stay fixed.
 #[derive(Debug)]
-pub(super) struct Choice<'q> {
+pub(super) struct DesignSpace<'q> {
     pub(super) question: &'q Improve<3>,
     pub(super) contacts: &'q [Contact<3>],
     /// The contacts of the given grasp, each with its points.
@@ -45,18 +45,18 @@ pub(super) struct Choice<'q> {
 
 /// Values of all variables: the place of each contact that may move, and the squeeze of each contact whose squeeze may change.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Placing {
-    pub(super) spots: Vec<Option<Spot>>,
+pub(super) struct DesignPoint {
+    pub(super) spots: Vec<Option<SurfaceLocation>>,
     /// For each contact the first tangent of its frame, a unit vector.
     pub(super) tangents: Vec<SVector<f64, 3>>,
     /// For each contact the normal force of its command, N; `None` if the squeeze may not change.
     pub(super) presses: Vec<Option<f64>>,
 }
 
-impl<'q> Choice<'q> {
+impl<'q> DesignSpace<'q> {
     /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface or has another
     /// normal.
-    pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, Placing), Error> {
+    pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, DesignPoint), Error> {
         let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
             grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
@@ -64,12 +64,12 @@ impl<'q> Choice<'q> {
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in contacts.iter().enumerate() {
             let surface = question.surface_of(contact);
-            let spot = surface.map(|surface| Spot::nearest(surface, &at.point, &at.normal));
-            if let Some(spot) = &spot {
+            let location = surface.map(|surface| SurfaceLocation::nearest(surface, &at.point, &at.normal));
+            if let Some(location) = &location {
                 let refused = |field, value, allowed| {
                     Err(Error::Surface { contact: at.label(contact), field, value, allowed })
                 };
-                let distance = (spot.point - at.point).norm();
+                let distance = (location.point - at.point).norm();
                 if distance > OFF_THE_SURFACE * (length + at.point.norm()) {
                     return refused(
                         "distance of its point from its surface",
@@ -77,15 +77,15 @@ impl<'q> Choice<'q> {
                         "0 m: the point has to lie on it",
                     );
                 }
-                let aside = (at.normal.normalize() - spot.normal).norm();
+                let aside = (at.normal.normalize() - location.normal).norm();
                 if aside > OFF_THE_SURFACE {
                     return refused("angle between its normal and that of its surface", aside, "0 rad");
                 }
-                for axis in 0..spot.along.len() {
+                for axis in 0..location.along.len() {
                     variables.push(DesignVariable { contact, what: DesignKind::Along(axis), unit: length });
                 }
             }
-            spots.push(spot);
+            spots.push(location);
             let most = question.most_of(contact).filter(|_| at.hold != Hold::Bonded);
             let stiffness = at.series_stiffness_of_axes()[0];
             let given = |most: f64| (stiffness * (at.command[0] - at.clearance)).clamp(0.0, most);
@@ -96,36 +96,43 @@ impl<'q> Choice<'q> {
         }
         let (settings, tangents_given) = (grasp.settings(), tangents.clone());
         let wholes = grasp.engine.wholes();
-        let choice = Self { question, contacts, wholes, settings, tangents: tangents_given, variables };
-        Ok((choice, Placing { spots, tangents, presses }))
+        let design_space = Self { question, contacts, wholes, settings, tangents: tangents_given, variables };
+        Ok((design_space, DesignPoint { spots, tangents, presses }))
     }
 
-    /// A placing with random places on all surfaces and the greatest allowed squeezes.
-    pub(super) fn random(&self, from: &Placing, draw: &mut Draw) -> Placing {
-        let mut placing = from.clone();
+    /// A design point with random places on all surfaces and the greatest allowed squeezes.
+    pub(super) fn random(&self, from: &DesignPoint, draw: &mut Draw) -> DesignPoint {
+        let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
-            let spot = placing.spots[*contact].as_ref().map(|spot| spot.random(&surface.0, draw));
-            placing.tangents[*contact] = self.tangent(*contact, &self.tangents[*contact], spot.as_ref());
-            placing.spots[*contact] = spot;
+            let location =
+                design_point.spots[*contact].as_ref().map(|location| location.random(&surface.0, draw));
+            design_point.tangents[*contact] =
+                self.tangent(*contact, &self.tangents[*contact], location.as_ref());
+            design_point.spots[*contact] = location;
         }
-        for (contact, press) in placing.presses.iter_mut().enumerate() {
+        for (contact, press) in design_point.presses.iter_mut().enumerate() {
             *press = self.question.most_of(contact).filter(|_| press.is_some());
         }
-        placing
+        design_point
     }
 
-    /// The placing `from` with one contact moved to the place `spot` of its surface.
-    pub(super) fn with_spot(&self, from: &Placing, contact: usize, spot: Spot) -> Placing {
-        let mut placing = from.clone();
-        placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
-        placing.spots[contact] = Some(spot);
-        placing
+    /// The design point `from` with one contact moved to the place `location` of its surface.
+    pub(super) fn with_location(
+        &self,
+        from: &DesignPoint,
+        contact: usize,
+        location: SurfaceLocation,
+    ) -> DesignPoint {
+        let mut design_point = from.clone();
+        design_point.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&location));
+        design_point.spots[contact] = Some(location);
+        design_point
     }
 
-    /// The placing after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the surfaces,
-    /// squeezes within limits.
-    pub(super) fn stepped(&self, from: &Placing, step: &[f64]) -> Placing {
-        let mut placing = from.clone();
+    /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the
+    /// surfaces, squeezes within limits.
+    pub(super) fn stepped(&self, from: &DesignPoint, step: &[f64]) -> DesignPoint {
+        let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
             let mut along = Vec::new();
             for (variable, step) in self.variables.iter().zip(step) {
@@ -133,24 +140,30 @@ impl<'q> Choice<'q> {
                     along.push(variable.unit * step);
                 }
             }
-            let spot = from.spots[*contact].as_ref().map(|spot| spot.stepped(&surface.0, &along));
-            placing.tangents[*contact] = self.tangent(*contact, &from.tangents[*contact], spot.as_ref());
-            placing.spots[*contact] = spot;
+            let location = from.spots[*contact].as_ref().map(|location| location.stepped(&surface.0, &along));
+            design_point.tangents[*contact] =
+                self.tangent(*contact, &from.tangents[*contact], location.as_ref());
+            design_point.spots[*contact] = location;
         }
         for (variable, step) in self.variables.iter().zip(step) {
             if let (DesignKind::Press { most }, Some(press)) =
-                (variable.what, &mut placing.presses[variable.contact])
+                (variable.what, &mut design_point.presses[variable.contact])
             {
                 *press = (*press + variable.unit * step).clamp(0.0, most);
             }
         }
-        placing
+        design_point
     }
 
-    /// The first tangent of the contact frame at the place `spot`; `from` if there is no such place. The frame results from the frame with the
+    /// The first tangent of the contact frame at the place `location`; `from` if there is no such place. The frame results from the frame with the
     /// tangent `from` by a tilt with the normal, without a rotation about the normal.
-    fn tangent(&self, contact: usize, from: &SVector<f64, 3>, spot: Option<&Spot>) -> SVector<f64, 3> {
-        let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
+    fn tangent(
+        &self,
+        contact: usize,
+        from: &SVector<f64, 3>,
+        location: Option<&SurfaceLocation>,
+    ) -> SVector<f64, 3> {
+        let Some(normal) = location.map(|location| location.normal) else { return *from };
         if self.contacts[contact].space == Space::Planar {
             let sign = clockwise(&self.contacts[contact].normal).dot(&self.tangents[contact]);
             return clockwise(&normal) * sign.signum();
@@ -173,15 +186,15 @@ impl<'q> Choice<'q> {
         if most > 0.0 { most } else { 1.0 }
     }
 
-    /// The contacts of the given grasp with the places and squeezes of this placing.
-    pub(super) fn contacts(&self, placing: &Placing) -> Vec<Contact<3>> {
+    /// The contacts of the given grasp with the places and squeezes of this design point.
+    pub(super) fn contacts(&self, design_point: &DesignPoint) -> Vec<Contact<3>> {
         numbered(self.contacts.len(), &|i| {
             let mut contact = self.contacts[i].clone();
-            if let Some(spot) = &placing.spots[i] {
-                (contact.point, contact.normal) = (spot.point, spot.normal);
-                contact.tangent = Some(placing.tangents[i]);
+            if let Some(location) = &design_point.spots[i] {
+                (contact.point, contact.normal) = (location.point, location.normal);
+                contact.tangent = Some(design_point.tangents[i]);
             }
-            if let Some(press) = placing.presses[i] {
+            if let Some(press) = design_point.presses[i] {
                 contact.command[0] = contact.clearance + press / contact.series_stiffness_of_axes()[0];
             }
             contact

@@ -15,23 +15,23 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Vector;
 use crate::object::{Load, Problem};
 use crate::prelude::*;
-use crate::search::{Doubt, Effort, Found, FoundBy, Settings, Settled, settle_at_rest};
+use crate::search::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, settle_at_rest};
 
 /// The result of the search for the equilibrium at load factor 0, from which a path starts, and the effort of this search.
-pub(crate) type Rest = (Settled, Effort);
+pub(crate) type SearchAtRest = (SearchOutcome, SearchCounts);
 
 /// A load program in progress, with its grasp and settings.
 #[derive(Debug)]
-pub(crate) struct Journey<'g> {
+pub(crate) struct ProgramRun<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon>,
     pub(super) program: Program,
     /// The result of the search for the equilibrium to start from, if it was made already for another question.
-    pub(super) rest: Option<Rest>,
+    pub(super) rest: Option<SearchAtRest>,
 }
 
-impl<'g> Journey<'g> {
+impl<'g> ProgramRun<'g> {
     /// A load program without legs yet, which starts under the load `start`. Returns an error if this load or the limits of small motions are out of
     /// range.
     pub(super) fn new(grasp: &'g Engine, start: &Wrench<3>, settings: &Settings) -> Result<Self, Error> {
@@ -55,9 +55,9 @@ impl<'g> Journey<'g> {
 
     /// The equilibrium from which the path starts, a solution of `problem`. If no equilibrium is found, the error is the end of the path before its
     /// first leg.
-    pub(super) fn start(&self, problem: &Problem<'g>) -> Result<Found, PathEnd<3>> {
+    pub(super) fn start(&self, problem: &Problem<'g>) -> Result<SearchSolution, PathEnd<3>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
-            (Settled::Found(found, _), _) => Ok(found),
+            (SearchOutcome::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
                 let load = self.program.load_at(0.0);
                 let outcome = self.grasp.outcome(problem, &load, nothing, &effort, self.answer_for());
@@ -82,8 +82,13 @@ impl<'g> Journey<'g> {
     }
 
     /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium in the caller's quantities, with residuals.
-    pub(super) fn equilibrium(&self, problem: &Problem<'g>, fraction: f64, found: Found) -> Equilibrium<3> {
-        let (load, effort) = (self.program.load_at(fraction), Effort::default());
+    pub(super) fn equilibrium(
+        &self,
+        problem: &Problem<'g>,
+        fraction: f64,
+        found: SearchSolution,
+    ) -> Equilibrium<3> {
+        let (load, effort) = (self.program.load_at(fraction), SearchCounts::default());
         let grasp = self.program.bodies.apply(self.grasp, fraction);
         let grasp = self.program.torques.apply(grasp, fraction);
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())

@@ -3,7 +3,7 @@
 use super::wrench::part;
 use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
-use crate::serial::{Few, Given, Number};
+use crate::serial::{Given, Number, ShortList};
 
 /// The message for a field `accelerated` without a `mass`. It also says in which scenes the mass may be left out.
 pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
@@ -13,24 +13,24 @@ pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenTurning {
     /// A point on the axis of rotation, m; the origin if left out.
-    about: Option<Few<Given, 3>>,
+    about: Option<ShortList<Given, 3>>,
     /// The angular velocity, degrees a second: one number in the plane, three along the axis in space.
-    velocity_deg: Option<Few<Given, 3>>,
+    velocity_deg: Option<ShortList<Given, 3>>,
     /// The angular velocity in rad/s, instead of `velocity_deg`.
-    velocity_rad: Option<Few<Given, 3>>,
+    velocity_rad: Option<ShortList<Given, 3>>,
     /// The angular acceleration, degrees a second squared.
-    acceleration_deg: Option<Few<Given, 3>>,
+    acceleration_deg: Option<ShortList<Given, 3>>,
     /// The angular acceleration in rad/s², instead of `acceleration_deg`.
-    acceleration_rad: Option<Few<Given, 3>>,
+    acceleration_rad: Option<ShortList<Given, 3>>,
 }
 
 /// Fields of a wrench that describe a carried body.
 pub(super) struct WrittenMass<'w> {
     pub(super) mass: Option<&'w Number<Given>>,
-    pub(super) at: Option<&'w Few<Given, 3>>,
-    pub(super) inertia: Option<&'w Few<Given, 3>>,
-    pub(super) gravity: Option<&'w Few<Given, 3>>,
-    pub(super) accelerated: Option<&'w Few<Given, 3>>,
+    pub(super) at: Option<&'w ShortList<Given, 3>>,
+    pub(super) inertia: Option<&'w ShortList<Given, 3>>,
+    pub(super) gravity: Option<&'w ShortList<Given, 3>>,
+    pub(super) accelerated: Option<&'w ShortList<Given, 3>>,
     pub(super) turning: Option<&'w WrittenTurning>,
 }
 
@@ -50,10 +50,10 @@ impl WrittenMass<'_> {
                 None => Ok(None),
             };
         };
-        let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, space.axes(), name);
+        let along = |given: Option<&ShortList<Given, 3>>, name: &str| part(given, space.axes(), name);
         // In the plane the rotation is about z, the last axis of space; its number therefore comes last.
         let planes = space.planes().len();
-        let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
+        let about_axes = |given: Option<&ShortList<Given, 3>>, name: &str| {
             let listed = part(given, planes, name)?;
             let mut axes = [0.0; 3];
             axes[3 - planes..].copy_from_slice(&listed[..planes]);
@@ -64,16 +64,17 @@ impl WrittenMass<'_> {
             arm = arm.gravity(along(Some(gravity), "gravity")?);
         }
         if let Some(turning) = self.turning {
-            let rate = |degrees: Option<&Few<Given, 3>>, radians: Option<&Few<Given, 3>>, name: &str| {
-                let [in_degrees, in_radians] = [format!("{name}_deg"), format!("{name}_rad")];
-                match (degrees, radians) {
-                    (Some(_), Some(_)) => {
-                        Err(format!("{in_degrees} and {in_radians}: a turn has one of them"))
+            let rate =
+                |degrees: Option<&ShortList<Given, 3>>, radians: Option<&ShortList<Given, 3>>, name: &str| {
+                    let [in_degrees, in_radians] = [format!("{name}_deg"), format!("{name}_rad")];
+                    match (degrees, radians) {
+                        (Some(_), Some(_)) => {
+                            Err(format!("{in_degrees} and {in_radians}: a turn has one of them"))
+                        }
+                        (Some(_), None) => Ok(about_axes(degrees, &in_degrees)?.each(f64::to_radians)),
+                        (None, _) => about_axes(radians, &in_radians),
                     }
-                    (Some(_), None) => Ok(about_axes(degrees, &in_degrees)?.each(f64::to_radians)),
-                    (None, _) => about_axes(radians, &in_radians),
-                }
-            };
+                };
             let velocity = rate(turning.velocity_deg.as_ref(), turning.velocity_rad.as_ref(), "velocity")?;
             let speeding =
                 rate(turning.acceleration_deg.as_ref(), turning.acceleration_rad.as_ref(), "acceleration")?;

@@ -20,7 +20,7 @@ pub(super) enum WatchedCondition {
 
 /// The value `value` that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to `size`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Watch {
+pub(super) struct ConditionValue {
     pub(super) what: WatchedCondition,
     pub(super) value: f64,
     /// The rate of the value per unit of arclength, and the size to which the rounding error of this rate is proportional. `None` if the rate is not
@@ -29,7 +29,7 @@ pub(super) struct Watch {
     size: f64,
 }
 
-impl Watch {
+impl ConditionValue {
     /// Whether the value is negative by more than rounding and the error of steps.
     pub(super) fn is_violated(&self) -> bool {
         self.value < -SLACK_ON_AN_ARC * self.size
@@ -75,17 +75,17 @@ pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],
     (factor, point): (f64, &PathPoint),
-) -> Vec<Watch> {
+) -> Vec<ConditionValue> {
     // The rate of the load factor (at most 1) is taken as zero up to 1e-8. Near a maximum the load factor itself then changes by less than the square
     // of this rate.
     let mut list = vec![
-        Watch {
+        ConditionValue {
             what: WatchedCondition::Growth,
             value: point.factor_rate,
             rate: None,
             size: 1e-8 / SLACK_ON_AN_ARC,
         },
-        Watch {
+        ConditionValue {
             what: WatchedCondition::Leg,
             value: 1.0 - factor,
             rate: Some([-point.factor_rate, 1.0]),
@@ -102,7 +102,7 @@ pub(super) fn watch(
         let mut push = |value, rate: Option<[f64; 2]>, size: f64| {
             let slow = |rate_size: f64| if straight { rate_size.max(size * per_length) } else { 0.0 };
             let rate = rate.map(|[rate, rate_size]| [rate, slow(rate_size)]);
-            list.push(Watch { what: WatchedCondition::Contact(contact), value, rate, size });
+            list.push(ConditionValue { what: WatchedCondition::Contact(contact), value, rate, size });
         };
         match state {
             Mode::Open if local.is_absent() => {}

@@ -17,7 +17,7 @@ use crate::words::Words;
 #[non_exhaustive]
 pub struct ShortVerdict {
     /// The conclusion, as in [`Verdict::holding`], without contacts and proofs.
-    pub how: How,
+    pub how: VerdictKind,
     /// The load factor of the first slip; `None` if every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub first_slip: Option<f64>,
@@ -38,7 +38,7 @@ pub struct ShortVerdict {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum How {
+pub enum VerdictKind {
     /// The load is held, and every contact sticks; see [`Holding::Sticks`].
     Sticks,
     /// The load is held, but contacts slide or have slid before; see [`Holding::Slides`].
@@ -85,16 +85,20 @@ impl ShortVerdict {
     /// The verdict if every contact sticks up to the whole load, and the path was not followed further.
     pub(crate) const fn sticks(first_slip: Option<f64>) -> Self {
         let (everything_slides, motion, doubt) = (None, None, None);
-        Self { how: How::Sticks, first_slip, held_to: 1.0, everything_slides, motion, doubt }
+        Self { how: VerdictKind::Sticks, first_slip, held_to: 1.0, everything_slides, motion, doubt }
     }
 
     /// Whether the whole load is held; `None` if that is undecided.
     #[must_use]
     pub fn holds(&self) -> Option<bool> {
         match self.how {
-            How::Sticks | How::Slides => Some(true),
-            How::TurnsOver | How::Loose | How::Lost | How::NoRest | How::LostAtRest => Some(false),
-            How::Undecided => None,
+            VerdictKind::Sticks | VerdictKind::Slides => Some(true),
+            VerdictKind::TurnsOver
+            | VerdictKind::Loose
+            | VerdictKind::Lost
+            | VerdictKind::NoRest
+            | VerdictKind::LostAtRest => Some(false),
+            VerdictKind::Undecided => None,
         }
     }
 }
@@ -104,19 +108,19 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
         let words = Words::default();
         let (mut motion, mut doubt) = (verdict.lost.as_ref().map(|lost| lost.verb(words)), None);
         let how = match &verdict.holding {
-            Holding::Sticks => How::Sticks,
-            Holding::Slides { .. } => How::Slides,
-            Holding::TurnsOver { .. } => How::TurnsOver,
-            Holding::Loose => How::Loose,
-            Holding::Lost => How::Lost,
-            Holding::NoRest { .. } => How::NoRest,
+            Holding::Sticks => VerdictKind::Sticks,
+            Holding::Slides { .. } => VerdictKind::Slides,
+            Holding::TurnsOver { .. } => VerdictKind::TurnsOver,
+            Holding::Loose => VerdictKind::Loose,
+            Holding::Lost => VerdictKind::Lost,
+            Holding::NoRest { .. } => VerdictKind::NoRest,
             Holding::LostAtRest { at_rest } => {
                 motion = Some(at_rest.verb(words));
-                How::LostAtRest
+                VerdictKind::LostAtRest
             }
             Holding::Undecided { doubt: why } => {
                 doubt = Some(*why);
-                How::Undecided
+                VerdictKind::Undecided
             }
         };
         let first_slip = verdict.first_slip.as_ref().map(|first| first.factor);

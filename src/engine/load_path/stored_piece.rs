@@ -1,4 +1,4 @@
-//! A stretch is a stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions
+//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions
 //! are affine in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc. To compute
 //! a state within it, this step is repeated up to the requested fraction.
 
@@ -16,11 +16,11 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, mapped, paired};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, FoundBy, reported_at_rest};
+use crate::search::{FoundBy, SearchCounts, SearchSolution, reported_at_rest};
 
 /// A stored piece of the path, from the fraction `from` to the fraction `to` of a leg. The state at any fraction in this range is computed from it.
 #[derive(Debug)]
-pub(super) struct Stretch<'g> {
+pub(super) struct StoredPiece<'g> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
@@ -68,7 +68,7 @@ pub(super) struct ArcStep {
     pub(super) rule: Rule,
 }
 
-impl<'g> Stretch<'g> {
+impl<'g> StoredPiece<'g> {
     /// The equilibrium at a fraction of the leg within this piece, in which contacts without force are reported as open, unless all forces are
     /// rounding. `None` if it cannot be computed because of rounding.
     pub(super) fn state_at(
@@ -101,11 +101,11 @@ impl<'g> Stretch<'g> {
         answer_for: AnswerFor,
         fraction: f64,
         problem: &Problem<'g>,
-        found: Found,
+        found: SearchSolution,
     ) -> Equilibrium<3> {
         let load = self.load.at(fraction);
         let grasp = self.torques.apply(self.bodies.apply(grasp, fraction), fraction);
-        grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &Effort::default(), answer_for)
+        grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &SearchCounts::default(), answer_for)
     }
 
     /// The static problem at a fraction of the leg within this piece, and its solution; `None` if it cannot be computed because of rounding.
@@ -114,7 +114,7 @@ impl<'g> Stretch<'g> {
         grasp: &'g Engine,
         answer_for: AnswerFor,
         fraction: f64,
-    ) -> Option<(Problem<'g>, Found)> {
+    ) -> Option<(Problem<'g>, SearchSolution)> {
         let segment = self.segment(grasp, answer_for);
         if let Some(arc_step) = &self.arc_step {
             return self.found_on_arc(arc_step, &segment, fraction);
@@ -135,11 +135,11 @@ impl<'g> Stretch<'g> {
         };
         // While the load turns, the sizes of force and displacement are already the largest over all angles, so no change is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
-        let found = Found {
+        let found = SearchSolution {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: [0, 1].each(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
-            ..Found::new(self.states.clone(), forces, twist)
+            ..SearchSolution::new(self.states.clone(), forces, twist)
         };
         Some((segment.problem_at(fraction), found))
     }
@@ -149,7 +149,7 @@ impl<'g> Stretch<'g> {
         arc_step: &ArcStep,
         segment: &Segment<'g>,
         fraction: f64,
-    ) -> Option<(Problem<'g>, Found)> {
+    ) -> Option<(Problem<'g>, SearchSolution)> {
         let at = if fraction >= self.to {
             self.there.clone()
         } else if fraction <= self.from {
@@ -161,11 +161,11 @@ impl<'g> Stretch<'g> {
             if state.slides() { State::sliding_along(force) } else { *state }
         };
         let states = paired(&self.states, &at.forces, &state);
-        let found = Found {
+        let found = SearchSolution {
             free_motions: self.here.free_motions.clone(),
             neutral_motions: self.here.neutral_motions.clone(),
             sizes: self.here.sizes,
-            ..Found::new(states, at.forces, at.twist)
+            ..SearchSolution::new(states, at.forces, at.twist)
         };
         let mut problem = segment.problem_at(fraction);
         for (i, (state, site)) in self.states.iter().zip(segment.grasp.sites()).enumerate() {

@@ -7,12 +7,12 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::scene::Setup;
 
 /// The scene of a grasp without its questions, and the grasp itself. `grasp` is `None` for a hand with joints and for several bodies.
-pub(crate) struct Kept<const C: usize> {
+pub(crate) struct StoredGrasp<const C: usize> {
     pub(crate) setup: Setup<C>,
     pub(crate) grasp: Option<Grasp<C>>,
 }
 
-impl<const C: usize> Kept<C> {
+impl<const C: usize> StoredGrasp<C> {
     pub(crate) fn new(setup: Setup<C>) -> Result<Arc<Self>, Error> {
         let grasp =
             if setup.is_held_by_a_hand() || !setup.bodies.is_empty() { None } else { Some(setup.grasp()?) };

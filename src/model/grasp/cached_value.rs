@@ -8,9 +8,9 @@ use crate::numerics::Once;
 
 /// A value that depends only on the contacts and drives of a grasp, computed on first use by a caller in a higher module.
 #[derive(Clone, Default)]
-pub(crate) struct Remembered(Once<Arc<dyn Any + Send + Sync>>);
+pub(crate) struct CachedValue(Once<Arc<dyn Any + Send + Sync>>);
 
-impl Remembered {
+impl CachedValue {
     /// The stored value, computed by `make` on first use. If a value of another type is stored, `make` computes the value anew, and the result is not
     /// stored.
     pub(crate) fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
@@ -19,7 +19,7 @@ impl Remembered {
     }
 }
 
-impl fmt::Debug for Remembered {
+impl fmt::Debug for CachedValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.0.get().is_some() { "Remembered" } else { "NotYet" })
     }

@@ -7,7 +7,7 @@ use super::cycle::Cycle;
 
 /// The cycles since the reference state: an earlier state, with which the state after each new cycle is compared.
 #[derive(Debug)]
-pub(super) struct Round {
+pub(super) struct PeriodSearch {
     /// All cycles since the reference state, joined to one; `many` is their number.
     all: Option<Cycle>,
     many: usize,
@@ -15,7 +15,7 @@ pub(super) struct Round {
     most: usize,
 }
 
-impl Round {
+impl PeriodSearch {
     /// No cycles yet; the state at the beginning of the first cycle is the reference state.
     pub(super) fn new() -> Self {
         Self { all: None, many: 0, most: 1 }

@@ -3,19 +3,19 @@
 use core::cell::{Cell, Ref, RefCell};
 
 use super::answer::TriedAmounts;
+use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::loading::Loading;
-use super::posed::{Posed, Safety, Sought};
 use super::question::Demand;
 use super::range::Range;
-use super::search::{Guess, SearchPlan};
+use super::search::{BoundEstimate, SearchPlan};
 use super::threshold::where_it_vanishes;
 use super::tolerances::{APART_IN_A_SCAN, EXACT, EXACT_IN_SPACE, MOST_LOADS, SECOND};
-use super::trial::{Refuting, Trial, Trials};
+use super::trial::{RefutingLoads, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{AtRest, Extent};
+use crate::hold::{AtRest, VerdictScope};
 use crate::numerics::{Space, mapped, picked};
 use crate::object::uses_band;
 use crate::prelude::*;
@@ -23,7 +23,7 @@ use crate::squeeze::Loads;
 
 /// The extent of a search for sufficient amounts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Look {
+pub(super) enum SearchExtent {
     /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
     /// A search in both directions. For the data as given, the sufficient amounts may have a far end: a last sufficient amount and its insufficient
@@ -34,22 +34,27 @@ pub(super) enum Look {
 }
 
 /// All amounts tried so far, each with the result of its trial.
-pub(super) struct Tried<'q> {
+pub(super) struct TrialRecord<'q> {
     pub(super) grasp: &'q Grasp<3>,
-    pub(super) need: &'q Posed,
-    safety: Safety,
+    pub(super) need: &'q CheckedNeed,
+    safety: SafetyDeviations,
     /// The first amount of the search.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
     /// Results of quick trials, which omit the enumeration of many contact states.
     quick: RefCell<Vec<(f64, Trials)>>,
-    refuting: Refuting,
+    refuting: RefutingLoads,
     /// The range of amounts outside which proofs exclude all amounts; computed by the first search and shared by all.
     range: Cell<Option<Range>>,
 }
 
-impl<'q> Tried<'q> {
-    pub(super) fn new(grasp: &'q Grasp<3>, need: &'q Posed, safety: Safety, start: f64) -> Self {
+impl<'q> TrialRecord<'q> {
+    pub(super) fn new(
+        grasp: &'q Grasp<3>,
+        need: &'q CheckedNeed,
+        safety: SafetyDeviations,
+        start: f64,
+    ) -> Self {
         Self {
             grasp,
             need,
@@ -57,7 +62,7 @@ impl<'q> Tried<'q> {
             start,
             known: RefCell::new(Vec::new()),
             quick: RefCell::new(Vec::new()),
-            refuting: Refuting::default(),
+            refuting: RefutingLoads::default(),
             range: Cell::new(None),
         }
     }
@@ -72,7 +77,7 @@ impl<'q> Tried<'q> {
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
-            && let Some(trial) = of(&self.quick, amount, demand).filter(Trial::does)
+            && let Some(trial) = of(&self.quick, amount, demand).filter(Trial::is_sufficient)
         {
             let quick =
                 self.quick.borrow().iter().find(|(at, of)| *at == amount && of.held.is_some()).cloned();
@@ -81,12 +86,12 @@ impl<'q> Tried<'q> {
         }
         let mut loading = self.loading(amount, short || demand == Demand::Sticks)?;
         if short {
-            loading.extent = Extent::Decided;
+            loading.extent = VerdictScope::Decided;
         }
         let mut trials = self.put_on(&loading, demand)?;
         // If no search decides whether an equilibrium at rest exists, a load path from zero to the load at rest may decide it.
         if short && trials.of(demand).is_none_or(|trial| trial.carried().is_none()) {
-            loading.extent = Extent::Measured;
+            loading.extent = VerdictScope::Measured;
             trials = self.put_on(&loading, demand)?;
         }
         Ok(kept(&self.known, amount, trials, demand))
@@ -143,13 +148,14 @@ impl<'q> Tried<'q> {
     }
 
     /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts are
-    /// extrapolated from `does` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
-    pub(super) fn rest_ends(&self, does: f64, does_not: f64) -> Option<f64> {
+    /// extrapolated from `sufficient` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
+    pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
-            rests(&lists).filter(|(at, _)| (at - does) * (does - does_not) >= 0.0).collect();
-        behind.sort_by(|(one, _), (other, _)| (one - does).abs().total_cmp(&(other - does).abs()));
-        let (_, here) = *behind.first().filter(|(at, _)| *at == does)?;
+            rests(&lists).filter(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0).collect();
+        behind
+            .sort_by(|(one, _), (other, _)| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()));
+        let (_, here) = *behind.first().filter(|(at, _)| *at == sufficient)?;
         behind.dedup_by_key(|(at, _)| *at);
         let mut alike = behind.into_iter().filter(|(_, there)| same_kinds(here, there));
         let three = [(); 3].map(|()| alike.next());
@@ -157,8 +163,8 @@ impl<'q> Tried<'q> {
         let roots = margins.filter_map(|(i, k)| {
             where_it_vanishes(three.map(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
         });
-        let between = roots.filter(|root| (root - does) * (root - does_not) < 0.0);
-        between.min_by(|one, other| (one - does).abs().total_cmp(&(other - does).abs()))
+        let between = roots.filter(|root| (root - sufficient) * (root - insufficient) < 0.0);
+        between.min_by(|one, other| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()))
     }
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
@@ -179,7 +185,7 @@ impl<'q> Tried<'q> {
         all
     }
 
-    pub(super) fn plan(&self, look: Look) -> Result<SearchPlan, Error> {
+    pub(super) fn plan(&self, look: SearchExtent) -> Result<SearchPlan, Error> {
         let (grasp, need) = (self.grasp, self.need);
         let (start, repeats) = (self.start, need.demand.repeats());
         let limits = match need.sought {
@@ -194,11 +200,11 @@ impl<'q> Tried<'q> {
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,
         };
         let guess = match need.sought {
-            Sought::Load | Sought::Angle { .. } => Guess::Times,
+            Sought::Load | Sought::Angle { .. } => BoundEstimate::Times,
             Sought::Squeeze | Sought::Overlaps | Sought::Friction { .. } | Sought::Force { .. } => {
-                Guess::Divided
+                BoundEstimate::Divided
             }
-            Sought::Arm { .. } => Guess::Nothing,
+            Sought::Arm { .. } => BoundEstimate::Nothing,
         };
         let range = match self.range.get() {
             Some(range) => range,
@@ -206,7 +212,7 @@ impl<'q> Tried<'q> {
         };
         self.range.set(Some(range));
         let is_least = need.quantity().is_least();
-        let guess = if repeats { Guess::Nothing } else { guess };
+        let guess = if repeats { BoundEstimate::Nothing } else { guess };
         Ok(SearchPlan {
             start,
             limits,
@@ -214,11 +220,11 @@ impl<'q> Tried<'q> {
             is_least,
             guess,
             is_monotone: is_monotone && !repeats,
-            everywhere: look != Look::Towards,
+            everywhere: look != SearchExtent::Towards,
             enough: match look {
-                Look::Around if grasp.space() == Space::Planar => EXACT,
-                Look::Around => EXACT_IN_SPACE,
-                Look::Everywhere(_) | Look::Towards => SECOND,
+                SearchExtent::Around if grasp.space() == Space::Planar => EXACT,
+                SearchExtent::Around => EXACT_IN_SPACE,
+                SearchExtent::Everywhere(_) | SearchExtent::Towards => SECOND,
             },
         })
     }

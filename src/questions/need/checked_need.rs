@@ -46,7 +46,7 @@ impl<const C: usize> Need<C> {
 
 /// The data of a [`Need`] after it has been checked.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Posed {
+pub(super) struct CheckedNeed {
     pub(super) sought: Sought,
     /// The loads; for an arm the load at displacement 0, for an angle the load that turns.
     pub(super) loads: Loads<3>,
@@ -54,7 +54,7 @@ pub(super) struct Posed {
     pub(super) base: Wrench<3>,
     pub(super) demand: Demand,
     /// For the safe amount: the reductions of friction and squeeze and the factor on loads.
-    pub(super) safety: Safety,
+    pub(super) safety: SafetyDeviations,
     /// Number of amounts that are tried around the bound of the sufficient amounts.
     pub(super) scan: usize,
     /// Units and digits of numbers in the sentences about insufficient amounts.
@@ -87,19 +87,19 @@ pub(super) enum Sought {
 
 /// Deviations from the given data to the unfavourable side, which the safe amount takes into account.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Safety {
+pub(super) struct SafetyDeviations {
     /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
     pub(super) lower: [f64; 2],
     /// Factor on the loads.
     pub(super) load: f64,
 }
 
-impl Safety {
+impl SafetyDeviations {
     /// No deviation from the given data.
     pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
 }
 
-impl Posed {
+impl CheckedNeed {
     /// Refuses numbers out of range, and loads that do not suit the demand. These checks do not depend on the grasp.
     pub(super) fn check(&self) -> Result<(), Error> {
         self.base.check_in(self.words.space::<3>(), "base load")?;
@@ -211,7 +211,7 @@ impl Need<3> {
     }
 
     /// The checked data of the question, with the loads and the sought quantity in the form that the search uses.
-    pub(super) fn posed(&self, space: Space) -> Result<Posed, Error> {
+    pub(super) fn posed(&self, space: Space) -> Result<CheckedNeed, Error> {
         let of_its_own = [
             (
                 self.per_metre.is_some(),
@@ -248,7 +248,7 @@ impl Need<3> {
             Quantity::Squeeze => Sought::Squeeze,
             Quantity::Load => Sought::Load,
             Quantity::Force => Sought::Force { of: self.of.clone() },
-            Quantity::Friction => Sought::Friction { contacts: self.meant()? },
+            Quantity::Friction => Sought::Friction { contacts: self.sought_contacts()? },
             Quantity::Arm => {
                 let fault = "is missing, must be given where an arm is sought";
                 let at = self.load.ok_or_else(|| wrong("load", fault))?;
@@ -267,8 +267,8 @@ impl Need<3> {
         };
         let [friction, squeeze] = if self.safety.is_some() { [0.0; 2] } else { [0.1, 0.05] };
         let lower = [self.friction_less.unwrap_or(friction), self.squeeze_less.unwrap_or(squeeze)];
-        let safety = Safety { lower, load: self.safety.unwrap_or(1.0) };
-        let posed = Posed {
+        let safety = SafetyDeviations { lower, load: self.safety.unwrap_or(1.0) };
+        let posed = CheckedNeed {
             sought,
             loads,
             base: self.base(),
@@ -287,7 +287,7 @@ impl Need<3> {
     }
 
     /// The contacts whose coefficient is sought; `None` for all contacts.
-    fn meant(&self) -> Result<Option<Vec<usize>>, Error> {
+    fn sought_contacts(&self) -> Result<Option<Vec<usize>>, Error> {
         match (self.contact, &self.contacts) {
             (Some(_), Some(_)) => Err(wrong("contacts", "are given beside a contact, must be one of them")),
             (None, Some(list)) if list.is_empty() => {

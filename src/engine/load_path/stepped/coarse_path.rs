@@ -17,7 +17,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 
 /// The second path, of steps made at once.
 #[derive(Debug, Clone)]
-pub(super) struct Coarse {
+pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
     /// The second path is sometimes restarted near the first. This is the sum, over these restarts, of the distance between both paths before each,
     /// divided by the largest contact force of that step.
@@ -26,7 +26,7 @@ pub(super) struct Coarse {
     pub(super) farthest: f64,
 }
 
-impl Coarse {
+impl CoarsePath {
     /// The second path, which begins at `present`, the first state of the first path.
     pub(super) fn starting_at(present: &SteppedState) -> Self {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }

@@ -16,17 +16,17 @@ use super::event::{Event, PathEnd};
 use super::flow::{FlowStep, Rule};
 use super::follower::{Advance, Follower, StateAtEdge};
 use super::following::Following;
-use super::journey::{Journey, Rest};
 use super::jump_leg::beyond_a_jump;
 use super::leg::Leg;
 use super::node::Node;
 use super::pace::Pace;
 use super::path::{LoadPath, Path};
 use super::path_state::softest_spring_force;
+use super::program_run::{ProgramRun, SearchAtRest};
 use super::segment::{PathPoint, Segment};
 use super::small_motions::EndOfSmallMotions;
-use super::snapping_over::Snapped;
-use super::stretch::{ArcStep, Stretch};
+use super::snapping_over::SnapCount;
+use super::stored_piece::{ArcStep, StoredPiece};
 use super::trajectory::Trajectory;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
@@ -40,7 +40,7 @@ use crate::search::{Doubt, Settings};
 /// The follower of a [`LoadPath`], which advances piece by piece. It stores its place on the present leg (the load factor `factor`) and all pieces
 /// that the path has passed.
 #[derive(Debug)]
-pub(crate) struct Pieces<'g> {
+pub(crate) struct PiecewiseFollower<'g> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g>,
     pub(super) node: Node,
@@ -48,7 +48,7 @@ pub(crate) struct Pieces<'g> {
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
     /// All pieces that the path has passed so far, the first one first, jumps included.
-    pub(super) behind: Vec<Stretch<'g>>,
+    pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
     /// Number of successive pieces, up to the present place, that are no longer than the rounding error of their own length, see `straight`.
     pub(super) stalls: usize,
@@ -58,7 +58,7 @@ pub(crate) struct Pieces<'g> {
     /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended at this factor.
     pub(super) stopped: (f64, Vec<usize>),
     /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which it last came to rest.
-    pub(super) snapped: Snapped,
+    pub(super) snapped: SnapCount,
     /// Sum of the estimated relative errors of all steps so far: of integration along arcs, on which directions of sliding turn, and of gathered
     /// events.
     pub(super) step_error: f64,
@@ -80,44 +80,43 @@ impl Engine {
         legs: &[Leg<3>],
         settings: &Settings,
     ) -> Result<LoadPath<'_, 3>, Error> {
-        Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
+        Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, PiecewiseFollower::at_start)?)))
     }
 
     /// As [`Self::follow`], but starts from `rest`, if `rest` is not `None`. `rest` is the equilibrium under the load `start` that the computation of
     /// an onset with the same settings has found.
     pub(crate) fn follow_from_rest(
         &self,
-        (start, rest): (&Wrench<3>, Option<Rest>),
+        (start, rest): (&Wrench<3>, Option<SearchAtRest>),
         legs: &[Leg<3>],
         settings: &Settings,
     ) -> Result<LoadPath<'_, 3>, Error> {
-        let journey = Journey { rest, ..Journey::new(self, start, settings)? };
-        Ok(Path::new(Box::new(Following::of(journey, legs, Pieces::at_start)?)))
+        let run = ProgramRun { rest, ..ProgramRun::new(self, start, settings)? };
+        Ok(Path::new(Box::new(Following::of(run, legs, PiecewiseFollower::at_start)?)))
     }
 }
 
-impl<'g> Follower<'g> for Pieces<'g> {
+impl<'g> Follower<'g> for PiecewiseFollower<'g> {
     type Report = Event<3>;
 
-    fn start_leg(&mut self, journey: &Journey<'g>) -> Result<(), PathEnd<3>> {
+    fn start_leg(&mut self, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
         let cones = core::mem::take(&mut self.segment.problem.cones);
-        self.segment = journey.segment(core::mem::take(&mut self.segment.problem.slips));
+        self.segment = run.segment(core::mem::take(&mut self.segment.problem.slips));
         self.segment.problem.cones = cones;
         self.factor = 0.0;
         self.pace = Pace::new();
         self.gathered = f64::NAN;
         self.stopped.0 = f64::NAN;
-        self.snapped = Snapped::NEVER;
+        self.snapped = SnapCount::NEVER;
         self.energy.push(LegEnergy::default());
         self.at_node = true;
         Ok(())
     }
 
-    fn advance(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
-        match self.advance_unless_lost(journey) {
+    fn advance(&mut self, run: &ProgramRun<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
+        match self.advance_unless_lost(run) {
             Err(PathEnd::Lost(loss)) => {
-                let caught =
-                    self.closing_gap_event(journey, &loss).or_else(|| self.snaps_over(journey, &loss));
+                let caught = self.closing_gap_event(run, &loss).or_else(|| self.snaps_over(run, &loss));
                 caught.map(Advance::Reached).ok_or(PathEnd::Lost(loss))
             }
             other => other,
@@ -128,19 +127,19 @@ impl<'g> Follower<'g> for Pieces<'g> {
         self.factor
     }
 
-    fn state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
+    fn state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
         match self.behind.last() {
             Some(last) => self.state_on(last, last.to),
-            None => self.present_state(journey),
+            None => self.present_state(run),
         }
     }
 
-    fn forces(&self, _: &Journey<'g>) -> Vec<SVector<f64, 3>> {
+    fn forces(&self, _: &ProgramRun<'g>) -> Vec<SVector<f64, 3>> {
         self.node.at.forces.clone()
     }
 
-    fn cups_open(&self, journey: &Journey<'g>) -> Vec<WholeContact> {
-        journey.grasp.cups_open(|i| self.node.states[i].is_open())
+    fn cups_open(&self, run: &ProgramRun<'g>) -> Vec<WholeContact> {
+        run.grasp.cups_open(|i| self.node.states[i].is_open())
     }
 
     fn step_error(&self) -> f64 {
@@ -175,25 +174,25 @@ impl<'g> Follower<'g> for Pieces<'g> {
         self.failed_jump.as_ref().map(|problem| beyond_a_jump(problem, settings))
     }
 
-    fn edge(&self, _: &Journey<'g>) -> StateAtEdge<'g> {
+    fn edge(&self, _: &ProgramRun<'g>) -> StateAtEdge<'g> {
         let laws = self.segment.laws_of_rates(&self.node.active_sets, &self.node.states);
         let rates = self.segment.rates(self.node.ahead, laws);
         StateAtEdge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
     }
 }
 
-impl<'g> Pieces<'g> {
+impl<'g> PiecewiseFollower<'g> {
     /// The follower at the start of its path, at an equilibrium that solves `problem`. If no equilibrium is found, the error is the end of the path.
-    pub(super) fn at_start(journey: &Journey<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
-        let found = journey.start(problem)?;
+    pub(super) fn at_start(run: &ProgramRun<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
+        let found = run.start(problem)?;
         // The path has not begun: load and commands have no rates yet.
-        let change = journey.grasp.offset_changes(None, None);
+        let change = run.grasp.offset_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
-        let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());
+        let (grasp, answer_for, problem) = (run.grasp, run.answer_for(), problem.clone());
         let mut segment = Segment { grasp, answer_for, problem, change, course, largest: 0.0 };
         let node = Node::at_start(&mut segment, found);
-        let mut path = Self::at_segment_start(segment, node).with_falling_friction(journey)?;
-        path.note_how_far(journey);
+        let mut path = Self::at_segment_start(segment, node).with_falling_friction(run)?;
+        path.record_motion_ratio(run);
         Ok(path)
     }
 
@@ -211,7 +210,7 @@ impl<'g> Pieces<'g> {
             pace: Pace::new(),
             gathered: f64::NAN,
             stopped: (f64::NAN, Vec::new()),
-            snapped: Snapped::NEVER,
+            snapped: SnapCount::NEVER,
             step_error: 0.0,
             first: None,
             failed_jump: None,
@@ -220,22 +219,22 @@ impl<'g> Pieces<'g> {
         }
     }
 
-    fn advance_unless_lost(&mut self, journey: &Journey<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
+    fn advance_unless_lost(&mut self, run: &ProgramRun<'g>) -> Result<Advance<Event<3>>, PathEnd<3>> {
         if core::mem::take(&mut self.at_node) {
-            return Ok(self.decide(journey)?.map_or(Advance::OnTheWay, Advance::Reached));
+            return Ok(self.decide(run)?.map_or(Advance::OnTheWay, Advance::Reached));
         }
         let leg_done =
-            if self.node.turns() { self.advance_along_arc(journey) } else { self.advance_straight(journey) };
+            if self.node.turns() { self.advance_along_arc(run) } else { self.advance_straight(run) };
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
     /// The first stored piece that contains this place of the path. `None` if the path has not passed it. Also `None` between the load factor at
     /// which the object snaps over and the slightly larger load factor at which it rests again.
-    pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g>> {
+    pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&StoredPiece<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 
-    pub(super) fn state_on(&self, stretch: &Stretch<'g>, fraction: f64) -> Option<Equilibrium<3>> {
+    pub(super) fn state_on(&self, stretch: &StoredPiece<'g>, fraction: f64) -> Option<Equilibrium<3>> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
@@ -247,36 +246,36 @@ impl<'g> Pieces<'g> {
 
     /// Computes how the path continues from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
     /// resistance. Also returns an event if the continuation at the start of a leg is not unique.
-    fn decide(&mut self, journey: &Journey<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
+    fn decide(&mut self, run: &ProgramRun<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
             return Ok(Some(*first));
         }
         let before = self.state_before_event();
         let rested = if self.friction_falls() && self.factor == 0.0 { self.pause() } else { Vec::new() };
-        let mut next = self.node.continue_path(&mut self.segment, journey, self.factor)?;
+        let mut next = self.node.continue_path(&mut self.segment, run, self.factor)?;
         next.changes.splice(0..0, rested);
-        let grasp = journey.grasp;
+        let grasp = run.grasp;
         let free = self.point.as_ref().map_or(0, |point| point.free_motions.len());
         let set_free = next.point.free_motions.len() > free;
         let free_motions = mapped(&next.point.free_motions, &|v| grasp.motion_outside(v));
         self.point = Some(next.point);
         self.pace = self.pace.at_node();
-        let jump = if self.friction_falls() { self.friction_after(journey, &next.changes)? } else { None };
+        let jump = if self.friction_falls() { self.friction_after(run, &next.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(next.changes);
         // At the start of a leg an event is returned if several continuations exist, even if the chosen continuation changes nothing.
         let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
         }
-        let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
+        let Some(state) = before.or_else(|| self.present_state(run)) else { return Ok(None) };
         if !self.is_accurate(&state) {
-            return Err(journey.undecided(self.factor, Doubt::Inaccurate));
+            return Err(run.undecided(self.factor, Doubt::Inaccurate));
         }
         Ok(Some(Event {
-            leg: journey.program.leg,
+            leg: run.program.leg,
             fraction: self.factor,
-            load: journey.program.load_at(self.factor),
+            load: run.program.load_at(self.factor),
             changes,
             drives,
             state,
@@ -314,12 +313,12 @@ impl<'g> Pieces<'g> {
 
     /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if it cannot be
     /// computed because of rounding.
-    pub(super) fn present_state(&self, journey: &Journey<'g>) -> Option<Equilibrium<3>> {
-        self.state_on(&self.present_stretch(journey)?, self.factor)
+    pub(super) fn present_state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
+        self.state_on(&self.present_stretch(run)?, self.factor)
     }
 
     /// The present place as a piece of the path with zero length; `None` if forces and motion there cannot be computed because of rounding.
-    pub(super) fn present_stretch(&self, journey: &Journey<'g>) -> Option<Stretch<'g>> {
+    pub(super) fn present_stretch(&self, run: &ProgramRun<'g>) -> Option<StoredPiece<'g>> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
@@ -329,26 +328,26 @@ impl<'g> Pieces<'g> {
                 })?,
             };
         let end = self.state_after(&point, 0.0);
-        Some(self.stretch(journey, point, self.factor, end))
+        Some(self.stretch(run, point, self.factor, end))
     }
 
     pub(super) fn stretch(
         &self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         point: PathPoint,
         to: f64,
         end: PieceState,
-    ) -> Stretch<'g> {
-        Stretch {
-            leg: journey.program.leg,
+    ) -> StoredPiece<'g> {
+        StoredPiece {
+            leg: run.program.leg,
             from: self.factor,
             to,
             problem: self.segment.problem.clone(),
             change: self.segment.change.clone(),
             course: self.segment.course.clone(),
-            load: journey.program.course,
-            bodies: journey.program.bodies.clone(),
-            torques: journey.program.torques.clone(),
+            load: run.program.course,
+            bodies: run.program.bodies.clone(),
+            torques: run.program.torques.clone(),
             states: self.node.states.clone(),
             here: point,
             there: end,
@@ -360,7 +359,7 @@ impl<'g> Pieces<'g> {
     /// Moves the path to the end `reached` of a step of the arclength `length` along an arc, and stores the step as a piece.
     pub(super) fn take_step(
         &mut self,
-        journey: &Journey<'g>,
+        run: &ProgramRun<'g>,
         point: &PathPoint,
         (length, rule): (f64, Rule),
         reached: &FlowStep,
@@ -371,10 +370,10 @@ impl<'g> Pieces<'g> {
         }
         self.step_error += reached.error;
         let arc_step = self.pace.unit.map(|unit| ArcStep { unit, length, rule });
-        let stretch = self.stretch(journey, point.clone(), to, at.clone());
-        self.behind.push(Stretch { arc_step, ..stretch });
+        let stretch = self.stretch(run, point.clone(), to, at.clone());
+        self.behind.push(StoredPiece { arc_step, ..stretch });
         self.node.move_to_end(&mut self.segment, point, to, &at);
         self.factor = to;
-        self.note_how_far(journey);
+        self.record_motion_ratio(run);
     }
 }

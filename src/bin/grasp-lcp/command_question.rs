@@ -2,9 +2,9 @@
 
 use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;
-use crate::loads::Meaning;
-use crate::of_the_scene::SceneLoads;
+use crate::loads::OptionVectors;
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
+use crate::scene_loads::SceneLoads;
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::scene::{Question, Setup};
@@ -36,14 +36,14 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
 
 /// The question of the command line; `None` if it gives nothing to ask, i.e. no load, no quantity for `need` and no table for `identify`.
 fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
-    let words = Meaning::of(setup);
+    let words = OptionVectors::of(setup);
     Ok(match asked {
         Command::Hold { load, base, safety, .. } => {
             let asked = &*of_own_masses(load, base.is_some(), setup)?;
             words.hold(asked, base.as_ref(), *safety)?
         }
-        Command::Need { wanted, .. } => {
-            words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked)))
+        Command::Need { need_arguments, .. } => {
+            words.need(need_arguments, setup)?.map(|asked| Question::Need(Box::new(asked)))
         }
         Command::Improve { load, base, any_force, at_most, reserve, .. } => {
             let load = &*of_own_masses(load, base.is_some() || any_force.is_some(), setup)?;
@@ -156,7 +156,7 @@ fn is_of_kind(question: &Question<3>, asked: &Command) -> bool {
     )
 }
 
-impl Meaning {
+impl OptionVectors {
     /// The sum of `--force`, the pull of `--mass` and `--moment`, as a wrench about the origin; `None` if none of them is given. If another option
     /// gives a force at the point `--at` (`beside`), `--at` is allowed without `--force` and `--mass`; otherwise it is an error.
     pub(crate) fn wrench(self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench>, Failure> {

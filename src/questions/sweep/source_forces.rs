@@ -1,5 +1,5 @@
 //! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. The
-//! forces due to one source, together with these changes, are called its course. Contacts stay sticking or open as under the base load.
+//! forces due to one source, together with these changes, are its [`SourceForces`]. Contacts stay sticking or open as under the base load.
 
 use core::slice::from_ref;
 
@@ -17,14 +17,14 @@ use crate::prelude::*;
 /// The forces of all contacts and drives that one source causes: for the data as given, and their changes due to an error of each uncertain datum.
 /// For an open contact its gap, m, is stored in place of the force.
 #[derive(Debug, Clone)]
-pub(super) struct Course {
+pub(super) struct SourceForces {
     /// The forces (gaps of open contacts) for the data as given.
     pub(super) known: Vec<SVector<f64, 3>>,
     /// For each uncertain datum and each contact or drive, the change of the force due to an error of this datum, as a polynomial.
     pub(super) off: Vec<Vec<Effect>>,
 }
 
-impl Course {
+impl SourceForces {
     /// Adds `times` times the forces, and their changes, of another source.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
@@ -33,7 +33,7 @@ impl Course {
         }
     }
 
-    /// The [`Course`] of a load: the sum of the courses of its components, each multiplied by the component.
+    /// The [`SourceForces`] of a load: the sum of those of its components, each multiplied by the component.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
         let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };
@@ -49,17 +49,17 @@ impl Course {
     }
 }
 
-/// The [`Course`] of each source, i.e. the forces due to this source and their changes due to errors of the data, while no contact slides. The first
-/// source is commands together with constant loads; then comes 1 N or 1 N m of each component of the load.
-pub(super) fn courses(
+/// The [`SourceForces`] of each source, i.e. the forces due to this source and their changes due to errors of the data, while no contact slides. The
+/// first source is commands together with constant loads; then comes 1 N or 1 N m of each component of the load.
+pub(super) fn source_forces(
     response: &StickingResponse<'_>,
     cone: Cone,
     data: &[UncertainDatum],
     sigmas: f64,
-) -> Result<Vec<Course>, Error> {
-    let mut courses = Vec::new();
+) -> Result<Vec<SourceForces>, Error> {
+    let mut source_forces = Vec::new();
     for known in by_source(response) {
-        courses.push(Course { known, off: Vec::with_capacity(data.len()) });
+        source_forces.push(SourceForces { known, off: Vec::with_capacity(data.len()) });
     }
     for datum in data {
         let mut seen = Vec::with_capacity(LOOKED_AT.len());
@@ -67,12 +67,12 @@ pub(super) fn courses(
             let engine = with_errors(response.grasp, from_ref(datum), &[part * sigmas])?;
             seen.push(by_source(&StickingResponse::in_states(&engine, cone, &response.states)));
         }
-        for (source, Course { known, off }) in courses.iter_mut().enumerate() {
+        for (source, SourceForces { known, off }) in source_forces.iter_mut().enumerate() {
             let change = |k: usize, i: usize| seen[k][source][i] - known[i];
             off.push(numbered(known.len(), &|i| effect([0, 1, 2, 3].each(|k| change(k, i)))));
         }
     }
-    Ok(courses)
+    Ok(source_forces)
 }
 
 /// The forces of all contacts and drives (gaps of open contacts), source by source. The first source is commands together with constant loads; then

@@ -8,7 +8,7 @@ use crate::numbers::{deviations, percent};
 
 /// Standard deviations of uncertain data, in percent of the scene's values.
 #[derive(Debug, Args, Clone, Copy)]
-pub(crate) struct Unsure {
+pub(crate) struct DataDeviations {
     /// One standard deviation of friction, percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
     friction_off: f64,
@@ -25,7 +25,7 @@ pub(crate) struct Unsure {
     pub(super) sigmas: f64,
 }
 
-impl Unsure {
+impl DataDeviations {
     /// Relative standard deviations of friction, stiffness and clamping force.
     fn parts(&self) -> [f64; 3] {
         [self.friction_off, self.stiffness_off, self.squeeze_off].map(|percent| 0.01 * percent)
