@@ -51,8 +51,8 @@
 //! "Nothing nearby is better to first order" is proved by multipliers: weighted with them, the gradients of the first events and of active bounds
 //! cancel up to a millionth. [`Improved::residual`](crate::improve::Improved::residual) is the remainder of this sum. No small step therefore gains
 //! in proportion to its length. Distant places may still be better. The search therefore starts from several places (`starts`) on the surfaces and
-//! returns the best answer. Each first event and each active bound has a multiplier ([`ActiveConstraint`](crate::improve::ActiveConstraint)): the gain in first slip
-//! or reserve for one more newton of force, or one more metre of edge.
+//! returns the best answer. Each first event and each active bound has a multiplier ([`ActiveConstraint`](crate::improve::ActiveConstraint)): the
+//! gain in first slip or reserve for one more newton of force, or one more metre of edge.
 //!
 //! In space two point contacts balance no moment about the line that joins them. They hold a load only if it has no such moment, which a move of one
 //! contact would change: they cannot move, and the answer says so. Three or four fingers can move. From an edge of a polyline, or a triangle of a

@@ -63,7 +63,7 @@ fn a_pencil_on_its_tip() -> Tested {
 #[test]
 fn bodies_on_a_hinge() -> Tested {
     for (low, high, over) in [(-0.3, 0.1, false), (-0.1, 0.3, true)] {
-        let grasp = planar::Bodies::new([
+        let bodies = planar::Bodies::new([
             planar::Body::new("arm").mass(1.0, [0.0, low]),
             planar::Body::new("weight").mass(1.0, [0.0, high]),
         ])
@@ -71,11 +71,16 @@ fn bodies_on_a_hinge() -> Tested {
             planar::Link::hinge([0.0, 0.0]).stiffness(1e7).to_ground("arm"),
             planar::Link::hinge([-0.1, 0.0]).stiffness(1e7).between("arm", "weight"),
             planar::Link::hinge([0.1, 0.0]).stiffness(1e7).between("arm", "weight"),
-        ])
-        .gravity([0.0, -9.81])
-        .grasp()?;
-        let verdict = grasp.hold(planar::Wrench::ZERO)?;
+        ]);
+        let verdict = bodies.clone().gravity([0.0, -9.81]).grasp()?.hold(planar::Wrench::ZERO)?;
         assert_eq!(turns_over(&verdict), over, "{verdict}");
+        // A load that is shared by mass acts at the centres of mass, whether its own point is known or not.
+        let weight = bodies.weight([0.0, -9.81]);
+        let shared = bodies.shared_by_mass().grasp()?;
+        for weight in [weight, planar::Wrench::new(weight.resultant(), weight.moment())] {
+            let verdict = shared.hold(weight)?;
+            assert_eq!(turns_over(&verdict), over, "{verdict}");
+        }
     }
     Ok(())
 }

@@ -207,6 +207,38 @@ fn thousands_of_equal_slips() {
     assert!(told.starts_with("friction 0.5125 ± ") && told.contains("from 3000 slips"), "{told}");
 }
 
+/// A force that acts before the push has columns or options. Both act at the origin, wherever the push acts.
+#[test]
+fn a_base_in_the_table_is_that_of_the_options() {
+    let table = folder("based").join("slips.csv").display().to_string();
+    let identified = |rows: String, more: &[&str]| {
+        std::fs::write(&table, rows).expect("a folder");
+        let output = run(&[&["identify", &scene("box.json"), &table], more].concat());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let rows = |head: &str, more: &str| format!("fx,fy,at_x{head}\n0,-5.2,0.02{more}\n0,-5,0.02{more}\n");
+    let columns = identified(rows(",base_x,base_y", ",0,-2.5"), &[]);
+    assert_eq!(columns, identified(rows("", ""), &["--base", "0,-2.5"]));
+    assert_ne!(columns, identified(rows("", ""), &[]));
+}
+
+/// The weight of a mass on the command line is that of the scene's gravity, here the Moon's.
+#[test]
+fn a_mass_weighs_as_the_scene_says() {
+    let scene = std::fs::read_to_string(scene("box.json")).expect("a scene");
+    let on_the_moon = scene.replacen(r#""planar": {"#, r#""planar": {"gravity": [0, -1.62],"#, 1);
+    let [mass, force, on_earth] = [
+        &["hold", "-", "--mass", "2"],
+        &["hold", "-", "--force", "0,-3.24"],
+        &["hold", "-", "--force", "0,-19.62"],
+    ]
+    .map(|words| text(&run_on(on_the_moon.as_bytes(), words).stdout));
+    let first_line = |told: &str| told.lines().next().expect("an answer").to_owned();
+    assert_eq!(first_line(&mass), first_line(&force));
+    assert_ne!(first_line(&mass), first_line(&on_earth));
+}
+
 /// Two jaws of 144 points each. The second question takes long. Before its answer, the first answer and a note on the running question are printed.
 #[test]
 fn each_answer_is_printed_when_it_is_ready() {

@@ -35,11 +35,11 @@
 //! | load factor on a leg | the fraction of the leg that is done, from 0 to 1 |
 //! | place | a point of the path, given by a leg and a fraction of it |
 //! | segment | the loads and commands along one leg (or ramp, or turn) in the engine's coordinates, with the slips so far |
-//! | piece | a part of a leg on which all contacts keep their states; its stored form is called a stretch |
+//! | piece | a part of a leg on which all contacts keep their states; its stored form is a `StoredPiece` |
 //! | arc | a piece on which contacts slide on the round cone, so that directions of sliding turn |
 //! | step | a numerical step: on a [`LoadPath`] a part of an arc, stored as a piece of its own; on a [`SteppedPath`] a part of a leg |
 //! | node | the place between two pieces: an [`Event`], or the start of a leg |
-//! | follower | the part of a path that advances; it stores its place on the present leg, while a journey stores the whole program |
+//! | follower | the part of a path that advances; it stores its place on the present leg, while a `ProgramRun` stores the whole program |
 //!
 //! | path | advances by | reports | takes acceptable time for |
 //! |---|---|---|---|

@@ -1,4 +1,4 @@
-//! A stretch is a stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions
+//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions
 //! are affine in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc. To compute
 //! a state within it, this step is repeated up to the requested fraction.
 

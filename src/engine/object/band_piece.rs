@@ -223,8 +223,8 @@ impl BandPiece {
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`StiffnessFactor::rows`]. `coordinates`
-    /// has the position of each entry of this row in the order that makes the band narrow.
+    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`StiffnessFactor::rows`].
+    /// `coordinates` has the position of each entry of this row in the order that makes the band narrow.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {

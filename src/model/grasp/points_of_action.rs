@@ -5,7 +5,11 @@
 //! body turns by the small rotation vector θ while the forces keep their directions, their potential changes by `-m·θ + ½ θ·Mθ` with `M = (tr V) 1 -
 //! ½ (V + Vᵀ)`.
 
+use core::ops::{Add, Mul};
+
 use nalgebra::{SMatrix, SVector};
+
+use super::wrench::Wrench;
 
 /// The sum `V = Σ F rᵀ` of the forces F of a load and their points of action r, N m. `None` if the points are not known.
 #[derive(Debug, Clone, Copy)]
@@ -42,7 +46,8 @@ impl PointsOfAction {
 
     /// The sum for the forces times `factor`.
     pub(crate) fn times(self, factor: f64) -> Self {
-        self.map(|sum| sum * factor)
+        // No force acts anywhere, even where the points of the whole force are not known.
+        if factor == 0.0 { Self::NO_FORCE } else { self.map(|sum| sum * factor) }
     }
 
     /// The sum for the forces of both loads; unknown if either sum is unknown.
@@ -57,5 +62,37 @@ impl PointsOfAction {
 
     fn map(self, change: impl FnOnce(SMatrix<f64, 3, 3>) -> SMatrix<f64, 3, 3>) -> Self {
         Self(self.0.map(change))
+    }
+}
+
+impl<const C: usize> Wrench<C> {
+    /// This wrench with these points of action.
+    pub(crate) fn acting_at(self, points: PointsOfAction) -> Self {
+        Self(self.0, points)
+    }
+
+    /// The points of action of the forces.
+    pub(crate) fn points_of_action(&self) -> PointsOfAction {
+        self.1
+    }
+}
+
+impl<const C: usize> PartialEq for Wrench<C> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
+
+impl<const C: usize> Add for Wrench<C> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0, self.1.plus(other.1))
+    }
+}
+
+impl<const C: usize> Mul<f64> for Wrench<C> {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self(self.0 * factor, self.1.times(factor))
     }
 }

@@ -34,7 +34,7 @@ use crate::numerics::Space;
 /// A load made by [`force_at`](Self::force_at), and sums and multiples of such loads, remember their points of action. Where nothing resists a
 /// rotation, these points decide whether the load turns the object over. Two wrenches are equal if their components are equal.
 #[derive(Clone, Copy)]
-pub struct Wrench<const C: usize>(SVector<f64, 6>, PointsOfAction);
+pub struct Wrench<const C: usize>(pub(super) SVector<f64, 6>, pub(super) PointsOfAction);
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation. It has 3 components in the plane and 6 in space.
 ///
@@ -177,26 +177,6 @@ impl<const C: usize> Mul<f64> for Twist<C> {
     }
 }
 
-impl<const C: usize> PartialEq for Wrench<C> {
-    fn eq(&self, other: &Self) -> bool {
-        self.0 == other.0
-    }
-}
-
-impl<const C: usize> Add for Wrench<C> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0, self.1.plus(other.1))
-    }
-}
-
-impl<const C: usize> Mul<f64> for Wrench<C> {
-    type Output = Self;
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0 * factor, self.1.times(factor))
-    }
-}
-
 impl<const C: usize> Wrench<C> {
     /// The zero vector.
     pub const ZERO: Self = Self(NOTHING, PointsOfAction::NO_FORCE);
@@ -210,16 +190,6 @@ impl<const C: usize> Wrench<C> {
     pub(crate) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
         let space = Space::of::<C>();
         Self::among(space, &space.wrench_of(point, force)).acting_at(PointsOfAction::of(force, point))
-    }
-
-    /// This wrench with these points of action.
-    pub(crate) fn acting_at(self, points: PointsOfAction) -> Self {
-        Self(self.0, points)
-    }
-
-    /// The points of action of the forces.
-    pub(crate) fn points_of_action(&self) -> PointsOfAction {
-        self.1
     }
 
     /// The force of the wrench, N.

@@ -162,7 +162,8 @@ pub enum ActiveConstraintKind {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// To first order no placing nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a millionth.
+    /// To first order no design point nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a
+    /// millionth.
     Optimum,
     /// No step gains more than rounding, but the weighted gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to
     /// being broken.

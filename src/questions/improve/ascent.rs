@@ -68,8 +68,8 @@ impl AscentProblem<'_> {
         most
     }
 
-    /// The [`EvaluatedDesign`] of a placing. If a contact's normal force under the base load exceeds its limit, all variable squeezes are reduced by a common
-    /// factor. `None` if this is impossible or some contact does not stick under the base load.
+    /// The [`EvaluatedDesign`] of a design point. If a contact's normal force under the base load exceeds its limit, all variable squeezes are
+    /// reduced by a common factor. `None` if this is impossible or some contact does not stick under the base load.
     pub(super) fn evaluate(&self, mut design_point: DesignPoint) -> Result<Option<EvaluatedDesign>, Error> {
         let (LoadSet { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of =
@@ -111,8 +111,8 @@ impl AscentProblem<'_> {
         Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
-    /// The [`EvaluatedDesign`] of a placing with known contact forces; `None` if some contact does not stick under the base load or its normal force exceeds
-    /// the limit in `most`.
+    /// The [`EvaluatedDesign`] of a design point with known contact forces; `None` if some contact does not stick under the base load or its normal
+    /// force exceeds the limit in `most`.
     fn evaluate_sticking(
         &self,
         design_point: DesignPoint,

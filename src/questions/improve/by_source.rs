@@ -30,7 +30,7 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The contact forces of a placing: those due to the base load and fixed commands, to the squeeze, and to each of `loads` alone. `None` if
+    /// The contact forces of a design point: those due to the base load and fixed commands, to the squeeze, and to each of `loads` alone. `None` if
     /// nothing resists one of these loads.
     pub(super) fn of(
         design_space: &DesignSpace<'_>,

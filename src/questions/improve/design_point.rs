@@ -100,7 +100,7 @@ impl<'q> DesignSpace<'q> {
         Ok((design_space, DesignPoint { spots, tangents, presses }))
     }
 
-    /// A placing with random places on all surfaces and the greatest allowed squeezes.
+    /// A design point with random places on all surfaces and the greatest allowed squeezes.
     pub(super) fn random(&self, from: &DesignPoint, draw: &mut Draw) -> DesignPoint {
         let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -116,7 +116,7 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The placing `from` with one contact moved to the place `location` of its surface.
+    /// The design point `from` with one contact moved to the place `location` of its surface.
     pub(super) fn with_location(
         &self,
         from: &DesignPoint,
@@ -129,8 +129,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The placing after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the surfaces,
-    /// squeezes within limits.
+    /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the
+    /// surfaces, squeezes within limits.
     pub(super) fn stepped(&self, from: &DesignPoint, step: &[f64]) -> DesignPoint {
         let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -186,7 +186,7 @@ impl<'q> DesignSpace<'q> {
         if most > 0.0 { most } else { 1.0 }
     }
 
-    /// The contacts of the given grasp with the places and squeezes of this placing.
+    /// The contacts of the given grasp with the places and squeezes of this design point.
     pub(super) fn contacts(&self, design_point: &DesignPoint) -> Vec<Contact<3>> {
         numbered(self.contacts.len(), &|i| {
             let mut contact = self.contacts[i].clone();

@@ -153,8 +153,8 @@ impl PressedContact<'_> {
     }
 }
 
-/// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a placing. `most` has the greatest allowed normal
-/// force of each contact whose squeeze may change.
+/// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
+/// normal force of each contact whose squeeze may change.
 pub(super) fn events(
     loaded: &LoadSet,
     most: &[Option<f64>],

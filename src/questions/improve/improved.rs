@@ -65,13 +65,13 @@ impl Improve<3> {
         let (design_space, given) = DesignSpace::of(&grasp, self)?;
         let ascent_problem = AscentProblem { design_space: &design_space, loaded: &loaded, grasp: &grasp };
         let before = ascent_problem.before(&given)?;
-        // For each random start that the question asks for, 24 random placings are drawn. The best of all drawn placings become starts, in addition
-        // to the given grasp.
+        // For each random start that the question asks for, 24 random design points are drawn. The best of all drawn design points become starts, in
+        // addition to the given grasp.
         let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
             let drawn = design_space.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
-            // Only the value and the placing are kept: the forces of thousands of placings would take much memory.
+            // Only the value and the design point are kept: the forces of thousands of design points would take much memory.
             Ok::<_, Error>(ascent_problem.evaluate(drawn)?.map(|design| (design.value, design.design_point)))
         });
         let (mut values, mut places) = (Vec::new(), Vec::new());

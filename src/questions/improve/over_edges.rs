@@ -1,8 +1,8 @@
 //! Ascent across the edges between triangles of a mesh and the corners between segments of a polyline.
 //!
 //! Normals jump at edges and corners, so derivatives on one side of an edge say nothing about the other side. Fingers that ended at the edge of their
-//! part (a triangle or segment) are moved to an adjacent part, each alone and all at once. An ascent starts from each of these placings and is kept
-//! if it ends at a larger value.
+//! part (a triangle or segment) are moved to an adjacent part, each alone and all at once. An ascent starts from each of these design points and is
+//! kept if it ends at a larger value.
 
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign};
 use super::design_point::DesignPoint;
@@ -41,7 +41,7 @@ impl AscentProblem<'_> {
     }
 
     /// Placings in which one finger at the edge of its part (triangle or segment) has moved to an adjacent part. If there are several such fingers, a
-    /// further placing has all of them moved, each to its first adjacent part.
+    /// further design point has all of them moved, each to its first adjacent part.
     fn adjacent(&self, from: &DesignPoint) -> Vec<DesignPoint> {
         let (mut design_points, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.design_space.question.surfaces {

@@ -166,7 +166,7 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random placings on the
+    /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random design points on the
     /// surfaces.
     #[must_use]
     pub fn with_starts(mut self, starts: usize) -> Self {

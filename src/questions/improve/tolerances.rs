@@ -3,10 +3,10 @@
 //! Places and squeezes are divided by the unit of their variable. Gains are divided by the load factor of first slip, or for a reserve by the
 //! greatest contact force under the base load.
 
-/// A placing of the fingers is called an optimum to first order if its residual of first-order optimality is at most this number.
+/// A design point is called an optimum to first order if its residual of first-order optimality is at most this number.
 ///
-/// If smaller, the search ends as stalled at optima where two sticking conditions of one contact are active. If larger, a placing that could still be
-/// improved is called an optimum.
+/// If smaller, the search ends as stalled at optima where two sticking conditions of one contact are active. If larger, a design point that could
+/// still be improved is called an optimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
 
 /// The ascent stops once the residual of first-order optimality is at most this number.

@@ -115,7 +115,8 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// The sentence about the end of the search: which contacts and limits make the placing an optimum, or why the search ended without an optimum.
+    /// The sentence about the end of the search: which contacts and limits make the design point an optimum, or why the search ended without an
+    /// optimum.
     fn proof(&self, words: Words) -> String {
         match self.search {
             SearchEnd::Optimum => {

@@ -130,20 +130,20 @@ impl Quantity {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Amount {
-    /// The least or greatest sufficient amount is known: `sufficient` is sufficient, and the neighbouring amount `insufficient` is insufficient.
+    /// The least or greatest sufficient amount is known, with the insufficient amount next to it.
     #[non_exhaustive]
     Bound {
         /// The sufficient amount at the bound, for which a verdict was computed.
         sufficient: f64,
-        /// The insufficient amount next to `sufficient`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts differ by
-        /// a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any direction, the
-        /// fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of contact states
-        /// shows that an amount is insufficient.
+        /// The insufficient amount next to `sufficient`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts
+        /// differ by a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
+        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of
+        /// contact states shows that an amount is insufficient.
         insufficient: f64,
         /// The verdict on the grasp with `insufficient`, in a sentence.
         otherwise: String,
-        /// Whether the object is held with `insufficient`, too, but moves farther than small motions: the bound is then the limit of the theory of small
-        /// motions.
+        /// Whether the object is held with `insufficient`, too, but moves farther than small motions: the bound is then the limit of the theory of
+        /// small motions.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
         is_too_far: bool,
         /// An amount between `sufficient` and `insufficient` for which the verdict is undecided; `None` if all verdicts were decided.
@@ -152,8 +152,8 @@ pub enum Amount {
         /// Number of changes between sufficient and insufficient among the amounts tried around the bound, including the change at the bound. As a
         /// rule the number is 1.
         changes: usize,
-        /// Far end of the interval of sufficient amounts that begins at `sufficient`. For instance, a still larger squeeze pushes the object out. `None` if
-        /// all amounts tried on the far side of `sufficient` are sufficient.
+        /// Far end of the interval of sufficient amounts that begins at `sufficient`. For instance, a still larger squeeze pushes the object out.
+        /// `None` if all amounts tried on the far side of `sufficient` are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
         /// Further intervals of sufficient amounts, in ascending order.

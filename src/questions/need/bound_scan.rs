@@ -224,9 +224,9 @@ fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
         };
         let mut roots = [0, 1].into_iter().filter_map(root);
         let root = roots.find(|root| (root - here.0) * (root - next.0) <= 0.0)?;
-        let all_do = before.1.is_sufficient() && here.1.is_sufficient() && next.1.is_sufficient();
+        let all_suffice = before.1.is_sufficient() && here.1.is_sufficient() && next.1.is_sufficient();
         let is_apart = (next.0 - root).abs() > (BETWEEN_STATES - 1.0) * root;
-        (all_do && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
+        (all_suffice && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
     };
     let both_ways = |of: &[(f64, Trial)]| [[&of[0], &of[1], &of[2]], [&of[2], &of[1], &of[0]]].map(beyond);
     list.windows(3).flat_map(both_ways).flatten().next()

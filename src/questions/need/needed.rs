@@ -163,8 +163,8 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
             None => found.any(&plan, to),
         },
         BoundSearch::Nothing(mut vain) => {
-            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` an amount that holds the object is known already. If
-            // the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
+            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` an amount that holds the object is known
+            // already. If the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
             if look == SearchExtent::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -341,8 +341,8 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
     Some([last, beyond[first].0])
 }
 
-/// The far end of the sufficient amounts that begin at `sufficient`. With friction and loads as given, this end lies between the two amounts `far`. These
-/// are therefore tried first.
+/// The far end of the sufficient amounts that begin at `sufficient`. With friction and loads as given, this end lies between the two amounts `far`.
+/// These are therefore tried first.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

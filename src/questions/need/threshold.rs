@@ -30,7 +30,7 @@ impl Threshold {
     }
 
     /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at
-    /// the level of rounding, the bracket is halved. `sufficient` contains the two measures at the sufficient amount.
+    /// the level of rounding, the bracket is halved. `sufficient` contains the two measures at this amount.
     ///
     /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(

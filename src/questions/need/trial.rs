@@ -25,8 +25,8 @@ pub(super) enum Trial {
         says: String,
         /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
-        /// The second margin, as in `Sufficient`. At a bound of the sufficient amounts where the carried part jumps, this margin may still decrease below 0
-        /// continuously.
+        /// The second margin, as in `Sufficient`. At a bound of the sufficient amounts where the carried part jumps, this margin may still decrease
+        /// below 0 continuously.
         other: f64,
         /// Whether the object is held, but moves farther than small motions.
         is_too_far: bool,

@@ -107,7 +107,7 @@ impl Needed {
             }
             _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
             Some(end) => {
-                write!(f, "TAKES {} and {aim}", self.between_ends(words, end.sufficient, *sufficient))?
+                write!(f, "TAKES {} and {aim}", self.between_ends(words, end.sufficient, *sufficient))?;
             }
             None => write!(f, "TAKES {much} and {aim}")?,
         }

@@ -63,8 +63,8 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// The forces and gaps of a state as numbers, divided by the units of [`CycleUnits`], and which contacts have kinetic friction. Gaps that stay open
-    /// during the whole cycle are replaced by zero.
+    /// The forces and gaps of a state as numbers, divided by the units of [`CycleUnits`], and which contacts have kinetic friction. Gaps that stay
+    /// open during the whole cycle are replaced by zero.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }

@@ -167,8 +167,8 @@ impl<'g> FollowedCycles<'g, '_> {
         self.cycles_gone += passed;
     }
 
-    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once. [`Extrapolation::NotKnown`] if
-    /// all trials fail.
+    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
+    /// [`Extrapolation::NotKnown`] if all trials fail.
     ///
     /// The states at the beginning of cycles with the same events form a convex set. Extrapolated states lie between the last state and the limit. If
     /// the events in the cycles from these two states are the same, they are the same for all states in between. Two events that only swap their

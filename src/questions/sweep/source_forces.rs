@@ -1,5 +1,5 @@
 //! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. The
-//! forces due to one source, together with these changes, are called its course. Contacts stay sticking or open as under the base load.
+//! forces due to one source, together with these changes, are its [`SourceForces`]. Contacts stay sticking or open as under the base load.
 
 use core::slice::from_ref;
 
@@ -33,7 +33,7 @@ impl SourceForces {
         }
     }
 
-    /// The [`SourceForces`] of a load: the sum of the courses of its components, each multiplied by the component.
+    /// The [`SourceForces`] of a load: the sum of those of its components, each multiplied by the component.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
         let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };
@@ -49,8 +49,8 @@ impl SourceForces {
     }
 }
 
-/// The [`SourceForces`] of each source, i.e. the forces due to this source and their changes due to errors of the data, while no contact slides. The first
-/// source is commands together with constant loads; then comes 1 N or 1 N m of each component of the load.
+/// The [`SourceForces`] of each source, i.e. the forces due to this source and their changes due to errors of the data, while no contact slides. The
+/// first source is commands together with constant loads; then comes 1 N or 1 N m of each component of the load.
 pub(super) fn source_forces(
     response: &StickingResponse<'_>,
     cone: Cone,

@@ -5,7 +5,7 @@
 //! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops
 //! sticking, under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the
 //! uncertain data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors,
-//! see [`joint_effects`](super::interaction).
+//! see [`interaction`](super::interaction).
 
 use super::failure::{failures, roughly};
 use super::interaction::PerturbedGrasp;
@@ -65,8 +65,8 @@ pub(super) struct StuckGrasp {
 
 impl StuckGrasp {
     /// The grasp with the interactions of the errors of its data, and with the possible failures of contacts to stick, both under the base load.
-    /// `source_forces` has the contact forces, and their changes due to errors of the data, for each source: first for commands together with constant
-    /// loads, then for each component of the load.
+    /// `source_forces` has the contact forces, and their changes due to errors of the data, for each source: first for commands together with
+    /// constant loads, then for each component of the load.
     pub(super) fn new(
         off: PerturbedGrasp,
         edges: Vec<Edges>,

@@ -144,7 +144,7 @@ fn shaken(shaken: Shaken<3>) -> ShownState {
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),
-        Amount::Any { to, .. } => (Some(*to), "with an amount that does"),
+        Amount::Any { to, .. } => (Some(*to), "with an amount that suffices"),
         _ => (None, "what does it need?"),
     };
     let found = amount.map(|amount| grasp.with_amount(need, amount)).transpose()?.flatten();

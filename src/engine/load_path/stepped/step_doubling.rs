@@ -10,7 +10,7 @@ pub(super) struct StepDoubling {
     pub(super) middle: SteppedState,
     pub(super) to: SteppedState,
     pub(super) at_once: SteppedState,
-    /// Memory for the end of the second path's own step (see `coarse`).
+    /// Memory for the end of the second path's own step (see `coarse_path`).
     pub(super) beside: SteppedState,
 }
 

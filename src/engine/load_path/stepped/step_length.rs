@@ -75,7 +75,7 @@ impl<'g> SteppedFollower<'g> {
         // the leg. The second is the change of forces, and the third the change of forces that the motion would cause in sticking springs, both
         // divided by the largest force. Errors in the directions of friction decay while the third measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second path (see `coarse`). It grows with `way`, the sum of the
+        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // An error below this fraction of the largest force is rounding.

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
+use crate::grasp::points_of_action::PointsOfAction;
 use crate::grasp::wrench::Wrench;
 use crate::numerics::Space;
 use crate::numerics::{IntoList, Size, Vector, dot, mapped, numbered, paired};
@@ -181,6 +182,8 @@ impl PlacedBodies {
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
+        // What is left is a moment; the forces act at the centres of mass alone.
+        let left = left.acting_at(PointsOfAction::NO_FORCE);
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
 

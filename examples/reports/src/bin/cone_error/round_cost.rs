@@ -1,8 +1,8 @@
 //! Run times on the round cone compared with polygons, for random grasps in which some contacts slide.
 //!
 //! For each scene four times are measured alternately. The first is Lemke's method on the kinematic form, with its
-//! assembly. The others are those of whole answers: on the polygon, with corners along the trial tractions; on the round
-//! cone, by Newton's method; and with every contact bonded, which needs neither.
+//! assembly. The others are those of whole answers: on the polygon, with corners along the trial tractions, by the method
+//! that the ladder chooses; on the round cone, by Newton's method; and with every contact bonded, which needs neither.
 
 use std::hint::black_box;
 
@@ -18,6 +18,8 @@ use support::splitmix::Random;
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
 /// Number of scenes for each number of contacts; the medians of their times are printed.
 const SCENES: usize = 25;
+/// Number of random grasps that are drawn at most for these scenes.
+const MOST_DRAWN: usize = 20 * SCENES;
 
 pub(crate) fn print() -> Result<(), Failure> {
     println!("the round cone beside its polygon, medians of {SCENES} random grasps, µs");
@@ -28,8 +30,14 @@ pub(crate) fn print() -> Result<(), Failure> {
     for count in CONTACTS {
         let mut random = Random(0x9E37_79B9_7F4A_7C15 ^ count as u64);
         let mut rows = Vec::new();
-        while rows.len() < SCENES {
+        for _ in 0..MOST_DRAWN {
             rows.extend(times(count, &mut random)?);
+            if rows.len() == SCENES {
+                break;
+            }
+        }
+        if rows.len() < SCENES {
+            return Err(format!("{MOST_DRAWN} grasps of {count} contacts give {} scenes", rows.len()).into());
         }
         let median = |f: &dyn Fn(&Times) -> f64| {
             let mut values: Vec<f64> = rows.iter().map(f).collect();
@@ -59,7 +67,7 @@ struct Times {
     bonded: f64,
 }
 
-/// The times of a random scene. `None` if nothing slides, Lemke's method needed more than one run, or Newton's method did not converge.
+/// The times of a random scene. `None` if nothing slides, Lemke's method does not solve the kinematic form, or Newton's method does not converge.
 fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     let scene = random_fingers(count, random);
     let (grasp, _) = scene.at(0.0)?;
@@ -70,14 +78,16 @@ fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     let round = Settings::default();
     let polygon = Settings::default().on_the_polygon();
     let answers = [grasp.with(&polygon).solve(load)?, grasp.with(&round).solve(load)?];
-    let [Some(flat), Some(answer)] = answers.each_ref().map(|outcome| outcome.equilibrium()) else {
+    let [Some(_), Some(answer)] = answers.each_ref().map(|outcome| outcome.equilibrium()) else {
         return Ok(None);
     };
     let sliding = answer.contacts.iter().filter(|c| matches!(c.state, ContactState::Sliding { .. })).count();
-    if sliding == 0 || flat.rule != FoundBy::KinematicForm || answer.rule != FoundBy::Newton {
+    let Some(form) = grasp.kinematic_form(load, &PolygonCone::default())? else { return Ok(None) };
+    let lemke = grasp_lcp::lcp::Settings::default();
+    let pivots = form.lcp.solve_with(&lemke).solution().is_some();
+    if sliding == 0 || !pivots || answer.rule != FoundBy::Newton {
         return Ok(None);
     }
-    let lemke = grasp_lcp::lcp::Settings::default();
     let stuck = Grasp::new(grasp.contacts().iter().map(|c| c.clone().bonded()))?;
     let [pivoting, polygon, round, bonded] = best_in_turns([
         &mut || {
