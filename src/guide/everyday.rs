@@ -74,7 +74,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need bottle.json
-//! TAKES 36.4985° and holds, 36.4669° and nothing slides. It takes 28.3438° if friction is 10 % less and the squeeze is 5 % less. With more: from 36.4985° on it turns by more than 5.7°
+//! TAKES 36.4985° and holds, 36.4669° and nothing slides. It takes 28.3438° if friction is 10 % less and the squeeze is 5 % less. With more: GOES TOO FAR at 36.4985°: it turns by more than 5.7°
 //! ```
 //!
 //! # How hard do I have to pull to get a book out of a row?
@@ -108,7 +108,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 23.1986° anticlockwise and holds, 12.9946° and nothing slides. It takes 23.1986° if friction is 10 % less. With more: it is lost at 23.1986°
+//! TAKES 23.1986° anticlockwise and holds, 12.9946° and nothing slides. It takes 23.1986° if friction is 10 % less. With more: TIPS OVER at 23.1986°: the object tips over about left edge, right edge opens
 //! ```
 //!
 //! The glass tips at tan⁻¹ (30 mm / 70 mm) = 23.2°, from half the width of its foot and the height of its centre of mass. As a whole it would slide

@@ -62,7 +62,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 21.8014° anticlockwise and holds, 17.5855° and nothing slides. It takes 19.7989° if friction is 10 % less. With more: it is lost at 21.8014°
+//! TAKES 21.8014° anticlockwise and holds, 17.5855° and nothing slides. It takes 19.7989° if friction is 10 % less. With more: SLIPS OUT at 21.8014°: lower and upper move along −x; tray slides
 //! ```
 //!
 //! All weights turn together. The stack slides on the tray at tan θ = 0.4, before its upper box slides or tips.

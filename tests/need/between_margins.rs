@@ -27,3 +27,13 @@ fn a_force_in_space() -> Tested {
     is_met(169, &checked(&scene, amounts::force(), 200, &mut random)?);
     Ok(())
 }
+
+/// From 3.493 times the load at rest on, several equilibria at rest exist, and rounding determines which one is found: some of these amounts
+/// hold, others fail.
+#[test]
+fn equilibria_that_rounding_tells_apart() -> Tested {
+    let mut random = seeded(31);
+    let scene = amounts::spatial(&mut random)?;
+    is_met(31, &checked(&scene, amounts::at_rest(), 200, &mut random)?);
+    Ok(())
+}

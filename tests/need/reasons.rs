@@ -60,3 +60,28 @@ fn a_turn_whose_start_is_not_held() -> Tested {
     );
     Ok(())
 }
+
+/// A box on two feet, with its weight at their height, is tilted until it slides, at `tan θ = μ` if both feet have the same coefficient. The foot with less
+/// friction slides first. While both feet stick, each carries half of the tangential force.
+#[test]
+fn a_turn_names_what_slides() -> Tested {
+    let feet = |left: f64, right: f64| {
+        Grasp::new([
+            contact([-0.5, 0.0], [0.0, 1.0], left, 1e6).name("left"),
+            contact([0.5, 0.0], [0.0, 1.0], right, 1e6).name("right"),
+        ])
+    };
+    let turn = Turn::tilting([0.0, -10.0], [0.0, 0.0]);
+    let otherwise = |grasp: &Grasp, need: Need<2>| {
+        let needed = grasp.need(&need.if_lower_by(0.0, 0.0))?;
+        let Amount::Bound { sufficient, otherwise, .. } = needed.amount else { panic!("{needed}") };
+        Ok::<_, Box<dyn std::error::Error>>((sufficient, otherwise))
+    };
+    let (angle, why) = otherwise(&feet(0.3, 0.3)?, Need::angle(turn).to_hold())?;
+    assert!((angle.tan() - 0.3).abs() < 1e-9, "{angle}");
+    assert!(why.starts_with("SLIPS OUT at ") && why.contains("left and right slide"), "{why}");
+    let (angle, why) = otherwise(&feet(0.2, 0.6)?, Need::angle(turn).to_stick())?;
+    assert!((angle.tan() - 0.2).abs() < 1e-9, "{angle}");
+    assert!(why.starts_with("left slides at "), "{why}");
+    Ok(())
+}

@@ -293,7 +293,8 @@ impl Engine {
         }
     }
 
-    fn first_slip(&self, onset: &Onset<3>, events: &[Event<3>]) -> Option<FirstSlip> {
+    /// The first slip of an onset, with the contacts that slide at the events at its start.
+    pub(crate) fn first_slip(&self, onset: &Onset<3>, events: &[Event<3>]) -> Option<FirstSlip> {
         let parts = self.wholes();
         let slides_at_rest = |i: usize, state: &Equilibrium<3>| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })

@@ -86,6 +86,10 @@ impl BoundScan {
                 amounts.extend(mapped(known, &|(at, _)| *at));
             }
             in_order(&mut amounts, up);
+            // A full trial at the farther end of the scan finds directions in which a force is not carried; the trials between include them.
+            if let (true, true, Some(&last)) = (tries.learns, is_beyond, amounts.last()) {
+                tries.at(last)?;
+            }
             let from = if is_beyond {
                 (bound.sufficient, None)
             } else {

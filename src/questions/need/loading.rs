@@ -32,6 +32,8 @@ pub(super) struct Loading {
     followed: f64,
     /// How much of a verdict a trial needs.
     pub(super) extent: VerdictScope,
+    /// Whether the amount with which nothing slides is sought only beside the amount that holds the object. A first slip is then reason enough.
+    is_beside: bool,
     /// If a link cannot have its tension at rest, the reason in a sentence. The amount is then insufficient.
     refused: Option<String>,
 }
@@ -83,16 +85,9 @@ impl Loading {
             _ => 2.0,
         };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self {
-            grasp,
-            loads,
-            base,
-            times,
-            words: need.words,
-            followed,
-            extent: VerdictScope::Measured,
-            refused,
-        })
+        let (words, is_beside) = (need.words, need.demand == Demand::Held);
+        let extent = VerdictScope::Measured;
+        Ok(Self { grasp, loads, base, times, words, followed, extent, is_beside, refused })
     }
 
     /// The loads that contact forces must balance if the amount is to be sufficient: the load at rest, and its sum with each load. A force of any
@@ -172,13 +167,20 @@ impl Loading {
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (refuting.first.get() + k) % ramps.len();
-            if self.grasp.settings().is_quick && demand == Demand::Sticks {
-                sticks = sticks.or_worse(self.first_slip(&ramps[which])?);
-                if let Trial::Insufficient { .. } = sticks {
+            if demand == Demand::Sticks {
+                let ramp = &ramps[which];
+                let slip = self.said_of(which, &ramp.direction, self.first_slip(ramp)?);
+                // A grasp that does not hold at rest has no first slip, and its verdict gives the reason.
+                let is_enough = self.is_beside && slip.carried().is_some_and(|part| part >= 0.0);
+                let is_told = self.grasp.settings().is_quick || is_enough;
+                if let (Trial::Insufficient { .. }, true) = (&slip, is_told) {
                     refuting.first.set(which);
-                    return Ok(Trials::only(demand, sticks));
+                    return Ok(Trials::only(demand, sticks.or_worse(slip)));
                 }
-                continue;
+                if self.grasp.settings().is_quick {
+                    sticks = sticks.or_worse(slip);
+                    continue;
+                }
             }
             let (verdict, path) = self.put_on_up_to(&ramps[which], held.carried())?;
             kinds = path.at_rest;
@@ -215,23 +217,26 @@ impl Loading {
 
     /// Whether everything sticks under this ramp. This follows from the load factor of first slip alone, so no verdict is computed.
     fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
-        let factor = match self.grasp.onset(ramp)? {
+        let onset = self.grasp.onset(ramp)?;
+        let factor = match &onset {
             Onset::At(event) => event.factor,
-            Onset::GivesWay { factor, .. } => factor,
+            Onset::GivesWay { factor, .. } => *factor,
             Onset::Never => f64::INFINITY,
             Onset::AlreadySliding(_) => 0.0,
             Onset::NoBase(_) => NOT_AT_REST,
-            Onset::Undecided(undecided) => return Ok(Trial::Unknown(self.said(&undecided))),
+            Onset::Undecided(undecided) => return Ok(Trial::Unknown(self.said(undecided))),
         };
         let other = self.grasp.sticking_margin(&ramp.base).unwrap_or(f64::INFINITY);
         Ok(if factor > 1.0 {
             Trial::Sufficient { carried: factor, other }
         } else {
-            Trial::Insufficient { says: String::new(), carried: factor, other, is_too_far: false }
+            let first = self.grasp.engine.first_slip(&onset, &[]);
+            let says = first.map_or_else(|| self.said(&onset), |first| self.said(&first));
+            Trial::Insufficient { says, carried: factor, other, is_too_far: false }
         })
     }
 
-    pub(super) fn said(&self, what: &impl fmt::Display) -> String {
+    pub(super) fn said(&self, what: &dyn fmt::Display) -> String {
         let digits = self.words.precision();
         format!("{what:.digits$}")
     }
@@ -295,33 +300,36 @@ impl Loading {
     }
 
     fn turn(&self, turn: &Turn<3>, demand: Demand) -> Result<Trial, Error> {
-        let degrees = |angle: f64| self.words.angle(angle);
-        let part_of_it = |says: String, angle: f64| Trial::insufficient(says, angle / turn.angle());
+        let engine = &self.grasp.engine;
+        let ends_at = |angle: f64, verb: &dyn fmt::Display, why: &dyn fmt::Display| {
+            let says = format!("{verb} at {}: {}", self.words.angle(angle), self.said(why));
+            Trial::insufficient(says, angle / turn.angle())
+        };
         if demand == Demand::Sticks {
-            return Ok(match self.grasp.onset_of_turn(turn)?.onset {
+            let onset = self.grasp.onset_of_turn(turn)?.onset;
+            let first = engine.first_slip(&onset, &[]).map_or_else(String::new, |first| self.said(&first));
+            return Ok(match &onset {
                 Onset::Never => Trial::always(),
-                Onset::Undecided(undecided) => Trial::Unknown(self.said(&undecided)),
+                Onset::Undecided(undecided) => Trial::Unknown(self.said(undecided)),
                 Onset::At(event) => {
-                    part_of_it(format!("something slides at {}", degrees(event.factor)), event.factor)
+                    let says = format!("{first} at {}", self.words.angle(event.factor));
+                    Trial::insufficient(says, event.factor / turn.angle())
                 }
-                Onset::GivesWay { factor, .. } => {
-                    part_of_it(format!("it gives way at {}", degrees(factor)), factor)
-                }
-                Onset::AlreadySliding(_) => Trial::nothing("something slides before it turns"),
-                Onset::NoBase(none) => Trial::insufficient(self.said(&none), NOT_AT_REST),
+                Onset::GivesWay { factor, reason } => ends_at(*factor, &"GIVES WAY", reason),
+                Onset::AlreadySliding(_) => Trial::nothing(format!("{first} before it turns")),
+                Onset::NoBase(none) => Trial::insufficient(self.said(none), NOT_AT_REST),
             });
         }
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
         if let Some(end) = path.end_of_small_motions() {
-            let angle = end.fraction * turn.angle();
-            return Ok(part_of_it(format!("from {} on {}", degrees(angle), end.what), angle));
+            return Ok(ends_at(end.fraction * turn.angle(), &"GOES TOO FAR", &end.what));
         }
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::always(),
             Some(PathEnd::Lost(loss)) => {
-                let angle = loss.fraction * turn.angle();
-                part_of_it(format!("it is lost at {}", degrees(angle)), angle)
+                let lost = engine.lost(loss.fraction, loss, path.state());
+                ends_at(loss.fraction * turn.angle(), &lost.verb(self.words), &lost)
             }
             Some(end @ PathEnd::NoStart(_)) => Trial::insufficient(self.said(end), NOT_AT_REST),
             Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),

@@ -23,7 +23,8 @@
 //! the last digits. If that fraction jumps at the bound, secants of a second margin are used: the distance to the limit of small motions, or the
 //! margin of sticking at rest. If no equilibrium at rest exists beyond the bound, the margins of the contacts at rest are used instead. While the
 //! bracket is narrowed, verdicts omit the enumeration of many contact states, which is slowest near a bound, and the reason why no equilibrium
-//! exists. The verdicts for the two amounts of the answer include both.
+//! exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at rest beyond the bound, a few amounts
+//! are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of them.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
 //! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. Therefore the
@@ -36,6 +37,7 @@
 //! If no command presses, there is no squeeze to scale. In that case the force of the only loaded body is sought, or the load at rest, and the answer
 //! says so.
 
+mod alternating;
 mod amount_words;
 mod answer;
 mod any_direction;

@@ -131,8 +131,10 @@ fn start(grasp: &Grasp<3>, need: &CheckedNeed) -> f64 {
 fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
     let whole = |amount: f64| tried.at(amount, demand, false);
-    let short = |amount: f64| tried.at(amount, demand, true);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
+    let learns = matches!(need.loads, Loads::AnyForce { .. });
+    // A full trial of a force of any direction takes hundreds of verdicts.
+    let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
     let tries = TrialFunctions {
@@ -141,7 +143,7 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
         quick: &quick,
         rests_otherwise: &rests_otherwise,
         rest_ends: &rest_ends,
-        learns: matches!(need.loads, Loads::AnyForce { .. }),
+        learns,
         is_planar: grasp.space() == Space::Planar,
     };
     let plan = tried.plan(look)?;

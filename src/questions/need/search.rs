@@ -16,7 +16,8 @@ use crate::prelude::*;
 pub(super) struct TrialFunctions<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown.
+    /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown. A force of
+    /// any direction is tried only in directions that are known to be weak.
     pub(super) short: TrialOf<'t>,
     /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
     /// trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
@@ -332,6 +333,8 @@ fn edge_from(
         }
         // A full trial of an amount whose quick trial is undecided would take long, so the next estimate is tried instead.
         match (tries.quick)(amount, false)? {
+            // A full trial of a force of any direction takes hundreds of verdicts, so that only the bound itself is confirmed by one.
+            Trial::Sufficient { .. } if tries.learns => {}
             Trial::Sufficient { .. } => {
                 if let now @ Trial::Sufficient { .. } = tries.at(amount)? {
                     (sufficient, trial) = (amount, now);

@@ -95,6 +95,7 @@ impl Threshold {
             self.insufficient.1 = now;
         }
         match presumed_in_vain {
+            Some(_) if is_hard => self.beyond(presumed.sufficient, tries, enough),
             Some(measures) => self.by(tries, false, (measures, enough)),
             None => Ok(self),
         }
@@ -102,7 +103,7 @@ impl Threshold {
 
     /// Narrows the bracket. If `presumes`, trials are quick and undecided amounts are taken as insufficient. Otherwise trials are full, and an
     /// undecided trial ends the narrowing.
-    fn by(
+    pub(super) fn by(
         self,
         tries: TrialFunctions<'_>,
         presumes: bool,
@@ -129,7 +130,8 @@ impl Threshold {
                 break;
             }
             // The load at which the grasp fails with a sufficient amount is only sought if it may guide the next trial.
-            let short = bracket.which == 1 || bracket.edge.insufficient.1.carried().is_none();
+            let is_guided = bracket.which == 1 && bracket.fall().is_some();
+            let short = is_guided || bracket.edge.insufficient.1.carried().is_none();
             let (at, now) = if presumes {
                 (at, (tries.quick)(at, short)?)
             } else {
@@ -221,6 +223,11 @@ impl Narrowing {
         // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
+        }
+        // If the object moves too far already at rest, no part of the load is carried, whatever the distance from the bound.
+        let rests_too_far = matches!(self.edge.insufficient.1, Trial::Insufficient { is_too_far: true, carried, .. } if carried <= 0.0);
+        if rests_too_far && self.which == 0 && is_known(&self.sides, 1) {
+            self.watch(1);
         }
         if self.width() > self.at_first.0 / 16.0 {
             return false;
@@ -351,7 +358,7 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.
-const APART_WHERE_HARD: [f64; 3] = [1e-5, 1e-3, 1e-1];
+const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
 /// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do
 /// not change the answer; if wider, the width shows in the answer.

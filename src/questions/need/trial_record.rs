@@ -175,6 +175,9 @@ impl<'q> TrialRecord<'q> {
     /// The range and number of amounts tried. Amounts that only narrow a bracket are counted as one amount.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
+        if matches!(self.need.loads, Loads::AnyForce { .. }) {
+            amounts.extend(self.quick.borrow().iter().map(|(at, _)| *at));
+        }
         amounts.sort_by(f64::total_cmp);
         let mut all = TriedAmounts { count: 0, from: f64::INFINITY, to: 0.0 };
         for at in amounts {

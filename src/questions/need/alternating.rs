@@ -1,0 +1,47 @@
+//! Bounds beyond which only the enumeration of contact states finds an equilibrium at rest.
+//!
+//! Several such equilibria may exist, and rounding determines which one is found. Verdicts on neighbouring amounts then alternate.
+
+use super::search::TrialFunctions;
+use super::threshold::{Threshold, WidthSchedule};
+use super::trial::Trial;
+use crate::error::Error;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
+/// Number of amounts tried beyond the last one for which an equilibrium at rest is found without the enumeration.
+///
+/// If smaller, amounts whose verdicts depend on rounding are called sufficient. Each costs an enumeration.
+const BEYOND_PRESUMED: u32 = 6;
+
+impl Threshold {
+    /// This bracket narrowed by full trials. The amount `presumed` is the last one for which an equilibrium at rest is found without the enumeration;
+    /// if verdicts beyond it alternate, the bracket ends there.
+    pub(super) fn beyond(
+        mut self,
+        presumed: f64,
+        tries: TrialFunctions<'_>,
+        enough: WidthSchedule,
+    ) -> Result<Self, Error> {
+        let step = (self.insufficient.0 - presumed) / f64::from(BEYOND_PRESUMED + 1);
+        let mut list = vec![(self.sufficient, tries.at(self.sufficient)?)];
+        for k in 1..=BEYOND_PRESUMED {
+            let at = presumed + step * f64::from(k);
+            list.push((at, tries.at(at)?));
+        }
+        list.sort_by(|(one, _), (other, _)| (one - presumed).abs().total_cmp(&(other - presumed).abs()));
+        let fails = list.iter().find(|(_, trial)| matches!(trial, Trial::Insufficient { .. })).cloned();
+        let Some((sufficient, trial)) = list.into_iter().rfind(|(_, trial)| trial.is_sufficient()) else {
+            return Ok(self);
+        };
+        match fails {
+            Some(fails) if (fails.0 - presumed).abs() < (sufficient - presumed).abs() => {
+                return Ok(Self { sufficient: presumed, insufficient: fails, unknown: None });
+            }
+            Some(fails) => self.insufficient = fails,
+            None => {}
+        }
+        self.sufficient = sufficient;
+        self.by(tries, false, (trial.measures(), enough))
+    }
+}
