@@ -2,6 +2,7 @@
 
 mod asked;
 mod followed_cycles;
+mod opens;
 mod rocked_ball;
 mod shakedown;
 mod to_and_fro;

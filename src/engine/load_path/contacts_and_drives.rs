@@ -62,7 +62,7 @@ impl Engine {
     }
 
     /// The joint or tendon of the drive with this index among contacts and drives; `None` for a drive without a joint or tendon.
-    fn part(&self, site: usize) -> Option<PartLabel> {
+    pub(crate) fn part(&self, site: usize) -> Option<PartLabel> {
         let linkage = self.linkage()?;
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }

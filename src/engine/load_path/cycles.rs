@@ -49,6 +49,10 @@ pub(crate) struct CycleRecord {
     pub(crate) largest: f64,
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
+    /// The largest gap of each contact or drive at the ends of the pieces on which it was open, m; zero if it was never open.
+    pub(crate) largest_gap: Vec<f64>,
+    /// The number of jumps in the cycle: motions under constant load from one equilibrium to another.
+    pub(crate) jumps: usize,
     pub(crate) step_error: f64,
     /// Successive lists of the states of all contacts and drives in the cycle, each with the index (within the cycle) of the leg on which these
     /// states occur.
@@ -63,6 +67,8 @@ impl CycleRecord {
         self.largest = self.largest.max(next.largest);
         let both = |a: Option<f64>, b: Option<f64>| Some(a?.min(b?));
         self.open.iter_mut().zip(&next.open).for_each(|(open, more)| *open = both(*open, *more));
+        self.largest_gap.iter_mut().zip(&next.largest_gap).for_each(|(gap, more)| *gap = gap.max(*more));
+        self.jumps += next.jumps;
         self.step_error = self.step_error.max(next.step_error);
         self.states.extend(next.states.iter().cloned());
     }
@@ -177,6 +183,8 @@ impl<'g> Cycles<'g> {
             dissipated: energies.iter().map(|leg| leg.dissipated).sum(),
             largest: 0.0,
             open: vec![Some(f64::INFINITY); n],
+            largest_gap: vec![0.0; n],
+            jumps: 0,
             step_error: core::mem::take(&mut follower.step_error),
             states: Vec::new(),
         };
@@ -227,6 +235,7 @@ impl CycleRecord {
     fn add(&mut self, piece: &StoredPiece<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {
+            self.jumps += 1;
             for (i, _) in jump.slid.iter().enumerate().filter(|(_, slid)| **slid) {
                 self.slid[i] += (piece.problem.slips[i] - jump.slips[i]).norm();
             }
@@ -238,11 +247,15 @@ impl CycleRecord {
             if state.slides() {
                 self.slid[i] += (after[i] - piece.problem.slips[i]).norm();
             }
-            self.open[i] = self.open[i].filter(|_| state.is_open()).map(|gap| {
-                let offset = piece.problem.offsets[i] + piece.change[i] * piece.to;
-                let at_the_end = -piece.problem.sites[i].stretch(&offset, &piece.there.twist)[0];
-                gap.min(piece.here.gaps[i].gap).min(at_the_end)
-            });
+            if !state.is_open() {
+                self.open[i] = None;
+                continue;
+            }
+            let offset = piece.problem.offsets[i] + piece.change[i] * piece.to;
+            let at_the_end = -piece.problem.sites[i].stretch(&offset, &piece.there.twist)[0];
+            let at_the_start = piece.here.gaps[i].gap;
+            self.open[i] = self.open[i].map(|gap| gap.min(at_the_start).min(at_the_end));
+            self.largest_gap[i] = self.largest_gap[i].max(at_the_start).max(at_the_end);
         }
         self.note(leg, &piece.states);
     }

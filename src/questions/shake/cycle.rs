@@ -1,10 +1,11 @@
 //! One cycle of loads: the states at its beginning and end, and the slips between them.
 
-use super::tolerances::SAME_CYCLE;
+use super::tolerances::{SAME_CYCLE, SLIP_OF_JUMPS};
 use nalgebra::{DVector, SVector};
 
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
+use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -100,9 +101,20 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle, by a path longer than rounding.
+    /// Whether a contact or drive slides in the cycle, by a path longer than rounding and than the errors of jumps.
     pub(super) fn slides(&self, site: usize) -> bool {
-        self.record.slid[site] > NEGLIGIBLE * self.scale.stretch
+        let widest = if self.record.jumps > 0 { largest(&self.record.largest_gap, &|gap| *gap) } else { 0.0 };
+        self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * widest
+    }
+
+    /// Whether a contact is open somewhere in the cycle, by a gap larger than rounding.
+    pub(super) fn is_open(&self, site: usize) -> bool {
+        self.record.largest_gap[site] > NEGLIGIBLE * self.scale.stretch
+    }
+
+    /// Whether a contact opens and closes again in the cycle.
+    pub(super) fn opens(&self, site: usize) -> bool {
+        self.record.open[site].is_none() && self.is_open(site)
     }
 
     /// Whether the object has moved, by more than rounding, from the beginning of the cycle to its end, with a contact that slid.

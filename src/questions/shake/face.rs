@@ -9,14 +9,14 @@ same_on_both_sides! { BindingContact }
 
 face_of_struct! {
     Shakedown { factor, slips, binding, slips_change_normal_forces, friction_falls, around_the_round_cone }
-    Shaken { base, repeats, every, cycles, followed, change, ratio, moved, too_far, state }
+    Shaken { base, repeats, every, cycles, followed, change, ratio, opens, leaks, yields, moved, too_far, state }
 }
 
 face_of_enum! {
     Repeats {
         Rests { after: after, slid: slid },
         DiesOut { slid: slid },
-        Alternates { slides: slides, way: way, dissipated: dissipated },
+        Alternates { slides: slides, way: way, dissipated: dissipated, jumps: jumps },
         Walks { by: by, slides: slides, dissipated: dissipated },
         Lost { cycle: cycle, leg: leg, load: load, lost: lost },
         NoRest { rest: rest },

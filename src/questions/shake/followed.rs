@@ -36,6 +36,9 @@ impl Engine {
                 followed: 0,
                 change: 0.0,
                 ratio: 0.0,
+                opens: Vec::new(),
+                leaks: Vec::new(),
+                yields: Vec::new(),
                 moved: Vec::new(),
                 too_far: None,
                 state: None,
@@ -107,7 +110,7 @@ impl<'g> FollowedCycles<'g, '_> {
                     let (repeats, change) =
                         (self.repeats_from(closed, Some(self.cycles_gone)), closed.change());
                     self.every = many;
-                    return self.answer(repeats, (change, 0.0), Some(&cycle.to));
+                    return self.answer(repeats, (change, 0.0), Some(closed));
                 };
                 // Forces repeat, but an open gap shrinks in every cycle. Until the gap closes, all cycles (or groups of `many` cycles) have the same
                 // events and forces. These cycles are skipped.
@@ -125,7 +128,7 @@ impl<'g> FollowedCycles<'g, '_> {
             self.note(&cycle);
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
-                walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle.to)));
+                walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle)));
                 // The object has walked farther than small motions while forces still change. A walk with constant forces would be a better answer.
                 // Therefore a few more cycles are followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
@@ -143,7 +146,7 @@ impl<'g> FollowedCycles<'g, '_> {
                 match self.extrapolate(&cycle) {
                     Extrapolation::To { limit, ratio, error } => {
                         let repeats = self.repeats_from(&limit, None);
-                        return self.answer(repeats, (error, ratio), Some(&limit.to));
+                        return self.answer(repeats, (error, ratio), Some(&limit));
                     }
                     Extrapolation::Further { cycle, cycles, passed } => {
                         self.cycles = *cycles;
@@ -267,7 +270,8 @@ impl<'g> FollowedCycles<'g, '_> {
     /// cycle at the extrapolated limit.
     fn repeats_from(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
-        if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
+        let jumps = cycle.record.jumps;
+        if jumps == 0 && !(0..self.slid.len()).any(|i| cycle.slides(i)) {
             let slid = self.parts(&|i| self.slid[i]);
             return match number {
                 Some(number) => Repeats::Rests { after: number - 1, slid },
@@ -278,17 +282,26 @@ impl<'g> FollowedCycles<'g, '_> {
             return Repeats::Walks { by: self.moves(&cycle.from, &cycle.to), slides, dissipated };
         }
         let way = cycle.record.slid.iter().take(self.engine.len()).copied().fold(0.0, f64::max);
-        Repeats::Alternates { slides, way, dissipated }
+        Repeats::Alternates { slides, way, dissipated, jumps }
     }
 
     fn moves(&self, from: &CycleState, to: &CycleState) -> Vec<BodyMotion<3>> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
-    /// The answer, with the motion of each body from rest to the state `at`; without `at`, to the end of the path.
-    fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), at: Option<&CycleState>) -> Shaken<3> {
+    /// The answer, with the motion of each body from rest to the end of the repeating cycle `last`; without this cycle, to the end of the path.
+    fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), last: Option<&Cycle>) -> Shaken<3> {
         let here = self.cycles.cycle_state();
-        let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
+        let at = last.map(|cycle| &cycle.to).or(here.as_ref());
+        let moved = at.map(|at| self.moves(&self.rest, at)).unwrap_or_default();
+        let comes_to_rest = matches!(repeats, Repeats::Rests { .. } | Repeats::DiesOut { .. });
+        let slides =
+            |i: usize| if comes_to_rest { self.slid[i] } else { last.is_some_and(|last| last.slides(i)) };
+        let opens = |i: usize| last.is_some_and(|last| last.opens(i));
+        let is_open = |i: usize| last.is_some_and(|last| last.is_open(i));
+        let drives = (self.engine.len()..self.slid.len()).filter(|i| slides(*i));
+        let mut yields: Vec<_> = drives.filter_map(|i| self.engine.part(i)).collect();
+        yields.dedup();
         let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);
         Shaken {
             base: self.base,
@@ -298,6 +311,9 @@ impl<'g> FollowedCycles<'g, '_> {
             followed: self.followed,
             change,
             ratio,
+            leaks: self.parts(&|i| is_open(i) && self.engine.contacts()[i].suction > 0.0),
+            opens: self.parts(&opens),
+            yields,
             moved,
             too_far: self.too_far.clone(),
             state,

@@ -17,6 +17,12 @@ pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 /// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
+/// Slip in a cycle with jumps that counts as none, as a fraction of the widest gap of the cycle.
+///
+/// A jump starts a little beyond the loss, and its steps end a little before rest, which adds slips of some 1e-6 of its motion. If smaller, they are
+/// reported as sliding to and fro. If larger, small slips beside large jumps are not reported.
+pub(super) const SLIP_OF_JUMPS: f64 = 1e-5;
+
 /// Relative change of forces per cycle below which the answer calls them constant. It is larger than step errors.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are not reported.

@@ -1,7 +1,7 @@
 //! The behaviour of a grasp under a repeated load, and the data of the cycles.
 
 use crate::equilibrium::{Equilibrium, TooFar};
-use crate::grasp::{BodyMotion, Motion, WholeContact, Wrench};
+use crate::grasp::{BodyMotion, Motion, PartLabel, WholeContact, Wrench};
 use crate::hold::{Lost, Verdict};
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -35,6 +35,15 @@ pub struct Shaken<const C: usize> {
     /// The factor by which the difference of successive states shrinks per cycle, if the verdict is derived from an extrapolated limit; else zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
+    /// The contacts that open and close again in every period, once the motion repeats itself.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub opens: Vec<WholeContact>,
+    /// The suction cups that are open at some point of the lip in the repeated motion: there air flows in.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub leaks: Vec<WholeContact>,
+    /// The joints and tendons that yield at their limits: in a period, or before the grasp comes to rest.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub yields: Vec<PartLabel>,
     /// The motion of the object, or of each body, from the equilibrium under the base load to the end of the last cycle; if slips die out, to the
     /// limit.
     pub moved: Vec<BodyMotion<C>>,
@@ -69,16 +78,20 @@ pub enum Repeats<const C: usize> {
         /// The contacts that slid in the cycles that were followed.
         slid: Vec<WholeContact>,
     },
-    /// Contacts slide to and fro for ever, and the object is at the same place after every period.
+    /// The object moves to and fro for ever, and is at the same place after every period: contacts slide, or the object jumps from one contact to
+    /// another and back.
     Alternates {
-        /// The contacts that slide in a period.
+        /// The contacts that slide in a period; empty if the object only jumps, or if only joints and tendons [yield](Shaken::yields).
         slides: Vec<WholeContact>,
         /// The longest path that a contact slides in a period, to and fro added up, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         way: f64,
-        /// Heat from friction of all contacts in a period, J.
+        /// Energy lost in a period by friction and by impacts, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
+        /// The number of jumps under constant load in a period, each of which may end in an impact.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_zero"))]
+        jumps: usize,
     },
     /// The object moves by the same motion in every period. Or it has walked farther than the extent of its contacts while forces still
     /// [change](Shaken::change); such motions are not small, so the walk is not followed further.
@@ -87,7 +100,7 @@ pub enum Repeats<const C: usize> {
         by: Vec<BodyMotion<C>>,
         /// The contacts that slide in a period.
         slides: Vec<WholeContact>,
-        /// Heat from friction of all contacts in a period, J.
+        /// Energy lost in a period by friction and by impacts, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
@@ -123,6 +136,12 @@ fn once() -> usize {
 
 #[cfg(feature = "serde")]
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
+fn is_zero(jumps: &usize) -> bool {
+    *jumps == 0
+}
+
+#[cfg(feature = "serde")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
 fn is_once(every: &usize) -> bool {
     *every == 1
 }
@@ -136,11 +155,12 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest, at once or in the limit; `None` if it is not known. Motions before that may be [too large](Self::too_far).
+    /// Whether the grasp comes to rest, at once or in the limit, and no suction cup [leaks](Self::leaks); `None` if it is not known. Other contacts may
+    /// [open](Self::opens) in every cycle. Motions before that may be [too large](Self::too_far).
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {
-            Repeats::Rests { .. } | Repeats::DiesOut { .. } => Some(true),
+            Repeats::Rests { .. } | Repeats::DiesOut { .. } => Some(self.leaks.is_empty()),
             Repeats::Alternates { .. }
             | Repeats::Walks { .. }
             | Repeats::Lost { .. }
@@ -149,12 +169,12 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp comes to rest, or contacts slide to and fro for ever; `None` if it is not known. Motions meanwhile may be
+    /// Whether the object stays: the grasp comes to rest, or the object moves to and fro for ever; `None` if it is not known. Motions meanwhile may be
     /// [too large](Self::too_far).
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {
-            Repeats::Alternates { .. } => Some(true),
+            Repeats::Alternates { .. } => Some(self.leaks.is_empty()),
             _ => self.rests(),
         }
     }

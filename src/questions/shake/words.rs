@@ -5,7 +5,7 @@ use core::fmt;
 use super::shakedown::{BindingContact, Shakedown};
 use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
-use crate::grasp::{BodyMotion, WholeContact};
+use crate::grasp::{BodyMotion, PartLabel, WholeContact};
 use crate::hold::subject_and_verb;
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -17,6 +17,10 @@ const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loa
 
 impl<const C: usize> fmt::Display for Shaken<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.leaks.is_empty() {
+            let cups = listed(&self.leaks);
+            write!(f, "LEAKS: air flows in where the lip opens, at {cups}; with the vacuum kept, ")?;
+        }
         self.write_verdict(f)?;
         if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
             write!(f, ". {SLOWLY}")?;
@@ -33,33 +37,47 @@ impl<const C: usize> Shaken<C> {
     fn write_verdict(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.repeats {
-            Repeats::Rests { after: 0, .. } => f.write_str("RESTS: nothing ever slides"),
+            Repeats::Rests { after: 0, .. } => {
+                f.write_str("RESTS: nothing ever slides")?;
+                self.write_opens(f)
+            }
             Repeats::Rests { after, slid } => {
-                write!(
-                    f,
-                    "RESTS after {}: until then {}",
-                    cycles(*after),
-                    subject_and_verb(slid, "slides", "slide")
-                )?;
-                self.write_moved(f, words)
+                write!(f, "RESTS after {}", cycles(*after))?;
+                let slides = self.slides_and_yields(slid);
+                if slides.is_empty() { Ok(()) } else { write!(f, ": until then {slides}") }?;
+                self.write_moved(f, words)?;
+                self.write_opens(f)
             }
             Repeats::DiesOut { slid } => {
-                let (slides, ratio) = (subject_and_verb(slid, "slides", "slide"), words.number(self.ratio));
+                let (slides, ratio) = (self.slides_and_yields(slid), words.number(self.ratio));
                 write!(f, "COMES TO REST: {slides} less and less, {ratio} of it left from cycle to cycle")?;
-                self.write_moved(f, words)
+                self.write_moved(f, words)?;
+                self.write_opens(f)
             }
-            Repeats::Alternates { slides, way, dissipated } => {
-                write!(f, "SLIDES TO AND FRO: {} ", subject_and_verb(slides, "slides", "slide"))?;
-                let heat = words.number(*dissipated);
-                write!(
-                    f,
-                    "by up to {} in {}, which takes {heat} J; the object stays",
-                    words.length(*way),
-                    self.in_every()
-                )
+            Repeats::Alternates { slides, way, dissipated, jumps } => {
+                let what = self.slides_and_yields(slides);
+                match (slides.is_empty(), what.is_empty()) {
+                    // Impacts take energy that depends on the inertia of the object, which is not known.
+                    (_, true) => write!(
+                        f,
+                        "JUMPS TO AND FRO: {} in {} a contact stops it, and nothing slides",
+                        times(*jumps),
+                        self.in_every()
+                    )?,
+                    (true, _) => write!(f, "MOVES TO AND FRO: {what} in {}", self.in_every())?,
+                    (false, _) => {
+                        let way = words.length(*way);
+                        write!(f, "SLIDES TO AND FRO: {what} by up to {way} in {}", self.in_every())?;
+                    }
+                }
+                if !what.is_empty() {
+                    write!(f, ", which takes {} J", words.number(*dissipated))?;
+                }
+                f.write_str("; the object stays")?;
+                self.write_opens(f)
             }
             Repeats::Walks { by, slides, .. } => {
-                let slide = subject_and_verb(slides, "slides", "slide");
+                let slide = self.slides_and_yields(slides);
                 let moved = moves(words, by);
                 if self.change <= CONSTANT_FORCES {
                     write!(f, "WALKS: {moved} in {}", self.in_every())?;
@@ -70,7 +88,7 @@ impl<const C: usize> Shaken<C> {
                         self.cycles
                     )?;
                 }
-                if slides.is_empty() { Ok(()) } else { write!(f, ", {slide}") }
+                if slide.is_empty() { Ok(()) } else { write!(f, ", {slide}") }
             }
             Repeats::Lost { cycle, lost, load, .. } => {
                 // A load under which the object still rests is not the one that moves it.
@@ -99,8 +117,37 @@ impl<const C: usize> Shaken<C> {
         if self.every == 1 { "every cycle".to_owned() } else { format!("every {} cycles", self.every) }
     }
 
+    /// The contacts that slide and the joints and tendons that yield, as text: "left and right slide, and elbow yields". Empty if there are none.
+    fn slides_and_yields(&self, slides: &[WholeContact]) -> String {
+        let mut clauses = Vec::new();
+        if !slides.is_empty() {
+            clauses.push(subject_and_verb(slides, "slides", "slide"));
+        }
+        if !self.yields.is_empty() {
+            let verb = if self.yields.len() == 1 { "yields" } else { "yield" };
+            clauses.push(format!("{} {verb}", listed(&mapped(&self.yields, &PartLabel::text))));
+        }
+        clauses.join(", and ")
+    }
+
+    /// The contacts that open in every period, as a clause; nothing if there are none, or if the sentence begins with cups that leak.
+    fn write_opens(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.opens.is_empty() || !self.leaks.is_empty() {
+            return Ok(());
+        }
+        write!(f, ", but {} in {}", subject_and_verb(&self.opens, "opens", "open"), self.in_every())
+    }
+
     fn write_moved(&self, f: &mut fmt::Formatter<'_>, words: Words) -> fmt::Result {
         write!(f, "; in all {}", moves(words, &self.moved))
+    }
+}
+
+fn times(many: usize) -> String {
+    match many {
+        1 => "once".to_owned(),
+        2 => "twice".to_owned(),
+        many => format!("{many} times"),
     }
 }
 
