@@ -69,7 +69,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 let motion = words.direction_of(motion);
                 write!(
                     f,
-                    "TURNS OVER: every contact holds, but nothing resists {motion}, and the load drives this on"
+                    "TURNS OVER: every contact holds, but nothing resists {motion}, and the load drives this on unless round surfaces roll there"
                 )
             }
             Holding::Loose => {
