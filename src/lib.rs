@@ -146,6 +146,9 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("grasp-lcp needs the feature `std`, or `libm` where there is no standard library");
 
+#[macro_use]
+mod setters;
+
 mod engine;
 mod error;
 pub mod friction;

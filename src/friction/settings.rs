@@ -47,15 +47,11 @@ impl Settings {
         Err(BreakdownCause::Tolerance { name: "tolerance", value })
     }
 
-    /// These settings with another number of facets, see [`Settings::facets`].
-    pub fn with_facets(mut self, facets: usize) -> Self {
-        self.facets = facets;
-        self
-    }
+    setters! {
+        /// These settings with another number of facets, see [`Settings::facets`].
+        pub fn with_facets(mut self, facets: usize) { self.facets = facets; }
 
-    /// These settings with another tolerance, see [`Settings::tolerance`].
-    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
-        self.tolerance = tolerance;
-        self
+        /// These settings with another tolerance, see [`Settings::tolerance`].
+        pub fn with_tolerance(mut self, tolerance: f64) { self.tolerance = tolerance; }
     }
 }

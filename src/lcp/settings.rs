@@ -102,35 +102,26 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// These settings with another covering vector, see [`Settings::covering`].
-    pub fn with_covering(mut self, covering: DVector<f64>) -> Self {
-        self.covering = Some(covering);
-        self
-    }
+    setters! {
+        /// These settings with another covering vector, see [`Settings::covering`].
+        pub fn with_covering(mut self, covering: DVector<f64>) { self.covering = Some(covering); }
 
-    /// These settings with a limit on the pivots of all paths together, see
-    /// [`Settings::max_pivots`].
-    pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
-        self.max_pivots = Some(max_pivots);
-        self
-    }
+        /// These settings with a limit on the pivots of all paths together, see
+        /// [`Settings::max_pivots`].
+        pub fn with_max_pivots(mut self, max_pivots: usize) { self.max_pivots = Some(max_pivots); }
 
-    /// These settings with or without the search for a proof, see [`Settings::prove_infeasible`].
-    pub fn with_prove_infeasible(mut self, prove_infeasible: bool) -> Self {
-        self.prove_infeasible = prove_infeasible;
-        self
-    }
+        /// These settings with or without the search for a proof, see [`Settings::prove_infeasible`].
+        pub fn with_prove_infeasible(mut self, prove_infeasible: bool) {
+            self.prove_infeasible = prove_infeasible;
+        }
 
-    /// These settings with another number of retries; with 0 only one path is followed. See [`Settings::retries`].
-    pub fn with_retries(mut self, retries: usize) -> Self {
-        self.retries = retries;
-        self
-    }
+        /// These settings with another number of retries; with 0 only one path is followed. See [`Settings::retries`].
+        pub fn with_retries(mut self, retries: usize) { self.retries = retries; }
 
-    /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See [`Settings::enumerate_up_to`].
-    pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) -> Self {
-        self.enumerate_up_to = enumerate_up_to;
-        self
+        /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See [`Settings::enumerate_up_to`].
+        pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) {
+            self.enumerate_up_to = enumerate_up_to;
+        }
     }
 
     /// Checks that the tolerances are finite and not negative, and that the covering vector, if one is set, fits a problem with this q. The error is

@@ -37,25 +37,21 @@ impl<const C: usize> Leg<C> {
     /// assert!(lost.leg == 1 && (lost.load.resultant()[0] - 17.9).abs() < 1e-12);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn body_load_by(body: impl Into<String>, change: Wrench<C>) -> Self {
         Self::STAY.and_body_load_by(body, change)
     }
 
     /// A leg at whose end the load on one of several bodies is `load`. This load is added to the load of the leg and the permanent load of the body.
-    #[must_use]
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)
     }
 
     /// This leg, along which the load on a body also changes by `change`, see [`Self::body_load_by`].
-    #[must_use]
     pub fn and_body_load_by(self, body: impl Into<String>, change: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::By(change))
     }
 
     /// This leg, at whose end the load on a body is also `load`, see [`Self::body_load_to`].
-    #[must_use]
     pub fn and_body_load_to(self, body: impl Into<String>, load: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::To(load))
     }

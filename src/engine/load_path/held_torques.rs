@@ -32,25 +32,21 @@ impl<const C: usize> Leg<C> {
     /// assert!(lost.leg == 1 && (lost.fraction - 0.5).abs() < 1e-14);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn torques_by(change: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_torques_by(change)
     }
 
     /// A leg at whose end the torques `torques` hold the joints, in the order of [`Self::torques_by`].
-    #[must_use]
     pub fn torques_to(torques: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_torques_to(torques)
     }
 
     /// This leg, along which the torques that hold joints also change by `change`, see [`Self::torques_by`].
-    #[must_use]
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::By(change.into_iter().list()), ..self }
     }
 
     /// This leg, at whose end the torques that hold joints are also `torques`, see [`Self::torques_by`].
-    #[must_use]
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }

@@ -44,6 +44,7 @@ use crate::prelude::*;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Leg<const C: usize> {
     pub(super) load: LegLoad<C>,
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
@@ -70,13 +71,11 @@ impl<const C: usize> Leg<C> {
     };
 
     /// A leg along which the load changes by `change`.
-    #[must_use]
     pub fn load_by(change: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::By(change)), ..Self::STAY }
     }
 
     /// A leg at whose end the load is `load`.
-    #[must_use]
     pub fn load_to(load: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
@@ -104,45 +103,38 @@ impl<const C: usize> Leg<C> {
     /// assert!(events[1].changes[0].what == Change::Sticks);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn turn(turn: &Turn<C>) -> Self {
         Self { load: LegLoad::Turn(*turn), ..Self::STAY }
     }
 
     /// A leg along which the finger commands change by `change`: one displacement for each contact, each in its contact frame (m).
-    #[must_use]
     pub fn commands_by(change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::By(vectors(change)), ..Self::STAY }
     }
 
     /// A leg at whose end the finger commands are `commands`: one displacement for each contact, each in its contact frame (m).
-    #[must_use]
     pub fn commands_to(commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self { commands: LegGoal::To(vectors(commands)), ..Self::STAY }
     }
 
-    /// This leg, along which the load also changes by `change`.
-    #[must_use]
-    pub fn and_load_by(self, change: Wrench<C>) -> Self {
-        Self { load: LegLoad::Straight(LegGoal::By(change)), ..self }
-    }
+    setters! {
+        /// This leg, along which the load also changes by `change`.
+        pub fn and_load_by(mut self, change: Wrench<C>) {
+            self.load = LegLoad::Straight(LegGoal::By(change));
+        }
 
-    /// This leg, at whose end the load is also `load`.
-    #[must_use]
-    pub fn and_load_to(self, load: Wrench<C>) -> Self {
-        Self { load: LegLoad::Straight(LegGoal::To(load)), ..self }
-    }
+        /// This leg, at whose end the load is also `load`.
+        pub fn and_load_to(mut self, load: Wrench<C>) { self.load = LegLoad::Straight(LegGoal::To(load)); }
 
-    /// This leg, along which the finger commands also change by `change`: one displacement for each contact, each in its contact frame, m.
-    #[must_use]
-    pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: LegGoal::By(vectors(change)), ..self }
-    }
+        /// This leg, along which the finger commands also change by `change`: one displacement for each contact, each in its contact frame, m.
+        pub fn and_commands_by(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) {
+            self.commands = LegGoal::By(vectors(change));
+        }
 
-    /// This leg, at whose end the finger commands are also `commands`: one displacement for each contact, each in its contact frame, m.
-    #[must_use]
-    pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: LegGoal::To(vectors(commands)), ..self }
+        /// This leg, at whose end the finger commands are also `commands`: one displacement for each contact, each in its contact frame, m.
+        pub fn and_commands_to(mut self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) {
+            self.commands = LegGoal::To(vectors(commands));
+        }
     }
 
     /// A leg along which the joint commands of a hand change by `change`: one displacement for each joint and then each tendon, rad or m.
@@ -165,25 +157,21 @@ impl<const C: usize> Leg<C> {
     /// assert!((lost.fraction - 0.5).abs() < 1e-14); // at 2 · 0.5 · 10 N
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
     pub fn joints_by(change: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_joints_by(change)
     }
 
     /// A leg at whose end the joint commands of a hand are `commands`, in the order of [`Self::joints_by`].
-    #[must_use]
     pub fn joints_to(commands: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_joints_to(commands)
     }
 
     /// This leg, along which the joint commands also change by `change`, rad or m.
-    #[must_use]
     pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { joints: LegGoal::By(change.into_iter().list()), ..self }
     }
 
     /// This leg, at whose end the joint commands are also `commands`, rad or m.
-    #[must_use]
     pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
         Self { joints: LegGoal::To(commands.into_iter().list()), ..self }
     }
@@ -195,7 +183,6 @@ impl<const C: usize> Leg<C> {
     }
 
     /// A leg along which load and commands change as they do along `ramp` while the load factor of the ramp grows by one.
-    #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());
         Self {
@@ -215,7 +202,6 @@ impl<const C: usize> Leg<C> {
     /// let pull = Wrench::force([2.0, 0.0]);
     /// assert_eq!(Leg::there_and_back(pull), [Leg::load_by(pull), Leg::load_by(pull * -1.0)]);
     /// ```
-    #[must_use]
     pub fn there_and_back(change: Wrench<C>) -> [Self; 2] {
         [Self::load_by(change), Self::load_by(change * -1.0)]
     }

@@ -23,6 +23,7 @@ use crate::prelude::*;
 /// assert_eq!(ramp.load_at(3.0), Wrench::force([1.0, -6.0]));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Ramp<const C: usize> {
     pub(crate) base: Wrench<C>,
     pub(crate) direction: Wrench<C>,
@@ -32,7 +33,6 @@ pub struct Ramp<const C: usize> {
 
 impl<const C: usize> Ramp<C> {
     /// A ramp of the load, with constant finger commands. `base` is in N and N m, `direction` in N and N m per unit of the load factor.
-    #[must_use]
     pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
@@ -40,40 +40,35 @@ impl<const C: usize> Ramp<C> {
     /// A ramp of the finger commands, with a constant load. `change` has one displacement for each contact per unit of the load factor, in its
     /// contact frame (m), the normal part positive into the object. All points of a soft fingertip follow one displacement, unless there is one for
     /// each point.
-    #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
     }
 
-    /// This ramp, along which the finger commands also change, as for [`Self::commands`].
-    #[must_use]
-    pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        self.command_change = Some(vectors(change));
-        self
-    }
+    setters! {
+        /// This ramp, along which the finger commands also change, as for [`Self::commands`].
+        pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) {
+            self.command_change = Some(vectors(change));
+        }
 
-    /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the load
-    /// factor, rad or m.
-    #[must_use]
-    pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) -> Self {
-        self.joint_change = Some(change.into_iter().list());
-        self
-    }
+        /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the load
+        /// factor, rad or m.
+        pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) {
+            self.joint_change = Some(change.into_iter().list());
+        }
 
-    /// Multiplies base and direction of the load by a factor; the changes of commands are not multiplied.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Ramp, Wrench};
-    ///
-    /// // A weight of 1 N that turns out to be 10 % heavier, and grows as much faster.
-    /// let weight = Wrench::force([0.0, -1.0]);
-    /// let heavier = Ramp::load(weight, weight).with_load_times(1.1);
-    /// assert_eq!(heavier.load_at(1.0), Wrench::force([0.0, -2.2]));
-    /// ```
-    #[must_use]
-    pub fn with_load_times(mut self, factor: f64) -> Self {
-        (self.base, self.direction) = (self.base * factor, self.direction * factor);
-        self
+        /// Multiplies base and direction of the load by a factor; the changes of commands are not multiplied.
+        ///
+        /// ```
+        /// use grasp_lcp::planar::{Ramp, Wrench};
+        ///
+        /// // A weight of 1 N that turns out to be 10 % heavier, and grows as much faster.
+        /// let weight = Wrench::force([0.0, -1.0]);
+        /// let heavier = Ramp::load(weight, weight).with_load_times(1.1);
+        /// assert_eq!(heavier.load_at(1.0), Wrench::force([0.0, -2.2]));
+        /// ```
+        pub fn with_load_times(mut self, factor: f64) {
+            (self.base, self.direction) = (self.base * factor, self.direction * factor);
+        }
     }
 
     /// This ramp with the direction of its load and all changes of commands multiplied by a factor; the base stays. A negative factor reverses the
@@ -138,7 +133,6 @@ impl Ramp<3> {
 
 impl<const C: usize> Ramp<C> {
     /// The load at a load factor, `base + τ direction`.
-    #[must_use]
     pub fn load_at(&self, factor: f64) -> Wrench<C> {
         self.base + self.direction * factor
     }

@@ -30,6 +30,7 @@ use crate::serial::AsComputed;
 /// assert!((load.moment() - 0.2).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Last angle of the turn, at which it ends, rad.
@@ -47,7 +48,6 @@ impl<const C: usize> From<&Self> for Turn<C> {
 
 impl<const C: usize> Turn<C> {
     /// A load that turns by one revolution, from its constant term and its coefficients of cos θ and sin θ (N, N m).
-    #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
     }
@@ -60,22 +60,15 @@ impl<const C: usize> Turn<C> {
         Self { tilts_bodies_about: Some(axis), ..turn }
     }
 
-    /// This turn with `load` added to its constant term.
-    #[must_use]
-    pub fn beside(mut self, load: Wrench<C>) -> Self {
-        self.load.constant = self.load.constant + load;
-        self
-    }
+    setters! {
+        /// This turn with `load` added to its constant term.
+        pub fn beside(mut self, load: Wrench<C>) { self.load.constant = self.load.constant + load; }
 
-    /// This turn, ending at the angle `angle` (rad). The angle must be positive and at most 1e6 rad; it may be many revolutions.
-    #[must_use]
-    pub fn up_to(mut self, angle: f64) -> Self {
-        self.angle = angle;
-        self
+        /// This turn, ending at the angle `angle` (rad). The angle must be positive and at most 1e6 rad; it may be many revolutions.
+        pub fn up_to(mut self, angle: f64) { self.angle = angle; }
     }
 
     /// The turn in the opposite direction from the same beginning: θ becomes -θ.
-    #[must_use]
     pub fn reversed(mut self) -> Self {
         self.load.sine = -self.load.sine;
         self.tilts_bodies_about = self.tilts_bodies_about.map(|axis| -axis);
@@ -83,7 +76,6 @@ impl<const C: usize> Turn<C> {
     }
 
     /// The reverse of this turn, which begins at its last angle and ends at its beginning.
-    #[must_use]
     pub(crate) fn back(mut self) -> Self {
         let (sin, cos) = self.angle.sin_cos();
         let Harmonic { cosine, sine, .. } = self.load;
@@ -98,13 +90,11 @@ impl<const C: usize> Turn<C> {
     }
 
     /// The constant term of the load and its coefficients of cos θ and sin θ.
-    #[must_use]
     pub fn parts(&self) -> [Wrench<C>; 3] {
         self.load.parts().each(|part| *part)
     }
 
     /// The load at an angle, rad.
-    #[must_use]
     pub fn load_at(&self, angle: f64) -> Wrench<C> {
         self.load.at(angle)
     }
@@ -164,7 +154,6 @@ impl<const C: usize> Turn<C> {
 
 impl Turn<2> {
     /// A force (N) through `point` (m) that turns from x to y.
-    #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         let ([x, y], point) = (force.into(), point.into());
         let parts = [SVector::zeros(), SVector::from([x, y]), SVector::from([-y, x])];
@@ -172,7 +161,6 @@ impl Turn<2> {
     }
 
     /// A weight (N) whose centre is at `point` (m), while the object is tilted from x to y together with its grasp.
-    #[must_use]
     pub fn tilting(weight: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         Self::force_at(weight, point).reversed()
     }

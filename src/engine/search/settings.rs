@@ -16,6 +16,7 @@ use crate::numerics::Space;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct Settings {
     /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For equilibria on the round cone each contact's
     /// polygon is rotated: a corner then lies along the friction force of the elastic trial, and more facets only cost time. For equilibria on the
@@ -73,18 +74,12 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// These settings with another polygonal friction cone, see [`Settings::cone`].
-    #[must_use]
-    pub fn with_cone(mut self, cone: PolygonCone) -> Self {
-        self.cone = cone;
-        self
-    }
+    setters! {
+        /// These settings with another polygonal friction cone, see [`Settings::cone`].
+        pub fn with_cone(mut self, cone: PolygonCone) { self.cone = cone; }
 
-    /// These settings, with equilibria and load paths on the polygonal cone instead of the round cone.
-    #[must_use]
-    pub fn on_the_polygon(mut self) -> Self {
-        self.round = false;
-        self
+        /// These settings, with equilibria and load paths on the polygonal cone instead of the round cone.
+        pub fn on_the_polygon(mut self) { self.round = false; }
     }
 
     /// Whether equilibria in this space are computed with the round cone; never in the plane.
@@ -92,55 +87,31 @@ impl Settings {
         space == Space::Spatial && self.round
     }
 
-    /// These settings with another upper limit of the number of combinations of contact states up to which all are tried, see
-    /// [`Settings::most_states`].
-    #[must_use]
-    pub fn with_most_states(mut self, most_states: usize) -> Self {
-        self.most_states = most_states;
-        self
-    }
+    setters! {
+        /// These settings with another upper limit of the number of combinations of contact states up to which all are tried, see
+        /// [`Settings::most_states`].
+        pub fn with_most_states(mut self, most_states: usize) { self.most_states = most_states; }
 
-    /// These settings with another allowed error of a step along a sliding arc. With 1e-13 nearly all digits are correct; below 1e-14 rounding
-    /// prevents steps.
-    #[must_use]
-    pub fn with_step_error(mut self, step_error: f64) -> Self {
-        self.step_error = step_error;
-        self
-    }
+        /// These settings with another allowed error of a step along a sliding arc. With 1e-13 nearly all digits are correct; below 1e-14 rounding
+        /// prevents steps.
+        pub fn with_step_error(mut self, step_error: f64) { self.step_error = step_error; }
 
-    /// These settings with another upper limit of the number of steps along sliding arcs, and of jumps, within one leg.
-    #[must_use]
-    pub fn with_most_steps(mut self, most_steps: usize) -> Self {
-        self.most_steps = most_steps;
-        self
-    }
+        /// These settings with another upper limit of the number of steps along sliding arcs, and of jumps, within one leg.
+        pub fn with_most_steps(mut self, most_steps: usize) { self.most_steps = most_steps; }
 
-    /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no farther
-    /// than this multiple of the load asked about, see [`Settings::most_load`].
-    #[must_use]
-    pub fn with_most_load(mut self, most_load: f64) -> Self {
-        self.most_load = most_load;
-        self
-    }
+        /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no farther
+        /// than this multiple of the load asked about, see [`Settings::most_load`].
+        pub fn with_most_load(mut self, most_load: f64) { self.most_load = most_load; }
 
-    /// These settings with another upper limit of the number of cycles of a repeated load that are followed.
-    #[must_use]
-    pub fn with_most_cycles(mut self, most_cycles: usize) -> Self {
-        self.most_cycles = most_cycles;
-        self
-    }
+        /// These settings with another upper limit of the number of cycles of a repeated load that are followed.
+        pub fn with_most_cycles(mut self, most_cycles: usize) { self.most_cycles = most_cycles; }
 
-    /// These settings with other limits of small motions: a rotation, rad, and a slip as a fraction of the grasp's size.
-    #[must_use]
-    pub fn with_small_motions(mut self, rotation: f64, slip: f64) -> Self {
-        self.small_motions = SmallMotions { rotation, slip };
-        self
-    }
+        /// These settings with other limits of small motions: a rotation, rad, and a slip as a fraction of the grasp's size.
+        pub fn with_small_motions(mut self, rotation: f64, slip: f64) {
+            self.small_motions = SmallMotions { rotation, slip };
+        }
 
-    /// These settings with an upper limit of the number of pivots of Lemke's method on one complementarity problem.
-    #[must_use]
-    pub fn with_max_pivots(mut self, max_pivots: usize) -> Self {
-        self.max_pivots = Some(max_pivots);
-        self
+        /// These settings with an upper limit of the number of pivots of Lemke's method on one complementarity problem.
+        pub fn with_max_pivots(mut self, max_pivots: usize) { self.max_pivots = Some(max_pivots); }
     }
 }

@@ -48,34 +48,27 @@ impl Chart {
         Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), ..Self::default() }
     }
 
-    /// Adds a series of points (x, y) with its name in the legend; lines join the points in their order.
-    pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
-        self.series.push(ChartSeries { name: name.into(), points, stroke });
-        self
-    }
+    setters! {
+        /// Adds a series of points (x, y) with its name in the legend; lines join the points in their order.
+        pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) {
+            self.series.push(ChartSeries { name: name.into(), points, stroke });
+        }
 
-    /// Marks an event by a vertical line at x with a label; the axis is extended to include x.
-    pub fn mark(mut self, x: f64, label: impl Into<String>) -> Self {
-        self.marks.push((x, label.into()));
-        self
-    }
+        /// Marks an event by a vertical line at x with a label; the axis is extended to include x.
+        pub fn mark(mut self, x: f64, label: impl Into<String>) { self.marks.push((x, label.into())); }
 
-    /// Labels a point (x, y) with a few letters on a plaque, such as the number of an event.
-    pub fn label(mut self, point: (f64, f64), words: impl Into<String>) -> Self {
-        self.labels.push((point, words.into()));
-        self
-    }
+        /// Labels a point (x, y) with a few letters on a plaque, such as the number of an event.
+        pub fn label(mut self, point: (f64, f64), words: impl Into<String>) {
+            self.labels.push((point, words.into()));
+        }
 
-    /// Shades everything to the right of x, with a label for the reason.
-    pub fn shade_from(mut self, x: f64, label: impl Into<String>) -> Self {
-        self.shaded = Some((x, label.into()));
-        self
-    }
+        /// Shades everything to the right of x, with a label for the reason.
+        pub fn shade_from(mut self, x: f64, label: impl Into<String>) {
+            self.shaded = Some((x, label.into()));
+        }
 
-    /// Sets a sentence below the chart, broken into lines; it replaces an earlier one.
-    pub fn note(mut self, words: impl Into<String>) -> Self {
-        self.note = Some(words.into());
-        self
+        /// Sets a sentence below the chart, broken into lines; it replaces an earlier one.
+        pub fn note(mut self, words: impl Into<String>) { self.note = Some(words.into()); }
     }
 
     /// Whether the chart has no finite point to draw.

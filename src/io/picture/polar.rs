@@ -43,37 +43,28 @@ impl Polar {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
-    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last point is joined to the first. [`Stroke::Bars`] draws spokes
-    /// from the middle.
-    pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
-        self.curves.push(ChartSeries { name: name.into(), points, stroke });
-        self
-    }
+    setters! {
+        /// Adds a curve of points (angle in rad, radius) in order of their angles; the last point is joined to the first. [`Stroke::Bars`] draws spokes
+        /// from the middle.
+        pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) {
+            self.curves.push(ChartSeries { name: name.into(), points, stroke });
+        }
 
-    /// Marks one or more points (angle in rad, radius), each with a spoke from the middle; the legend has the label. A radius beyond the rim is drawn
-    /// on the rim.
-    pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) -> Self {
-        self.marks.push((points, label.into()));
-        self
-    }
+        /// Marks one or more points (angle in rad, radius), each with a spoke from the middle; the legend has the label. A radius beyond the rim is drawn
+        /// on the rim.
+        pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) {
+            self.marks.push((points, label.into()));
+        }
 
-    /// Marks a direction (angle in rad) with an arrow and a name outside the rim.
-    pub fn ray(mut self, angle: f64, label: impl Into<String>) -> Self {
-        self.rays.push((angle, label.into()));
-        self
-    }
+        /// Marks a direction (angle in rad) with an arrow and a name outside the rim.
+        pub fn ray(mut self, angle: f64, label: impl Into<String>) { self.rays.push((angle, label.into())); }
 
-    /// Adds a line of text below the legend.
-    pub fn note(mut self, text: impl Into<String>) -> Self {
-        self.notes.push(text.into());
-        self
-    }
+        /// Adds a line of text below the legend.
+        pub fn note(mut self, text: impl Into<String>) { self.notes.push(text.into()); }
 
-    /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The rim is the first ring of round radius at or
-    /// beyond this radius.
-    pub fn rim(mut self, radius: f64) -> Self {
-        self.rim = Some(radius);
-        self
+        /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The rim is the first ring of round radius at or
+        /// beyond this radius.
+        pub fn rim(mut self, radius: f64) { self.rim = Some(radius); }
     }
 
     /// Draws the chart.

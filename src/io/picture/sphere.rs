@@ -72,28 +72,24 @@ impl SphereMap {
         })
     }
 
-    /// Marks a direction (a non-zero vector) with a dot and a label.
-    pub fn mark(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
-        self.marks.push((direction.into(), label.into()));
-        self
-    }
+    setters! {
+        /// Marks a direction (a non-zero vector) with a dot and a label.
+        pub fn mark(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) {
+            self.marks.push((direction.into(), label.into()));
+        }
 
-    /// Marks a direction (a non-zero vector) with a cross and a label, for reference directions such as contact normals.
-    pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
-        self.rays.push((direction.into(), label.into()));
-        self
-    }
+        /// Marks a direction (a non-zero vector) with a cross and a label, for reference directions such as contact normals.
+        pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) {
+            self.rays.push((direction.into(), label.into()));
+        }
 
-    /// Adds a line of text below the map.
-    pub fn note(mut self, text: impl Into<String>) -> Self {
-        self.notes.push(text.into());
-        self
-    }
+        /// Adds a line of text below the map.
+        pub fn note(mut self, text: impl Into<String>) { self.notes.push(text.into()); }
 
-    /// Sets the words of the legend for infinite values and for NaN; "no bound" and "not known" by default.
-    pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) -> Self {
-        (self.unbounded, self.missing) = (unbounded.into(), missing.into());
-        self
+        /// Sets the words of the legend for infinite values and for NaN; "no bound" and "not known" by default.
+        pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) {
+            (self.unbounded, self.missing) = (unbounded.into(), missing.into());
+        }
     }
 
     /// Draws the map.

@@ -63,6 +63,7 @@ use crate::serial::object;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct FingerSetup<const C: usize> {
     /// A comment for the reader of the file.
     pub comment: Option<String>,
@@ -89,7 +90,6 @@ impl<const C: usize> FingerSetup<C> {
     }
 
     /// This finger with one more contact: a [`Contact`](grasp::Contact), or a [`Fingertip`] with the link it is on.
-    #[must_use]
     pub fn contact(mut self, contact: impl Into<Fingertip<C>>) -> Self {
         self.contacts.push(contact.into());
         self

@@ -86,14 +86,12 @@ impl<const C: usize> Fingertip<C> {
         Self { cup: Some(cup), soft: None, ..self }
     }
 
-    /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
-    pub fn along(self, surface: Surface<C>) -> Self {
-        Self { surface: Some(surface), ..self }
-    }
+    setters! {
+        /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
+        pub fn along(mut self, surface: Surface<C>) { self.surface = Some(surface); }
 
-    /// This contact of a finger, on another link than the last or moved by a given Jacobian.
-    pub fn moved_by(self, moved_by: MovedBy) -> Self {
-        Self { moved_by, ..self }
+        /// This contact of a finger, on another link than the last or moved by a given Jacobian.
+        pub fn moved_by(mut self, moved_by: MovedBy) { self.moved_by = moved_by; }
     }
 }
 

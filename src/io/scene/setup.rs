@@ -170,28 +170,18 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// This setup with one more finger.
-    pub fn finger(mut self, finger: FingerSetup<C>) -> Self {
-        self.fingers.push(finger);
-        self
-    }
+    setters! {
+        /// This setup with one more finger.
+        pub fn finger(mut self, finger: FingerSetup<C>) { self.fingers.push(finger); }
 
-    /// This setup with one more tendon over the joints of its fingers.
-    pub fn tendon(mut self, tendon: Tendon) -> Self {
-        self.tendons.push(tendon);
-        self
-    }
+        /// This setup with one more tendon over the joints of its fingers.
+        pub fn tendon(mut self, tendon: Tendon) { self.tendons.push(tendon); }
 
-    /// This setup with one more question.
-    pub fn ask(mut self, question: Question<C>) -> Self {
-        self.questions.push(question);
-        self
-    }
+        /// This setup with one more question.
+        pub fn ask(mut self, question: Question<C>) { self.questions.push(question); }
 
-    /// This setup with other settings for its questions.
-    pub fn with_settings(mut self, settings: Settings) -> Self {
-        self.settings = settings;
-        self
+        /// This setup with other settings for its questions.
+        pub fn with_settings(mut self, settings: Settings) { self.settings = settings; }
     }
 
     /// All contacts: first [`Self::contacts`], then the contacts of fingers. The index of an entry is the index of the contact in questions and

@@ -50,13 +50,11 @@ impl Default for StreamOptions {
 }
 
 impl StreamOptions {
-    /// These options with this number of workers, at least one.
-    pub fn on_threads(self, threads: usize) -> Self {
-        Self { threads, ..self }
-    }
+    setters! {
+        /// These options with this number of workers, at least one.
+        pub fn on_threads(mut self, threads: usize) { self.threads = threads; }
 
-    /// These options with short answers.
-    pub fn in_brief(self) -> Self {
-        Self { brief: true, ..self }
+        /// These options with short answers.
+        pub fn in_brief(mut self) { self.brief = true; }
     }
 }

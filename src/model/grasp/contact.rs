@@ -120,118 +120,95 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the contact
-    /// refer to this body.
-    pub fn on(mut self, body: impl Into<String>) -> Self {
-        self.on = Some(body.into().into());
-        self
-    }
+    setters! {
+        /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the contact
+        /// refer to this body.
+        pub fn on(mut self, body: impl Into<String>) { self.on = Some(body.into().into()); }
 
-    /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
-    /// stiffness of the contact is then the stiffness of the body named by [`on`](Self::on), and the finger stiffness is the stiffness of the body
-    /// named here.
-    pub fn against(mut self, body: impl Into<String>) -> Self {
-        self.against = Some(body.into().into());
-        self
-    }
+        /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
+        /// stiffness of the contact is then the stiffness of the body named by [`on`](Self::on), and the finger stiffness is the stiffness of the body
+        /// named here.
+        pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
-    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force, less
-    /// the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
-    pub fn suction(mut self, force: f64) -> Self {
-        self.suction = force;
-        self
-    }
+        /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force, less
+        /// the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+        pub fn suction(mut self, force: f64) { self.suction = force; }
 
-    /// Sets the name for messages and tables.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into().into());
-        self
-    }
+        /// Sets the name for messages and tables.
+        pub fn name(mut self, name: impl Into<String>) { self.name = Some(name.into().into()); }
 
-    /// Direction of the first tangent; its component along the normal is removed. In the plane the argument only selects the sign of t. The default
-    /// is `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
-    ///
-    /// ```
-    /// use grasp_lcp::nalgebra::Vector3;
-    /// use grasp_lcp::spatial::{Contact, Grasp};
-    ///
-    /// // Pressing down, t₁ along y: t₂ = n × t₁ = -z × y = x.
-    /// let foot = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).series_stiffness(1.0, 1.0).tangent([0.0, 2.0, -5.0]);
-    /// let grasp = Grasp::new([foot])?;
-    /// let frame = grasp.frames().next().expect("one contact");
-    /// assert!((frame.column(1) - Vector3::y()).norm() < 1e-15 && (frame.column(2) - Vector3::x()).norm() < 1e-15);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    pub fn tangent(mut self, tangent: impl Into<[f64; C]>) -> Self {
-        self.tangent = Some(SVector::from(tangent.into()));
-        self
-    }
+        /// Direction of the first tangent; its component along the normal is removed. In the plane the argument only selects the sign of t. The default
+        /// is `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
+        ///
+        /// ```
+        /// use grasp_lcp::nalgebra::Vector3;
+        /// use grasp_lcp::spatial::{Contact, Grasp};
+        ///
+        /// // Pressing down, t₁ along y: t₂ = n × t₁ = -z × y = x.
+        /// let foot = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).series_stiffness(1.0, 1.0).tangent([0.0, 2.0, -5.0]);
+        /// let grasp = Grasp::new([foot])?;
+        /// let frame = grasp.frames().next().expect("one contact");
+        /// assert!((frame.column(1) - Vector3::y()).norm() < 1e-15 && (frame.column(2) - Vector3::x()).norm() < 1e-15);
+        /// # Ok::<(), grasp_lcp::Error>(())
+        /// ```
+        pub fn tangent(mut self, tangent: impl Into<[f64; C]>) {
+            self.tangent = Some(SVector::from(tangent.into()));
+        }
 
-    /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
-    /// `f64::INFINITY` the contact never slides while it is closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
-    pub fn friction(mut self, mu: f64) -> Self {
-        self.friction = mu;
-        self
-    }
+        /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
+        /// `f64::INFINITY` the contact never slides while it is closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
+        pub fn friction(mut self, mu: f64) { self.friction = mu; }
 
-    /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to the static coefficient itself. When the
-    /// contact begins to slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists
-    /// and the object is lost. A contact that has stopped sliding has static friction again.
-    ///
-    /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice as
-    /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
-    ///
-    /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
-    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend
-    /// on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
-    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts that do not
-    /// slide.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two feet that press with 10 N share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N.
-    /// let foot = |x: f64, k: f64| {
-    ///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, k).friction(0.5).kinetic(0.4).pressed_with(10.0)
-    /// };
-    /// let guide = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e9, 1e9).kept_closed();
-    /// let grasp = Grasp::new([foot(-0.1, 1e3), foot(0.1, 5e2), guide])?;
-    /// let verdict = grasp.hold(Wrench::force([8.0, 0.0]))?;
-    /// assert_eq!(verdict.holds(), Some(true));
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[doc(alias = "kinetic friction")]
-    #[doc(alias = "dynamic friction")]
-    pub fn kinetic(mut self, mu: f64) -> Self {
-        self.kinetic = Some(mu);
-        self
-    }
+        /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to the static coefficient itself. When the
+        /// contact begins to slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists
+        /// and the object is lost. A contact that has stopped sliding has static friction again.
+        ///
+        /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice as
+        /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
+        ///
+        /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
+        /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend
+        /// on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+        /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts that do not
+        /// slide.
+        ///
+        /// ```
+        /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+        ///
+        /// // Two feet that press with 10 N share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N.
+        /// let foot = |x: f64, k: f64| {
+        ///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, k).friction(0.5).kinetic(0.4).pressed_with(10.0)
+        /// };
+        /// let guide = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e9, 1e9).kept_closed();
+        /// let grasp = Grasp::new([foot(-0.1, 1e3), foot(0.1, 5e2), guide])?;
+        /// let verdict = grasp.hold(Wrench::force([8.0, 0.0]))?;
+        /// assert_eq!(verdict.holds(), Some(true));
+        /// # Ok::<(), grasp_lcp::Error>(())
+        /// ```
+        #[doc(alias = "kinetic friction")]
+        #[doc(alias = "dynamic friction")]
+        pub fn kinetic(mut self, mu: f64) { self.kinetic = Some(mu); }
 
-    /// The contact never opens; see [`Hold::KeptClosed`].
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // A carriage on a rail that goes around its wheels: pulled up by 3 N it is held down.
-    /// let wheel = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu).kept_closed();
-    /// let pull = Wrench::force([0.0, 3.0]);
-    /// let outcome = Grasp::new([wheel(-1.0, 0.0), wheel(1.0, 0.0)])?.solve(&pull)?;
-    /// let held = outcome.equilibrium().expect("the rail holds");
-    /// assert!((held.contacts[0].normal_force() + 1.5).abs() < 1e-14);
-    ///
-    /// // With finite friction a normal force must push: |F_t| <= μ F_n.
-    /// assert!(Grasp::new([wheel(-1.0, 0.2), wheel(1.0, 0.2)])?.solve(&pull)?.equilibrium().is_none());
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    pub fn kept_closed(mut self) -> Self {
-        self.hold = Hold::KeptClosed;
-        self
-    }
+        /// The contact never opens; see [`Hold::KeptClosed`].
+        ///
+        /// ```
+        /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+        ///
+        /// // A carriage on a rail that goes around its wheels: pulled up by 3 N it is held down.
+        /// let wheel = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu).kept_closed();
+        /// let pull = Wrench::force([0.0, 3.0]);
+        /// let outcome = Grasp::new([wheel(-1.0, 0.0), wheel(1.0, 0.0)])?.solve(&pull)?;
+        /// let held = outcome.equilibrium().expect("the rail holds");
+        /// assert!((held.contacts[0].normal_force() + 1.5).abs() < 1e-14);
+        ///
+        /// // With finite friction a normal force must push: |F_t| <= μ F_n.
+        /// assert!(Grasp::new([wheel(-1.0, 0.2), wheel(1.0, 0.2)])?.solve(&pull)?.equilibrium().is_none());
+        /// # Ok::<(), grasp_lcp::Error>(())
+        /// ```
+        pub fn kept_closed(mut self) { self.hold = Hold::KeptClosed; }
 
-    /// The contact is glued; see [`Hold::Bonded`].
-    pub fn bonded(mut self) -> Self {
-        self.hold = Hold::Bonded;
-        self
+        /// The contact is glued; see [`Hold::Bonded`].
+        pub fn bonded(mut self) { self.hold = Hold::Bonded; }
     }
 
     /// The contact point, m.

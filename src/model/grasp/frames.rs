@@ -89,7 +89,6 @@ macro_rules! in_other_frames {
         impl Wrench<$c> {
             /// This load with its moment taken about `point` instead of the origin, `m - point × f`, along the same axes. The result has `point`
             /// as its origin.
-            #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();
                 let from = -SVector::<f64, $c>::from(point.into());
@@ -99,7 +98,6 @@ macro_rules! in_other_frames {
 
             /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame (points:
             /// `r' = R r + p`). `f' = R f`, `m' = R m + p × f'`; in the plane R does not change m.
-            #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
                 let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));
@@ -117,7 +115,6 @@ macro_rules! in_other_frames {
         impl Twist<$c> {
             /// This motion with the translation of the object's point at `point` in place of the translation of the origin. The translation becomes
             /// [`Self::displacement_at`] that point, and the rotation stays. The result has `point` as its origin.
-            #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();
                 let from = -SVector::<f64, $c>::from(point.into());
@@ -126,7 +123,6 @@ macro_rules! in_other_frames {
 
             /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame (points:
             /// `r' = R r + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R does not change θ.
-            #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
                 let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));

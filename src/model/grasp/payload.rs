@@ -41,6 +41,7 @@ const GRAVITY: f64 = 9.81;
 #[doc(alias = "mass")]
 #[doc(alias = "inertia")]
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Payload<const C: usize> {
     mass: f64,
     centre: Vector3<f64>,
@@ -50,6 +51,7 @@ pub struct Payload<const C: usize> {
 
 /// Motion of an arm at an instant: gravity, the acceleration of one of its points, and its rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct ArmMotion<const C: usize> {
     gravity: Vector3<f64>,
     acceleration: Vector3<f64>,
@@ -126,7 +128,6 @@ impl Payload<3> {
 impl<const C: usize> Payload<C> {
     /// Sets the principal moments of inertia, kg m², about axes through the centre of mass along x, y and z. These axes must be principal axes.
     /// The plane uses only the last moment.
-    #[must_use]
     pub fn of_inertia(mut self, axes: [f64; 3]) -> Self {
         self.inertia = Some(Matrix3::from_diagonal(&axes.into()));
         self
@@ -135,7 +136,6 @@ impl<const C: usize> Payload<C> {
 
 impl Payload<2> {
     /// Sets the moment of inertia about the centre of mass, kg m².
-    #[must_use]
     pub fn inertia(self, inertia: f64) -> Self {
         self.of_inertia([0.0, 0.0, inertia])
     }
@@ -144,13 +144,11 @@ impl Payload<2> {
 impl Payload<3> {
     /// Sets the principal moments of inertia, kg m², about axes through the centre of mass along the coordinate axes, which must be principal
     /// axes.
-    #[must_use]
     pub fn inertia(self, axes: impl Into<[f64; 3]>) -> Self {
         self.of_inertia(axes.into())
     }
 
     /// Sets the inertia matrix about the centre of mass, kg m², row by row.
-    #[must_use]
     pub fn inertia_matrix(mut self, rows: impl Into<[[f64; 3]; 3]>) -> Self {
         self.inertia = Some(Matrix3::from(rows.into()).transpose());
         self
@@ -165,7 +163,6 @@ impl<const C: usize> Default for ArmMotion<C> {
 
 impl<const C: usize> ArmMotion<C> {
     /// An arm that stands still. Gravity is 9.81 m/s² down the last axis.
-    #[must_use]
     pub fn still() -> Self {
         Self::still_in(Space::of::<C>())
     }
@@ -184,23 +181,18 @@ impl<const C: usize> ArmMotion<C> {
         }
     }
 
-    /// Sets gravity, m/s².
-    #[must_use]
-    pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
-        self.gravity = of_space(gravity.into());
-        self
-    }
+    setters! {
+        /// Sets gravity, m/s².
+        pub fn gravity(mut self, gravity: impl Into<[f64; C]>) { self.gravity = of_space(gravity.into()); }
 
-    /// Sets the acceleration of the arm, m/s². If the arm turns, it is the acceleration of the point about which the arm turns.
-    #[must_use]
-    pub fn accelerated(mut self, acceleration: impl Into<[f64; C]>) -> Self {
-        self.acceleration = of_space(acceleration.into());
-        self
+        /// Sets the acceleration of the arm, m/s². If the arm turns, it is the acceleration of the point about which the arm turns.
+        pub fn accelerated(mut self, acceleration: impl Into<[f64; C]>) {
+            self.acceleration = of_space(acceleration.into());
+        }
     }
 
     /// Adds a rotation about a point, m. Angular velocity, rad/s, and angular acceleration, rad/s², have three components; the plane uses only
     /// the last.
-    #[must_use]
     pub fn and_turning(
         mut self,
         about: impl Into<[f64; C]>,
@@ -233,7 +225,6 @@ impl<const C: usize> ArmMotion<C> {
 
 impl ArmMotion<2> {
     /// An arm that turns about a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s², positive from x to y.
-    #[must_use]
     pub fn turning(about: impl Into<[f64; 2]>, velocity: f64, acceleration: f64) -> Self {
         Self::still().and_turning(about, [0.0, 0.0, velocity], [0.0, 0.0, acceleration])
     }
@@ -242,7 +233,6 @@ impl ArmMotion<2> {
 impl ArmMotion<3> {
     /// An arm that turns about a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s². Both are vectors along the axis
     /// of rotation, by the right-hand rule.
-    #[must_use]
     pub fn turning(
         about: impl Into<[f64; 3]>,
         velocity: impl Into<[f64; 3]>,

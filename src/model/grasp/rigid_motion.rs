@@ -52,7 +52,6 @@ impl Twist<2> {
     /// assert!((back - twist).to_vector().norm() < 1e-15);
     /// assert_eq!(Twist::log(&Isometry2::translation(2.0, 1.0)), Twist::new([2.0, 1.0], 0.0));
     /// ```
-    #[must_use]
     #[inline]
     pub fn log(motion: &Isometry2<f64>) -> Self {
         let half = 0.5 * motion.rotation.angle();
@@ -98,7 +97,6 @@ impl Twist<3> {
     /// let twist = Twist::log(&motion);
     /// assert!((twist - Twist::new([0.0, 0.0, 0.2], [0.0, 0.0, quarter])).to_vector().norm() < 1e-15);
     /// ```
-    #[must_use]
     #[inline]
     pub fn log(motion: &Isometry3<f64>) -> Self {
         let rotation = motion.rotation.scaled_axis();

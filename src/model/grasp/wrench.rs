@@ -34,6 +34,7 @@ use crate::numerics::Space;
 /// A load made by [`force_at`](Self::force_at), and sums and multiples of such loads, remember their points of action. Where nothing resists a
 /// rotation, these points decide whether the load turns the object over. Two wrenches are equal if their components are equal.
 #[derive(Clone, Copy)]
+#[must_use]
 pub struct Wrench<const C: usize>(pub(super) SVector<f64, 6>, pub(super) PointsOfAction);
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation. It has 3 components in the plane and 6 in space.
@@ -59,6 +60,7 @@ pub struct Wrench<const C: usize>(pub(super) SVector<f64, 6>, pub(super) PointsO
 /// assert!((work(load.transformed(&pose), turn.transformed(&pose)) - 0.03).abs() < 1e-16);
 /// ```
 #[derive(Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Twist<const C: usize>(SVector<f64, 6>);
 
 macro_rules! vector_like {
@@ -71,7 +73,6 @@ macro_rules! vector_like {
             }
 
             /// A vector with these components, in the order of [`Self::components`]. Missing components are zero, surplus components are ignored.
-            #[must_use]
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
                 all.iter_mut().zip(components).take(of_the_object::<C>()).for_each(|(x, given)| *x = *given);
@@ -135,7 +136,6 @@ macro_rules! vector_like {
     ($name:ident, $axes:literal, $size:literal) => {
         impl $name<$axes> {
             /// A vector with these components, linear before angular.
-            #[must_use]
             pub fn from_vector(components: impl Into<[f64; $size]>) -> Self {
                 Self::from_components(&components.into())
             }
@@ -216,14 +216,12 @@ impl<const C: usize> Wrench<C> {
 
 impl Wrench<2> {
     /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.
-    #[must_use]
     pub fn new(force: impl Into<[f64; 2]>, moment: f64) -> Self {
         let [x, y] = force.into();
         Self::from_vector([x, y, moment])
     }
 
     /// A force through the origin, N, without a moment.
-    #[must_use]
     pub fn force(force: impl Into<[f64; 2]>) -> Self {
         Self::new(force, 0.0)
     }
@@ -236,7 +234,6 @@ impl Wrench<2> {
     /// let weight = Wrench::force_at([0.0, -2.0], [3.0, 1.0]);
     /// assert_eq!((weight.resultant(), weight.moment()), ([0.0, -2.0], -6.0));
     /// ```
-    #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         Self::force_through(&point.into().into(), &force.into().into())
     }
@@ -256,14 +253,12 @@ impl Wrench<2> {
 
 impl Wrench<3> {
     /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m.
-    #[must_use]
     pub fn new(force: impl Into<[f64; 3]>, moment: impl Into<[f64; 3]>) -> Self {
         let (f, m) = (force.into(), moment.into());
         Self::from_vector([f[0], f[1], f[2], m[0], m[1], m[2]])
     }
 
     /// A force through the origin, N, without a moment.
-    #[must_use]
     pub fn force(force: impl Into<[f64; 3]>) -> Self {
         Self::new(force, [0.0; 3])
     }
@@ -276,7 +271,6 @@ impl Wrench<3> {
     /// let weight = Wrench::force_at([0.0, 0.0, -2.0], [3.0, 1.0, 0.0]);
     /// assert_eq!((weight.resultant(), weight.moment()), ([0.0, 0.0, -2.0], [-2.0, 6.0, 0.0]));
     /// ```
-    #[must_use]
     pub fn force_at(force: impl Into<[f64; 3]>, point: impl Into<[f64; 3]>) -> Self {
         Self::force_through(&point.into().into(), &force.into().into())
     }

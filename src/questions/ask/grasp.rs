@@ -162,7 +162,6 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The settings with which the methods of this grasp compute: friction cone, limits on work and on small motions.
-    #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
     }

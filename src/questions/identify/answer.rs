@@ -129,7 +129,6 @@ impl Identified {
     /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
     /// errors of friction, squeeze and stiffness are the largest among all unknowns of that kind. Carried forces are treated as squeezes. `seed` is
     /// the seed of the samples.
-    #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {
             let part = |estimate: &Estimate| estimate.standard_error.map(|error| error / estimate.value);

@@ -27,6 +27,7 @@ use crate::serial::AsGiven;
     derive(schemars::JsonSchema),
     schemars(extend("required" = ["unknowns", "slips"]))
 )]
+#[must_use]
 pub struct Identify<const C: usize> {
     /// The unknowns.
     pub(crate) unknowns: Vec<Unknown>,
@@ -106,43 +107,31 @@ impl<const C: usize> Identify<C> {
         }
     }
 
-    /// Adds a layout in which slips were observed: the points of its contacts, m, one for each contact. The grasp for which the question is asked is
-    /// layout 0, the first layout added is layout 1.
-    #[must_use]
-    pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
-        self
-    }
+    setters! {
+        /// Adds a layout in which slips were observed: the points of its contacts, m, one for each contact. The grasp for which the question is asked is
+        /// layout 0, the first layout added is layout 1.
+        pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) {
+            self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
+        }
 
-    /// Adds layouts as grasps of their own, for instance with other squeezes. They are numbered after the layouts of [`Self::with_points`].
-    #[must_use]
-    pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
-        self.others.grasps.extend(others);
-        self
-    }
+        /// Adds layouts as grasps of their own, for instance with other squeezes. They are numbered after the layouts of [`Self::with_points`].
+        pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) {
+            self.others.grasps.extend(others);
+        }
 
-    /// Adds a sum of unknowns (numbered from 0) whose value is known with the relative standard deviation `scatter`. Examples are a weighed total
-    /// load of all supports, or one unknown from another measurement.
-    #[must_use]
-    pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
-        self.known.push(KnownSum { unknowns: unknowns.into_iter().list(), value, scatter });
-        self
-    }
+        /// Adds a sum of unknowns (numbered from 0) whose value is known with the relative standard deviation `scatter`. Examples are a weighed total
+        /// load of all supports, or one unknown from another measurement.
+        pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) {
+            self.known.push(KnownSum { unknowns: unknowns.into_iter().list(), value, scatter });
+        }
 
-    /// Sets the number of standard deviations beyond which slips get less weight (default 2). The loss is Huber's: quadratic up to this number, and
-    /// linear beyond. Infinity gives least squares.
-    #[doc(alias = "Huber")]
-    #[must_use]
-    pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
-        self.outliers = Some(deviations);
-        self
-    }
+        /// Sets the number of standard deviations beyond which slips get less weight (default 2). The loss is Huber's: quadratic up to this number, and
+        /// linear beyond. Infinity gives least squares.
+        #[doc(alias = "Huber")]
+        pub fn with_outliers_beyond(mut self, deviations: f64) { self.outliers = Some(deviations); }
 
-    /// Sets the upper limit of the number of steps of the search (default 100).
-    #[must_use]
-    pub fn with_iterations(mut self, most: usize) -> Self {
-        self.iterations = Some(most);
-        self
+        /// Sets the upper limit of the number of steps of the search (default 100).
+        pub fn with_iterations(mut self, most: usize) { self.iterations = Some(most); }
     }
 
     /// The grasp with the estimates `found` put in, such as a coefficient of friction or a squeeze. An unknown that the slips do not determine keeps

@@ -42,6 +42,7 @@ pub(super) enum SlipLoad {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[must_use]
 pub struct Slip<const C: usize> {
     /// First or gross slip; gross if left out.
     #[cfg_attr(feature = "serde", serde(default, rename = "slip"))]
@@ -75,64 +76,42 @@ impl<const C: usize> Slip<C> {
     }
 
     /// First slip under this load, which had grown from zero.
-    #[must_use]
     pub fn first(load: Wrench<C>) -> Self {
         Self::of(SlipKind::First, Some(load))
     }
 
     /// Gross slip under this load, which had grown from zero.
-    #[must_use]
     pub fn gross(load: Wrench<C>) -> Self {
         Self::of(SlipKind::Gross, Some(load))
     }
 
     /// First slip at the [end](Turn::up_to) of this turn.
-    #[must_use]
     pub fn first_on_turn(turn: Turn<C>) -> Self {
         Self { turn: Some(turn), ..Self::of(SlipKind::First, None) }
     }
 
     /// Gross slip at the end of this turn.
-    #[must_use]
     pub fn gross_on_turn(turn: Turn<C>) -> Self {
         Self { turn: Some(turn), ..Self::of(SlipKind::Gross, None) }
     }
 
-    /// This slip under a load that grew in addition to a base load, such as a weight, which acted before and stayed constant.
-    #[must_use]
-    pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
-        self.base = Some(base);
-        self
-    }
+    setters! {
+        /// This slip under a load that grew in addition to a base load, such as a weight, which acted before and stayed constant.
+        pub fn on_top_of(mut self, base: Wrench<C>) { self.base = Some(base); }
 
-    /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is its value at the slip,
-    /// and the scatter of the slip is the scatter of this factor.
-    #[must_use]
-    pub fn squeezed(mut self, factor: f64) -> Self {
-        self.squeeze = Some(factor);
-        self
-    }
+        /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is its value at the slip,
+        /// and the scatter of the slip is the scatter of this factor.
+        pub fn squeezed(mut self, factor: f64) { self.squeeze = Some(factor); }
 
-    /// This slip in another layout: 0 is the grasp of the question, 1 the first [other layout](super::Identify::and_layouts), and so on.
-    #[must_use]
-    pub fn in_layout(mut self, layout: usize) -> Self {
-        self.layout = Some(layout);
-        self
-    }
+        /// This slip in another layout: 0 is the grasp of the question, 1 the first [other layout](super::Identify::and_layouts), and so on.
+        pub fn in_layout(mut self, layout: usize) { self.layout = Some(layout); }
 
-    /// This slip with a relative standard deviation of its load or angle: 0.05 for five percent. It must be given for every slip, or for none.
-    #[must_use]
-    pub fn scattering_by(mut self, part: f64) -> Self {
-        self.scatter = Some(part);
-        self
-    }
+        /// This slip with a relative standard deviation of its load or angle: 0.05 for five percent. It must be given for every slip, or for none.
+        pub fn scattering_by(mut self, part: f64) { self.scatter = Some(part); }
 
-    /// This slip as one of a group that may share errors: slips in one direction, of one specimen, or of one day. The number of the group is
-    /// arbitrary. A group must be given for every slip, or for none. See [errors](crate::identify#errors).
-    #[must_use]
-    pub fn in_group(mut self, group: usize) -> Self {
-        self.group = Some(group);
-        self
+        /// This slip as one of a group that may share errors: slips in one direction, of one specimen, or of one day. The number of the group is
+        /// arbitrary. A group must be given for every slip, or for none. See [errors](crate::identify#errors).
+        pub fn in_group(mut self, group: usize) { self.group = Some(group); }
     }
 }
 

@@ -28,6 +28,7 @@ pub enum UnknownKind {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[must_use]
 pub struct Unknown {
     /// The kind of the unknown.
     #[cfg_attr(feature = "serde", serde(rename = "quantity"))]
@@ -59,63 +60,46 @@ fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Op
 
 impl Unknown {
     /// An unknown of this kind, common to all contacts in all layouts.
-    #[must_use]
     pub fn of(kind: UnknownKind) -> Self {
         Self { kind, contacts: None, layout: None, name: None, start: None }
     }
 
     /// One coefficient of friction common to all contacts.
-    #[must_use]
     pub fn friction() -> Self {
         Self::of(UnknownKind::Friction)
     }
 
     /// The normal force that each contact carries at rest, N: for a support, its share of a weight. The contact presses with this force, and an equal
     /// load presses the object onto the contact, so that the object does not move. The weight must not be given again as a base load.
-    #[must_use]
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
     }
 
     /// The factor on the given squeeze: on normal commands, forces and vacuums of its contacts; for all contacts, on commands of joints, too.
-    #[must_use]
     pub fn squeeze() -> Self {
         Self::of(UnknownKind::Squeeze)
     }
 
     /// The factor on the given tangential stiffness. As a rule, gross slip under a load does not depend on tangential stiffness, and first slip only
     /// on ratios.
-    #[must_use]
     pub fn stiffness() -> Self {
         Self::of(UnknownKind::Stiffness)
     }
 
-    /// This unknown common to these contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
-    #[must_use]
-    pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) -> Self {
-        self.contacts = Some(contacts.into_iter().list());
-        self
-    }
+    setters! {
+        /// This unknown common to these contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
+        pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) {
+            self.contacts = Some(contacts.into_iter().list());
+        }
 
-    /// This unknown for one layout alone, given by the number of the layout, from 0.
-    #[must_use]
-    pub fn in_layout(mut self, layout: usize) -> Self {
-        self.layout = Some(layout);
-        self
-    }
+        /// This unknown for one layout alone, given by the number of the layout, from 0.
+        pub fn in_layout(mut self, layout: usize) { self.layout = Some(layout); }
 
-    /// This unknown with a name that answers show, such as "rubber".
-    #[must_use]
-    pub fn named(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into());
-        self
-    }
+        /// This unknown with a name that answers show, such as "rubber".
+        pub fn named(mut self, name: impl Into<String>) { self.name = Some(name.into()); }
 
-    /// This unknown with another value at the start of the search than the value of the grasp; more than zero.
-    #[must_use]
-    pub fn starting_at(mut self, value: f64) -> Self {
-        self.start = Some(value);
-        self
+        /// This unknown with another value at the start of the search than the value of the grasp; more than zero.
+        pub fn starting_at(mut self, value: f64) { self.start = Some(value); }
     }
 
     /// This unknown with contact points in place of contacts: the indices of the points of each soft fingertip. An error for contacts that the grasp

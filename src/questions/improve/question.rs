@@ -20,6 +20,7 @@ use crate::squeeze::{LoadFields, Loads};
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[must_use]
 pub struct Improve<const C: usize> {
     /// The load that acts before the other loads and stays constant.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -76,7 +77,6 @@ fn place_of<T>(list: &[(usize, T)], contact: usize) -> Result<usize, usize> {
 
 impl<const C: usize> Improve<C> {
     /// Asks for the latest first slip under these loads: each load grows in proportion, one at a time, or a force of any direction grows.
-    #[must_use]
     pub fn new(loads: impl Into<Loads<C>>) -> Self {
         let LoadFields { load, loads, any_force, at, turn } = loads.into().into();
         let (base, at_most, goal, starts, steps, seed) = (None, None, None, None, None, None);
@@ -90,7 +90,6 @@ impl<const C: usize> Improve<C> {
     }
 
     /// The base load, which acts before the other loads grow; zero if not given.
-    #[must_use]
     pub fn base(&self) -> Wrench<C> {
         self.base.unwrap_or(Wrench::ZERO)
     }
@@ -107,38 +106,31 @@ impl<const C: usize> Improve<C> {
         self.goal.unwrap_or_default()
     }
 
-    /// Adds a base load, which acts at load factor 0 and stays constant. If the load is a push, the base load may be the weight of the object.
-    #[must_use]
-    pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
-        self.base = Some(base);
-        self
-    }
+    setters! {
+        /// Adds a base load, which acts at load factor 0 and stays constant. If the load is a push, the base load may be the weight of the object.
+        pub fn on_top_of(mut self, base: Wrench<C>) { self.base = Some(base); }
 
-    /// Sets the value to maximise, by default the load factor of first slip.
-    ///
-    /// ```
-    /// use grasp_lcp::improve::{Improve, ImproveGoal, Surface};
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two jaws that press with 10 N carry 4 N that hang 10 mm aside. With one jaw 4 mm higher, where the couple of normal forces balances
-    /// // that, each carries 2 N of the 5 N that its friction can do.
-    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
-    /// let gripper = Grasp::new([jaw(-0.03), jaw(0.03)])?;
-    /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
-    /// let question = Improve::new(Wrench::force_at([0.0, -4.0], [0.01, 0.0])).along(0, edge(-0.03)).along(1, edge(0.03));
-    /// let improved = gripper.improve(&question.with_goal(ImproveGoal::Reserve))?;
-    /// assert!((improved.after.expect("sticks") - 3.0).abs() < 1e-9);
-    /// assert!(improved.to_string().starts_with("RESERVE of 3 N instead of"), "{improved}");
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn with_goal(mut self, goal: ImproveGoal) -> Self {
-        self.goal = Some(goal);
-        self
+        /// Sets the value to maximise, by default the load factor of first slip.
+        ///
+        /// ```
+        /// use grasp_lcp::improve::{Improve, ImproveGoal, Surface};
+        /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+        ///
+        /// // Two jaws that press with 10 N carry 4 N that hang 10 mm aside. With one jaw 4 mm higher, where the couple of normal forces balances
+        /// // that, each carries 2 N of the 5 N that its friction can do.
+        /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+        /// let gripper = Grasp::new([jaw(-0.03), jaw(0.03)])?;
+        /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
+        /// let question = Improve::new(Wrench::force_at([0.0, -4.0], [0.01, 0.0])).along(0, edge(-0.03)).along(1, edge(0.03));
+        /// let improved = gripper.improve(&question.with_goal(ImproveGoal::Reserve))?;
+        /// assert!((improved.after.expect("sticks") - 3.0).abs() < 1e-9);
+        /// assert!(improved.to_string().starts_with("RESERVE of 3 N instead of"), "{improved}");
+        /// # Ok::<(), grasp_lcp::Error>(())
+        /// ```
+        pub fn with_goal(mut self, goal: ImproveGoal) { self.goal = Some(goal); }
     }
 
     /// Lets contact `contact` (from 0) move along a curve or surface, on which its given point has to lie. Its normal follows the surface.
-    #[must_use]
     pub fn along(mut self, contact: usize, surface: Surface<C>) -> Self {
         match place_of(&self.surfaces, contact) {
             Ok(place) => self.surfaces[place].1 = surface,
@@ -150,14 +142,12 @@ impl<const C: usize> Improve<C> {
     /// Lets the search change the normal command of all contacts, up to a force of `force`, N. The limit applies to the force that contacts are
     /// [commanded to press with](crate::grasp::Contact::pressed_with) and to the normal force under the base load. Without this limit commands stay
     /// as given.
-    #[must_use]
     pub fn pressing_at_most(mut self, force: f64) -> Self {
         self.at_most = Some(force);
         self
     }
 
     /// Lets the search change the normal command of one contact (from 0), up to a force of `force`, N; see [`Self::pressing_at_most`].
-    #[must_use]
     pub fn contact_pressing_at_most(mut self, contact: usize, force: f64) -> Self {
         match place_of(&self.most, contact) {
             Ok(place) => self.most[place].1 = force,
@@ -166,26 +156,16 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random design points on the
-    /// surfaces.
-    #[must_use]
-    pub fn with_starts(mut self, starts: usize) -> Self {
-        self.starts = Some(starts);
-        self
-    }
+    setters! {
+        /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random design points on the
+        /// surfaces.
+        pub fn with_starts(mut self, starts: usize) { self.starts = Some(starts); }
 
-    /// Sets the upper limit of the number of steps from each start, including refused steps (default 200).
-    #[must_use]
-    pub fn with_steps(mut self, steps: usize) -> Self {
-        self.steps = Some(steps);
-        self
-    }
+        /// Sets the upper limit of the number of steps from each start, including refused steps (default 200).
+        pub fn with_steps(mut self, steps: usize) { self.steps = Some(steps); }
 
-    /// Sets the seed of the random starts (default 0): with the same seed a question has the same starts.
-    #[must_use]
-    pub fn with_seed(mut self, seed: u64) -> Self {
-        self.seed = Some(seed);
-        self
+        /// Sets the seed of the random starts (default 0): with the same seed a question has the same starts.
+        pub fn with_seed(mut self, seed: u64) { self.seed = Some(seed); }
     }
 }
 

@@ -23,6 +23,7 @@ use crate::prelude::*;
 /// # let _ = (edge, disc, can);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Surface<const C: usize>(pub(super) Shape);
 
 /// The shape of a curve or surface. All vectors have three components; in the plane the third is zero.
@@ -59,32 +60,27 @@ pub(crate) enum Shape {
 
 impl Surface<2> {
     /// A straight edge between two points, m.
-    #[must_use]
     pub fn segment(from: impl Into<[f64; 2]>, to: impl Into<[f64; 2]>) -> Self {
         Self(Shape::Segments(vec![[in_space(from), in_space(to)]]))
     }
 
     /// Straight edges from point to point, m. The search moves a contact from one edge to the next if that increases the value of its goal.
-    #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(in_space).list()))
     }
 
     /// A circle: centre and radius, m.
-    #[must_use]
     pub fn circle(centre: impl Into<[f64; 2]>, radius: f64) -> Self {
         Self(Shape::Arc { centre: in_space(centre), radius, from: 0.0, over: None })
     }
 
     /// Part of a circle: it begins at the angle `from`, rad, counted from x to y, and extends in this sense over the angle `over`, rad.
-    #[must_use]
     pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
         Self(Shape::Arc { centre: in_space(centre), radius, from, over: Some(over) })
     }
 
     /// A cubic spline through points, m, parametrised by the distances between them. A closed spline returns to its first point; an open spline has
     /// no curvature at its ends.
-    #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
         Self(Shape::spline(points.into_iter().map(in_space).list(), closed))
     }
@@ -97,26 +93,22 @@ fn in_space(point: impl Into<[f64; 2]>) -> SVector<f64, 3> {
 
 impl Surface<3> {
     /// A plane rectangle: a corner and the two sides from this corner, at a right angle, m.
-    #[must_use]
     pub fn rectangle(corner: impl Into<[f64; 3]>, sides: [[f64; 3]; 2]) -> Self {
         Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.each(SVector::from) })
     }
 
     /// A cylinder over its whole circumference, between the ends of its axis, m.
-    #[must_use]
     pub fn cylinder(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>, radius: f64) -> Self {
         Self(Shape::Cylinder { ends: [from.into().into(), to.into().into()], radius })
     }
 
     /// A sphere: centre and radius, m.
-    #[must_use]
     pub fn sphere(centre: impl Into<[f64; 3]>, radius: f64) -> Self {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
     /// Triangles, such as the triangles of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one
     /// triangle to the next if that increases the value of its goal.
-    #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
     }

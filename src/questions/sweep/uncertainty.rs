@@ -43,6 +43,7 @@ use crate::prelude::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub struct Uncertainty {
     /// σ of the logarithm of the coefficient of friction.
     pub friction: f64,
@@ -62,48 +63,41 @@ pub struct Uncertainty {
 
 impl Uncertainty {
     /// An uncertainty with this seed in which all σ are zero.
-    #[must_use]
     pub const fn seeded(seed: u64) -> Self {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, position: 0.0, normal: 0.0, load: 0.0, seed }
     }
 
     /// This uncertainty with another σ of the coefficients of friction.
-    #[must_use]
     pub const fn with_friction(mut self, sigma: f64) -> Self {
         self.friction = sigma;
         self
     }
 
     /// This uncertainty with another σ of the stiffnesses.
-    #[must_use]
     pub const fn with_stiffness(mut self, sigma: f64) -> Self {
         self.stiffness = sigma;
         self
     }
 
     /// This uncertainty with another σ of the squeeze: of normal commands and of forces that hold contacts, relative.
-    #[must_use]
     pub const fn with_squeeze(mut self, sigma: f64) -> Self {
         self.squeeze = sigma;
         self
     }
 
     /// This uncertainty with another σ of the contact points, m.
-    #[must_use]
     pub const fn with_position(mut self, sigma: f64) -> Self {
         self.position = sigma;
         self
     }
 
     /// This uncertainty with another σ of the directions of the normals, rad.
-    #[must_use]
     pub const fn with_normal(mut self, sigma: f64) -> Self {
         self.normal = sigma;
         self
     }
 
     /// This uncertainty with another σ of the factor on the load.
-    #[must_use]
     pub const fn with_load(mut self, sigma: f64) -> Self {
         self.load = sigma;
         self

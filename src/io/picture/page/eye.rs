@@ -45,16 +45,12 @@ impl View {
     /// Seen from z: x to the right, y upwards.
     pub const ABOVE: Self = Self { yaw: 0.0, pitch: FRAC_PI_2 };
 
-    /// Sets the turn of the eye around z, rad.
-    pub fn with_yaw(mut self, yaw: f64) -> Self {
-        self.yaw = yaw;
-        self
-    }
+    setters! {
+        /// Sets the turn of the eye around z, rad.
+        pub fn with_yaw(mut self, yaw: f64) { self.yaw = yaw; }
 
-    /// Sets the angle of the eye above the plane of x and y, rad.
-    pub fn with_pitch(mut self, pitch: f64) -> Self {
-        self.pitch = pitch;
-        self
+        /// Sets the angle of the eye above the plane of x and y, rad.
+        pub fn with_pitch(mut self, pitch: f64) { self.pitch = pitch; }
     }
 }
 

@@ -19,6 +19,7 @@ use crate::serial::AsComputed;
 /// # let _ = block;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Body<const C: usize> {
     pub(super) name: Arc<str>,
     pub(super) mass: f64,
@@ -32,19 +33,15 @@ impl<const C: usize> Body<C> {
         Self { name: name.into().into(), mass: 0.0, centre: SVector::zeros(), load: Wrench::ZERO }
     }
 
-    /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts at the centre of mass, and so does the body's share of a
-    /// load that is [shared by mass](super::Bodies::shared_by_mass).
-    #[must_use]
-    pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) -> Self {
-        (self.mass, self.centre) = (mass, SVector::from(centre.into()));
-        self
-    }
+    setters! {
+        /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts at the centre of mass, and so does the body's share of a
+        /// load that is [shared by mass](super::Bodies::shared_by_mass).
+        pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) {
+            (self.mass, self.centre) = (mass, SVector::from(centre.into()));
+        }
 
-    /// Sets a constant load that acts in addition to the load of a question: N, and N m about the origin of the scene.
-    #[must_use]
-    pub fn load(mut self, load: Wrench<C>) -> Self {
-        self.load = load;
-        self
+        /// Sets a constant load that acts in addition to the load of a question: N, and N m about the origin of the scene.
+        pub fn load(mut self, load: Wrench<C>) { self.load = load; }
     }
 }
 

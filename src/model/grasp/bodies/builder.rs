@@ -69,46 +69,35 @@ impl<const C: usize> Bodies<C> {
         }
     }
 
-    /// Adds contacts with the ground, with fixed fingers, or between bodies. None of these contacts is moved by joints.
-    pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
-        self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
-        self
-    }
+    setters! {
+        /// Adds contacts with the ground, with fixed fingers, or between bodies. None of these contacts is moved by joints.
+        pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) {
+            self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
+        }
 
-    /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other contacts.
-    pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
-        self.links.extend(links);
-        self
-    }
+        /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other contacts.
+        pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) { self.links.extend(links); }
 
-    /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
-    pub fn held_by(mut self, hand: Hand<C>) -> Self {
-        self.hand = hand;
-        self
-    }
+        /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
+        pub fn held_by(mut self, hand: Hand<C>) { self.hand = hand; }
 
-    /// Sets gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
-    pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
-        self.gravity = SVector::from(gravity.into());
-        self
-    }
+        /// Sets gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
+        pub fn gravity(mut self, gravity: impl Into<[f64; C]>) {
+            self.gravity = SVector::from(gravity.into());
+        }
 
-    /// Makes the loads of questions act on this body.
-    pub fn loaded(mut self, body: impl Into<String>) -> Self {
-        self.loaded = LoadedBodies::Body(body.into().into());
-        self
-    }
+        /// Makes the loads of questions act on this body.
+        pub fn loaded(mut self, body: impl Into<String>) {
+            self.loaded = LoadedBodies::Body(body.into().into());
+        }
 
-    /// Shares the loads of questions among all bodies in proportion to their masses. Each share of the force acts at the centre of mass of its body.
-    /// The moment that remains is shared in the same proportion. A load parallel to gravity thus scales all weights, and a turning load turns all
-    /// weights.
-    pub fn shared_by_mass(mut self) -> Self {
-        self.loaded = LoadedBodies::ByMass;
-        self
+        /// Shares the loads of questions among all bodies in proportion to their masses. Each share of the force acts at the centre of mass of its body.
+        /// The moment that remains is shared in the same proportion. A load parallel to gravity thus scales all weights, and a turning load turns all
+        /// weights.
+        pub fn shared_by_mass(mut self) { self.loaded = LoadedBodies::ByMass; }
     }
 
     /// Total weight of the bodies under this gravity (m/s²), as a load for questions whose load is [shared by mass](Self::shared_by_mass).
-    #[must_use]
     pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
         let gravity = SVector::from(gravity.into());
         self.list.iter().fold(Wrench::ZERO, |sum, body| sum + body.weight(&gravity))

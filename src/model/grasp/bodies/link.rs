@@ -169,62 +169,47 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
     }
 
-    /// Sets the name for messages and tables; the default is the kind of the link.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into().into());
-        self
-    }
+    setters! {
+        /// Sets the name for messages and tables; the default is the kind of the link.
+        pub fn name(mut self, name: impl Into<String>) { self.name = Some(name.into().into()); }
 
-    /// Sets the two bodies that the link joins. A spring or a cable starts at the first and ends at the second.
-    pub fn between(mut self, one: impl Into<String>, other: impl Into<String>) -> Self {
-        (self.on, self.against) = (Some(one.into().into()), Some(other.into().into()));
-        self
-    }
+        /// Sets the two bodies that the link joins. A spring or a cable starts at the first and ends at the second.
+        pub fn between(mut self, one: impl Into<String>, other: impl Into<String>) {
+            (self.on, self.against) = (Some(one.into().into()), Some(other.into().into()));
+        }
 
-    /// Sets the body that the link joins to the ground.
-    pub fn to_ground(mut self, body: impl Into<String>) -> Self {
-        (self.on, self.against) = (Some(body.into().into()), None);
-        self
-    }
+        /// Sets the body that the link joins to the ground.
+        pub fn to_ground(mut self, body: impl Into<String>) {
+            (self.on, self.against) = (Some(body.into().into()), None);
+        }
 
-    /// Sets the total stiffness of the link's points along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
-    pub fn stiffness(mut self, stiffness: f64) -> Self {
-        self.stiffness = Some(stiffness);
-        self
-    }
+        /// Sets the total stiffness of the link's points along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
+        pub fn stiffness(mut self, stiffness: f64) { self.stiffness = Some(stiffness); }
 
-    /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the
-    /// pull is smaller; see [`Self::tension`].
-    pub fn pretension(mut self, force: f64) -> Self {
-        (self.pretension, self.tension) = (force, None);
-        self
-    }
+        /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the
+        /// pull is smaller; see [`Self::tension`].
+        pub fn pretension(mut self, force: f64) { (self.pretension, self.tension) = (force, None); }
 
-    /// Sets the pull of an installed cable or spring, N, in place of a pretension. The tension is the pull under the constant loads on bodies alone,
-    /// after all other springs have deflected. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
-    /// such a pull.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
-    ///
-    /// // A belt is tightened over a crate until it pulls it onto the floor with 100 N; the floor gives way as much as the belt.
-    /// let crated = Bodies::new([Body::new("crate")])
-    ///     .contacts([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("crate")])
-    ///     .links([Link::cable([0.0, 1.0], [0.0, 0.0]).stiffness(1e4).tension(100.0).to_ground("crate")])
-    ///     .grasp()?;
-    /// let state = crated.solve(Wrench::ZERO)?;
-    /// assert!((state.equilibrium().expect("lies").contacts[0].normal_force() - 100.0).abs() < 1e-9);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    pub fn tension(mut self, force: f64) -> Self {
-        (self.tension, self.pretension) = (Some(force), force);
-        self
-    }
+        /// Sets the pull of an installed cable or spring, N, in place of a pretension. The tension is the pull under the constant loads on bodies alone,
+        /// after all other springs have deflected. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
+        /// such a pull.
+        ///
+        /// ```
+        /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+        ///
+        /// // A belt is tightened over a crate until it pulls it onto the floor with 100 N; the floor gives way as much as the belt.
+        /// let crated = Bodies::new([Body::new("crate")])
+        ///     .contacts([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("crate")])
+        ///     .links([Link::cable([0.0, 1.0], [0.0, 0.0]).stiffness(1e4).tension(100.0).to_ground("crate")])
+        ///     .grasp()?;
+        /// let state = crated.solve(Wrench::ZERO)?;
+        /// assert!((state.equilibrium().expect("lies").contacts[0].normal_force() - 100.0).abs() < 1e-9);
+        /// # Ok::<(), grasp_lcp::Error>(())
+        /// ```
+        pub fn tension(mut self, force: f64) { (self.tension, self.pretension) = (Some(force), force); }
 
-    /// Sets the length of a cable in excess of the distance between its ends, m.
-    pub fn slack(mut self, length: f64) -> Self {
-        self.slack = length;
-        self
+        /// Sets the length of a cable in excess of the distance between its ends, m.
+        pub fn slack(mut self, length: f64) { self.slack = length; }
     }
 
     /// The name that the user gave, or else the kind of the link with its number.

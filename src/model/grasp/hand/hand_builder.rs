@@ -42,16 +42,12 @@ impl<const C: usize> Hand<C> {
         Self { fingers: fingers.into_iter().list(), tendons: Vec::new() }
     }
 
-    /// Adds a finger.
-    pub fn finger(mut self, finger: Finger<C>) -> Self {
-        self.fingers.push(finger);
-        self
-    }
+    setters! {
+        /// Adds a finger.
+        pub fn finger(mut self, finger: Finger<C>) { self.fingers.push(finger); }
 
-    /// Adds a tendon over the joints of all fingers.
-    pub fn tendon(mut self, tendon: Tendon) -> Self {
-        self.tendons.push(tendon);
-        self
+        /// Adds a tendon over the joints of all fingers.
+        pub fn tendon(mut self, tendon: Tendon) { self.tendons.push(tendon); }
     }
 
     /// Largest number of coordinates of a grasp by this hand. It counts the coordinates of the object, one per joint, one per drive that saturates,

@@ -116,36 +116,23 @@ impl<const C: usize> Joint<C> {
         Self::moving(JointMotion::Given)
     }
 
-    /// Sets the name for messages and tables.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into().into());
-        self
-    }
+    setters! {
+        /// Sets the name for messages and tables.
+        pub fn name(mut self, name: impl Into<String>) { self.name = Some(name.into().into()); }
 
-    /// Sets the stiffness of the joint's own spring, N m/rad or N/m. With the default of zero, couplings, tendons or a constant torque must
-    /// support the joint.
-    pub fn stiffness(mut self, stiffness: f64) -> Self {
-        self.stiffness = stiffness;
-        self
-    }
+        /// Sets the stiffness of the joint's own spring, N m/rad or N/m. With the default of zero, couplings, tendons or a constant torque must
+        /// support the joint.
+        pub fn stiffness(mut self, stiffness: f64) { self.stiffness = stiffness; }
 
-    /// Sets the commanded displacement θ, rad or m.
-    pub fn command(mut self, theta: f64) -> Self {
-        self.command = theta;
-        self
-    }
+        /// Sets the commanded displacement θ, rad or m.
+        pub fn command(mut self, theta: f64) { self.command = theta; }
 
-    /// Sets a constant torque on the joint, positive along its displacement φ, N m (for a prismatic joint a force, N). Examples are a finger under
-    /// force control and the weight of a link.
-    pub fn torque(mut self, torque: f64) -> Self {
-        self.torque = torque;
-        self
-    }
+        /// Sets a constant torque on the joint, positive along its displacement φ, N m (for a prismatic joint a force, N). Examples are a finger under
+        /// force control and the weight of a link.
+        pub fn torque(mut self, torque: f64) { self.torque = torque; }
 
-    /// Sets a bound on the torque of the joint's own spring, in both directions.
-    pub fn limit(mut self, limit: Limit) -> Self {
-        self.limit = Some(limit);
-        self
+        /// Sets a bound on the torque of the joint's own spring, in both directions.
+        pub fn limit(mut self, limit: Limit) { self.limit = Some(limit); }
     }
 }
 

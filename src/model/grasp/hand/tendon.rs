@@ -62,39 +62,23 @@ impl Tendon {
         Self { name: None, arms, stiffness: 0.0, pull: 0.0, tension: 0.0, limit: None, pushes: false }
     }
 
-    /// Sets the name for messages and tables.
-    pub fn name(mut self, name: impl Into<String>) -> Self {
-        self.name = Some(name.into().into());
-        self
-    }
+    setters! {
+        /// Sets the name for messages and tables.
+        pub fn name(mut self, name: impl Into<String>) { self.name = Some(name.into().into()); }
 
-    /// Sets the stiffness of tendon and motor in series, N/m.
-    pub fn stiffness(mut self, stiffness: f64) -> Self {
-        self.stiffness = stiffness;
-        self
-    }
+        /// Sets the stiffness of tendon and motor in series, N/m.
+        pub fn stiffness(mut self, stiffness: f64) { self.stiffness = stiffness; }
 
-    /// Sets the displacement x of the motor, m: the command of the tendon.
-    pub fn pull(mut self, x: f64) -> Self {
-        self.pull = x;
-        self
-    }
+        /// Sets the displacement x of the motor, m: the command of the tendon.
+        pub fn pull(mut self, x: f64) { self.pull = x; }
 
-    /// Sets a constant tension, N, which acts in addition to the tension of the spring.
-    pub fn tension(mut self, tension: f64) -> Self {
-        self.tension = tension;
-        self
-    }
+        /// Sets a constant tension, N, which acts in addition to the tension of the spring.
+        pub fn tension(mut self, tension: f64) { self.tension = tension; }
 
-    /// Sets a bound on the tension of the spring.
-    pub fn limit(mut self, limit: Limit) -> Self {
-        self.limit = Some(limit);
-        self
-    }
+        /// Sets a bound on the tension of the spring.
+        pub fn limit(mut self, limit: Limit) { self.limit = Some(limit); }
 
-    /// Makes the tendon a rod or a gear, which also pushes.
-    pub fn pushes(mut self) -> Self {
-        self.pushes = true;
-        self
+        /// Makes the tendon a rod or a gear, which also pushes.
+        pub fn pushes(mut self) { self.pushes = true; }
     }
 }
