@@ -29,22 +29,7 @@ pub(crate) struct Arguments {
 /// The page of all fields of a scene. A test generates it from the JSON Schema.
 pub(crate) const FIELDS: &str = include_str!("../../../examples/scenes/FIELDS.md");
 
-const EXAMPLES: &str = "\
-Examples:
-  grasp-lcp new gripper > gripper.json        a scene to begin with; `new --help` explains its fields
-  grasp-lcp hold mug.json --mass 0.4          does it hold 400 g, and how much more
-  grasp-lcp need mug.json squeeze --mass 0.4  how many newtons each finger has to press with
-  grasp-lcp improve pinch.json --mass 0.5     where the fingers should be, on their surfaces
-  grasp-lcp onset mug.json --force 0,0,-1     the weight at which the first finger slides
-  grasp-lcp draw mug.json                     its answers as a page, and as SVG
-  grasp-lcp stream < scenes.jsonl             one scene a line in, one answer a line out
-
-Exit codes:
-  0  everything was answered; \"no equilibrium\" is an answer
-  1  a file could not be read or written
-  2  the command line is wrong
-  3  the scene is refused, with the field and what is allowed
-  4  an answer is \"undecided\"";
+const EXAMPLES: &str = include_str!("examples.txt");
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
