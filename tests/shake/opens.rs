@@ -1,6 +1,7 @@
 //! What opens or yields in the cycles is named: a box that is thrown to a ceiling and back, a cup whose lip lets air in, and motors that slip.
 
 use grasp_lcp::Error;
+use grasp_lcp::grasp::PartLabel;
 use grasp_lcp::planar;
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::spatial;
@@ -66,7 +67,7 @@ fn a_motor_that_slips() -> Result<(), Error> {
     let grasp = Hand::new([finger(-1.0, "left motor"), finger(1.0, "right motor")]).grasp()?;
     let cycle = [4.0, -4.0].map(|push| Leg::there_and_back(Wrench::force([push, 0.0]))).concat();
     let shaken = grasp.shake(Wrench::ZERO, &cycle)?;
-    let names: Vec<_> = shaken.yields.iter().map(|part| part.text()).collect();
+    let names: Vec<_> = shaken.yields.iter().map(PartLabel::text).collect();
     assert!(shaken.rests() == Some(true) && names == ["right motor"], "{shaken}");
     assert!(
         shaken.to_string().starts_with("RESTS after a cycle: until then right motor yields; "),
