@@ -60,7 +60,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09928 times as much if friction is 10 % less and the squeeze is 5 % less. With less: under a force along (-0.292867, 0.956153): TURNS OUT at 99.9999 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
+//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09928 times as much if friction is 10 % less and the squeeze is 5 % less. With less: under a force along (-0.292867, 0.956153): TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
 //! ```
 //!
 //! # How hard do three fingers have to press to carry a full mug of 400 g?

@@ -223,22 +223,6 @@ fn a_base_in_the_table_is_that_of_the_options() {
     assert_ne!(columns, identified(rows("", ""), &[]));
 }
 
-/// The weight of a mass on the command line is that of the scene's gravity, here the Moon's.
-#[test]
-fn a_mass_weighs_as_the_scene_says() {
-    let scene = std::fs::read_to_string(scene("box.json")).expect("a scene");
-    let on_the_moon = scene.replacen(r#""planar": {"#, r#""planar": {"gravity": [0, -1.62],"#, 1);
-    let [mass, force, on_earth] = [
-        &["hold", "-", "--mass", "2"],
-        &["hold", "-", "--force", "0,-3.24"],
-        &["hold", "-", "--force", "0,-19.62"],
-    ]
-    .map(|words| text(&run_on(on_the_moon.as_bytes(), words).stdout));
-    let first_line = |told: &str| told.lines().next().expect("an answer").to_owned();
-    assert_eq!(first_line(&mass), first_line(&force));
-    assert_ne!(first_line(&mass), first_line(&on_earth));
-}
-
 /// Two jaws of 144 points each. The second question takes long. Before its answer, the first answer and a note on the running question are printed.
 #[test]
 fn each_answer_is_printed_when_it_is_ready() {

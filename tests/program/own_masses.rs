@@ -69,3 +69,15 @@ fn a_force_that_is_shared_acts_at_the_centre_of_mass() {
         assert!(text(&output.stdout).starts_with(says), "{more:?}: {}", text(&output.stdout));
     }
 }
+
+/// A mass on the command line has the weight that the gravity of the scene gives it, 10 m/s² here, if no body has a mass of its own.
+#[test]
+fn a_mass_weighs_as_the_scene_says() {
+    let without = ON_A_TRAY.replace(r#", "mass": 1, "centre_of_mass": [0, 0.05]"#, "");
+    let [mass, force] = [["--mass", "2"], ["--force", "0,-20"]].map(|load| {
+        let output = run_on(without.as_bytes(), &[&["hold", "-", "--at", "0,0.05"], &load[..]].concat());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    });
+    assert_eq!(mass, force);
+}
