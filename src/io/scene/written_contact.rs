@@ -95,7 +95,7 @@ struct Written<const C: usize> {
     /// The curve or surface along which `improve` may move the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     surface: Option<Surface<C>>,
-    /// The joints of the finger that move the contact; all if left out.
+    /// The joints of the finger that move the contact: the first n with `{"link": n}`, counted from the palm, or all by a `jacobian`; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     moved_by: Option<WrittenMover>,
 }
