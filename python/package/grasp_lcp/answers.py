@@ -274,13 +274,23 @@ class Shaken(Sentence):
 
     @property
     def rests(self) -> bool | None:
-        """Whether slipping ceases, after finitely many cycles or in the limit; None if undecided."""
-        return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out")
+        """Whether slipping ceases, after finitely many cycles or in the limit, and no suction cup leaks; None if undecided."""
+        return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out") and not self.leaks
 
     @property
     def stays(self) -> bool | None:
-        """Whether the object stays in place: slipping ceases, or contacts slide to and fro without net motion. None if undecided."""
-        return True if self.outcome == "alternates" else self.rests
+        """Whether the object stays: slipping ceases, or it moves to and fro without net motion, and no suction cup leaks; None if undecided."""
+        return not self.leaks if self.outcome == "alternates" else self.rests
+
+    @property
+    def opens(self) -> list[str]:
+        """Names of the contacts that open and close again in every period."""
+        return [part["label"] for part in self._tree.get("opens", [])]
+
+    @property
+    def leaks(self) -> list[str]:
+        """Names of the suction cups of which a point of the lip is open in the repeated motion, so that air flows in."""
+        return [part["label"] for part in self._tree.get("leaks", [])]
 
     @property
     def cycles(self) -> int:

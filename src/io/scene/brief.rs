@@ -252,10 +252,11 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
-/// Short answer to `shake`: whether slip ceases, alternates or accumulates as the loads repeat, and a contact that slides.
+/// Short answer to `shake`: whether slip ceases, alternates or accumulates as the loads repeat, and a contact that slides; or a suction cup that leaks.
 fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
+        _ if !shaken.leaks.is_empty() => ("leaks", first(&shaken.leaks), None),
         Repeats::Rests { slid, .. } => ("rests", first(slid), None),
         Repeats::DiesOut { slid } => ("dies_out", first(slid), None),
         Repeats::Alternates { slides, .. } => ("alternates", first(slides), None),
