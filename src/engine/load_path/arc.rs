@@ -3,8 +3,9 @@
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
 //! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
-//! tangent d across the slip. Offsets a are affine in the load factor λ; the load W is affine in λ or turns with it. Twist q and load factor change
-//! together, with grasp maps G_i and a unit u of displacement:
+//! tangent d across the slip. The offsets a of the contact springs (commands minus clearances and slips) are affine in the load factor λ. The load W
+//! is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement. Here q' and λ' are
+//! rates per unit of arclength, a_i' and W' rates per unit of λ:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -28,8 +29,8 @@ use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg that is
-/// done.
+/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg (section of
+/// the load program) that is done.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
     pub(super) states: &'s [State],
@@ -39,8 +40,8 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The terms of `T q' = b λ'` from contacts that do not slide, computed on first use. The rates at which friction forces turn need only the
-    /// sliding contacts.
+    /// The constant parts of T and b in `T q' = b λ'`, those without sliding contacts: T is the tangent stiffness, b the right-hand side. They are
+    /// computed on first use, because the rates at which friction forces turn do not need them.
     fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -79,7 +80,7 @@ impl Direction {
 
 impl<'s, 'g> Arc<'s, 'g> {
     /// The arc on which contacts keep these states. Each of `free_motions` is a motion that no spring resists, with the object's velocity along it
-    /// per unit of the load factor. `unit` is the displacement u, m.
+    /// per unit of the load factor. `unit` is the displacement, m, that counts as much in the arclength as a change of the load factor by 1.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -140,7 +141,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load and the constant terms
+    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load plus
     /// `ConstantTerms::push`.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.fixed().push
@@ -152,8 +153,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.push_at(factor).norm()
     }
 
-    /// Tangent stiffness of a sliding contact that slides along this friction force; without friction force it slides in the direction stored in its
-    /// state.
+    /// Tangent stiffness of the sliding contact with the index `contact`, if it slides along the friction force `friction`. Without friction force it
+    /// slides in the direction stored in its state.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, 3>) -> Tangent {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -167,9 +168,9 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// LU factors of the bordered matrix at a load factor: T times the displacement u, with the column -b to its right. The last row is `across`,
-    /// transverse to the path. Also returns the largest entry of T u and b. `None` if the matrix is singular: the path may then continue in more than
-    /// one direction.
+    /// LU factors of the bordered matrix at a load factor. Its columns are the tangent stiffness T times the unit u of displacement, then the
+    /// right-hand side -b. Its last row is `across`; corrections of the state are transverse to this direction. Also returns the largest entry of T u
+    /// and b. `None` if the matrix is singular: the path may then continue in more than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -208,8 +209,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the result and of `push`. Also returns the twist part
-    /// of the last row of the bordered matrix, scaled to this size.
+    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the scaled `t` and of `push`. Also returns the twist
+    /// part of the last row of the bordered matrix, scaled to this size.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
@@ -272,7 +273,8 @@ impl<'s, 'g> Arc<'s, 'g> {
     ) -> Option<(PieceState, f64)> {
         // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
-        // Near its end the load of a leg may vanish, as the difference of terms that keep their rounding.
+        // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
+        // compared with the load at the start.
         let from = self.segment.course.at(0.0).norm();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {
@@ -363,7 +365,7 @@ impl<'s, 'g> Arc<'s, 'g> {
 impl Segment<'_> {
     /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round cone.
     /// The forces are the equilibrium near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per
-    /// unit of the load factor. Along motions that no spring resists the object moves at the rates `pushed`.
+    /// unit of the load factor. Along motions that no spring resists the object moves as in the twist rate `pushed`, if given.
     pub(super) fn tangent(
         &self,
         states: &[State],

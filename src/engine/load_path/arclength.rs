@@ -14,8 +14,8 @@ use crate::prelude::*;
 
 impl PiecewiseFollower<'_> {
     /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, which gives twist and load factor
-    /// equal weight in the arclength at this beginning. While the load turns, the present rate may be small. The norm of the rate a quarter
-    /// revolution later is then added in quadrature. If the result is zero, one is returned.
+    /// equal weight in the arclength at this beginning. While the load turns, the present rate may be small. The norm of the twist rate after a
+    /// further quarter revolution of the load is then added in quadrature. Returns 1 if the norm is zero.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
@@ -32,7 +32,7 @@ impl PiecewiseFollower<'_> {
     }
 
     /// Deflection, m, of the softest spring under the sum of the largest present force and the change of the load per unit of the load factor. The
-    /// largest change of an offset per unit of the load factor is added to the deflection.
+    /// largest change of a contact spring's offset (command minus clearance and slip) per unit of the load factor is added to the deflection.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

@@ -1,4 +1,4 @@
-//! Beyond the end of a path: whether any other equilibrium exists at a slightly larger load factor.
+//! Beyond the end of a load path: whether any other equilibrium exists at a slightly larger load factor.
 //!
 //! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
 //! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +
@@ -37,12 +37,13 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with these contacts sliding or open. Only the question about a first slip has this answer; a load path is followed
-    /// as far as it continues, so that its end has none.
+    /// The equilibrium continues with these contacts sliding or open. This answer occurs only beyond a first slip: a load path is followed as far as
+    /// it continues, so nothing continues at its end.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
     /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
-    /// by at most a hundredth of the whole load or of all commands. If there is no load yet, it lies at most a hundredth of the leg beyond the end.
+    /// by at most a hundredth of the whole load or of all commands. If there is no load yet, the proof is for a load at most a hundredth of the leg
+    /// beyond the end.
     LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path under the same load shows whether the
     /// grasp snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not: an
@@ -52,7 +53,7 @@ pub enum Beyond<const C: usize> {
     /// larger loads is not known. The reason is the number of contacts: more than 32 on the round cone, or else more combinations of contact states
     /// than [`Settings::most_states`].
     Ends {
-        /// The reason why no rates of forces and motion exist. Its work is the work of the rate of the load, J per unit of the load factor.
+        /// The reason why no rates of forces and motion exist. The work stated in it is that of the rate of the load, J per unit of the load factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -111,13 +112,13 @@ pub(super) fn continuation(
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// A virtual motion along which contact forces at the end can do no work, about the centroid of the contacts. It may prove that no equilibrium
-    /// exists beyond. `None` if no such motion is known.
+    /// A virtual motion along which contact forces at the end can do no work, about the centroid of the contacts. This motion may prove that no
+    /// equilibrium exists beyond. `None` if no such motion is known.
     pub(super) motion: Option<Vector>,
 }
 
-/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the rate problem at the end: either no
-/// solution exists, or the search was undecided.
+/// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the complementarity problem for the rates
+/// of forces and motion at the end. Either no solution exists, or the search was undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -143,7 +144,7 @@ pub(super) fn beyond_end(
             _ => beyond,
         };
     }
-    // With many contacts the search may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove this.
+    // With many contacts the search may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove that none exist.
     let settled = match settled {
         SearchOutcome::Undecided(_) if effort.no_slips || no_rates(rates) => SearchOutcome::NoneOf(0),
         settled => settled,
@@ -154,8 +155,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers the loads between the end and the distance of 1e-2 times `way_beyond` past it. If this distance were shorter, rounding might
-        // hide that no equilibrium exists.
+        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. In a shorter range, rounding might hide that no
+        // equilibrium exists.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -164,8 +165,9 @@ pub(super) fn beyond_end(
 }
 
 /// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that `rates`, the problem for the rates of forces and motion, has no
-/// solution. False if the form would be too large. The lemma is applied to the kinematic form of `rates`, which is computed in floating point. The
-/// proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the form search for the proof.
+/// solution. The lemma is applied to the kinematic form of `rates`, an LCP in these slip rates and gap rates. This LCP is computed in floating point,
+/// and the proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the LCP search for the proof. Returns false if
+/// they would be too large.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -177,7 +179,8 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
 }
 
 /// Searches for an equilibrium slightly beyond the end of a path, where contact forces are `forces`. Contacts keep the slip so far, but their states
-/// need not continue the path. `past(part)` is the problem at the distance `part` beyond the end, in the unit of [`way_beyond`].
+/// need not continue the path. `past(part)` is the static problem at a load factor that exceeds the load factor at the end by `part` times
+/// [`way_beyond`].
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
@@ -189,7 +192,8 @@ fn from_scratch<'g>(
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances are tried in turn, since at a short distance the search on the round cone may end undecided.
+    // Distances beyond the end, as changes of the load factor, are tried in turn, since at a short distance the search on the round cone may end
+    // undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance the search would exceed the allowed number of pivots, too.
@@ -230,8 +234,8 @@ fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load, or all present offsets, at present rates: the smaller of the two
-/// changes. Zero if it is not finite.
+/// The change of the load factor that would build up the whole present load, or all present offsets of the contact springs, at their present rates:
+/// the smaller of the two changes. Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -241,8 +245,8 @@ fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
 }
 
 fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
-    // The problem with the present rates of load and offsets in place of load and offsets. Each contact has its complete law, since any contact
-    // states may occur.
+    // The problem with the present rates of the load and of the springs' offsets in place of load and offsets. Each contact has its complete law,
+    // since any contact states may occur.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
@@ -259,8 +263,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        // A condition is zero up to rounding if its value is at most this fraction of the size of its terms. The fraction has an upper bound: a
-        // larger violation is real, however badly conditioned the linear problem is.
+        // The condition of a contact state is zero up to rounding if its value is at most this fraction of the size of its terms. The fraction has an
+        // upper bound: a larger violation is real, however badly conditioned the linear problem is.
         let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {

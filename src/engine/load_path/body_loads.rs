@@ -13,8 +13,9 @@ use crate::prelude::*;
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the load on one of several bodies changes by `change`, N and N m about the origin. This load is added to the load of the leg
-    /// and the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay constant.
+    /// A leg of a load program along which the load on one of several bodies changes by `change`, N and N m about the origin. This load is added to
+    /// the load of the leg and the permanent load of the body. Such loads are zero when a program starts, and loads that a leg does not mention stay
+    /// constant.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
@@ -41,7 +42,8 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_by(body, change)
     }
 
-    /// A leg at whose end the load on one of several bodies is `load`. This load is added to the load of the leg and the permanent load of the body.
+    /// A leg at whose end the load on one of several bodies is `load`, N and N m about the origin. This load is added to the load of the leg and the
+    /// permanent load of the body.
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)
     }

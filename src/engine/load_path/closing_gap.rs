@@ -1,16 +1,16 @@
 //! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
-//! If nothing resists the motion v of a loss, forces stay constant along this motion: no spring is stretched further, and friction is exhausted
-//! already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ v, at
-//! which the first open contact i closes. It has the normal n_i and the grasp map G_i. Contacts keep the slips that the motion causes:
+//! If nothing resists the motion v with which the object leaves, forces stay constant along this motion: no spring is stretched further, and friction
+//! is exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement
+//! δ v, at which the first open contact closes. With the normal n_i and the grasp map G_i of each open contact i that comes nearer:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! At the closed gap the path continues at the same load. If kinetic friction is lower, contacts that begin to slide lose a part of their friction
-//! force. This part is removed first, along a leg of its own ([`super::jump_leg`]) on which the gap may close. A motion too large for linear
-//! kinematics is not made.
+//! At the closed gap the path continues at the same load, and contacts keep the slips that the motion has caused. If kinetic friction is lower,
+//! contacts that begin to slide lose a part of their friction force. This part is removed first, along a leg of its own ([`super::jump_leg`]) on
+//! which the gap may close. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -101,8 +101,8 @@ impl<'g> PiecewiseFollower<'g> {
         is_small.then_some(FreeTravel { length, closing, still })
     }
 
-    /// Makes contacts slide that are on the edge of their cones, and open those at the apex. Contacts without velocity in the motion keep their
-    /// states. Returns the changes of contact states.
+    /// Lets contacts slide whose forces are on the edge of their friction cones, and opens contacts at the apex, as the object moves along `motion`.
+    /// Contacts on an edge without velocity in this motion stick. Returns the changes of contact states.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -166,8 +166,8 @@ impl<'g> PiecewiseFollower<'g> {
         Some(Event { jump: Some(Box::new(jump)), ..self.caught(run, changes, state) })
     }
 
-    /// The event that replaces a loss from which the path continues: `changes` of contact states at the loss, and the equilibrium `state` before
-    /// them. The caller adds the jump.
+    /// The event that replaces a loss from which the path continues. It has the changes of contact states `changes` at the loss, and the equilibrium
+    /// `state` before these changes. The caller adds the jump, a motion at constant load to another equilibrium.
     pub(super) fn caught(
         &self,
         run: &ProgramRun<'g>,
@@ -190,10 +190,11 @@ impl<'g> PiecewiseFollower<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// Continues after the loss `loss` on this leg. If contacts begin to slide with lower kinetic friction, starts a new leg along which the friction
-    /// force that they lose is removed, and returns true. Otherwise moves the object until a gap closes, and returns false.
+    /// Continues the jump after the loss of equilibrium `loss` on its present leg. If contacts begin to slide with lower kinetic friction, starts a
+    /// new leg along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes, and returns
+    /// false.
     ///
-    /// # Errors The loss, if no gap closes.
+    /// # Errors The loss `loss`, if no gap closes.
     pub(super) fn follow_free_motion(
         &mut self,
         loss: &Loss<3>,

@@ -1,5 +1,5 @@
-//! Events of a grasp by a hand. The engine treats the drive of a joint or tendon like a contact, with an index after the contacts. Answers name the
-//! joint or tendon.
+//! Separates contacts from drives in the events of a grasp by a hand. The engine treats the drive of a joint or tendon like a contact, with an index
+//! after the contacts. Answers name the joint or tendon.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};

@@ -1,5 +1,5 @@
-//! Steps along an arc, on which directions of sliding turn. Each step is shortened to end at the place where a condition of a contact state is just
-//! met (its value is zero).
+//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. Each step is shortened to end at the place where a
+//! condition of a contact state is just met (its value is zero).
 //!
 //! To find this place, the last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a
 //! bracket. States of the path are never interpolated.

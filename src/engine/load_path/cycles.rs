@@ -41,7 +41,8 @@ pub(crate) struct CycleState {
 /// Totals and extremes of one cycle of legs; a list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
-    /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over pieces of the path.
+    /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over pieces of the path (parts of legs
+    /// with fixed contact states).
     pub(crate) slid: Vec<f64>,
     /// Heat from friction during the cycle, J.
     pub(crate) dissipated: f64,
@@ -102,8 +103,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The cycle before it is followed, at the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would slide at once, or the
-    /// equilibrium with the slips of `from` has other forces.
+    /// The same cycle of legs, not followed yet, at a beginning in the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
+    /// slide at once, or the equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -143,7 +144,7 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The motion on the path so far that first ceased to be small; `None` if all motions are small.
+    /// The rotation, slip or opening on the path so far that first exceeded its limit of small motions; `None` if none has.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
         self.path.end_of_small_motions().map(|end| end.what.clone())
     }
@@ -222,7 +223,7 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction cone of each contact or drive: kinetic if `weaker` is true, otherwise static. Empty if `weaker` is empty.
+    /// The friction cone of each contact or drive: kinetic if its entry in `weaker` is true, otherwise static. Empty if `weaker` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()
@@ -230,8 +231,8 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the path to the totals and extremes. `after` are the accumulated slips at its end, and `first` is the index of the cycle's
-    /// first leg among all legs followed.
+    /// Adds a piece of the path (part of a leg with fixed contact states) to the totals and extremes. `after` are the accumulated slips at its end,
+    /// and `first` is the index of the cycle's first leg among all legs followed.
     fn add(&mut self, piece: &StoredPiece<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {

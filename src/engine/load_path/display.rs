@@ -29,7 +29,7 @@ impl<const C: usize> fmt::Display for Onset<C> {
     }
 }
 
-/// The change of a contact in words.
+/// The change of a contact's state in words, for example "sticks" or "opens".
 impl<const C: usize> fmt::Display for Change<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

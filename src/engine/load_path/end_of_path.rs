@@ -10,8 +10,8 @@ use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::search::{SearchCounts, SearchOutcome, Settings};
 
-/// The end of a path at which no rates of forces and motion satisfy the contact laws, or the search `settled` for rates is undecided. The result is
-/// `loss` with kind and motions.
+/// The end of a path at which no rates of forces and motion satisfy the contact laws, or the search `settled` for rates is undecided. Returns `loss`,
+/// completed by its kind and by the motion with which the object leaves, or an undecided end.
 ///
 /// The kind is `GivesWay` if a motion meets no resistance. Otherwise it is `Corner`: no combination of states of the contacts on the edge of their
 /// cones admits rates. If the search for rates was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium beyond.

@@ -48,8 +48,8 @@ pub struct Event<const C: usize> {
     pub other_continuations: Option<usize>,
     /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).
     pub state: Equilibrium<C>,
-    /// The jump at this load: a contact begins to slide with less friction than at rest, or the object moves freely until a gap closes. `None`
-    /// without a jump.
+    /// The jump at this load: a contact begins to slide with kinetic friction below its static friction, or the object moves freely until a gap
+    /// closes. `None` without a jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub jump: Option<Box<Jump<C>>>,
 }
@@ -184,9 +184,9 @@ pub struct Loss<const C: usize> {
     /// states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The slips in a jump at this load that leads to no equilibrium. The jump begins when the friction of contacts falls from its static to its
-    /// kinetic value. Each entry is a contact that slides in the jump, with its slip in the jump until the equilibrium is lost. Empty if no friction
-    /// fell.
+    /// The slips in a jump (a motion at constant load) that starts at this load and leads to no equilibrium. The jump begins when the friction of
+    /// contacts falls from its static to its kinetic value. Each entry is a contact that slides in the jump, with its slip in the jump until the
+    /// equilibrium is lost. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
     /// A virtual motion along which contact forces can do little or no negative work at the loss, in the engine's coordinates. It may prove that no

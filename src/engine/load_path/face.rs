@@ -1,4 +1,4 @@
-//! Conversion of onsets, programs and paths between the engine, which has three components everywhere, and callers in the plane or in space.
+//! Conversion of onsets, programs and paths between the engine, whose vectors have three components, and callers in the plane or in space.
 
 use super::beyond::{Beyond, Continuation};
 use super::drive_change::PartChange;
@@ -97,7 +97,7 @@ impl<const C: usize> OnsetEvent<C> {
         core::mem::swap(&mut self.drives, &mut inside.drives);
     }
 
-    /// Takes over all values of `inside`, an onset of the engine, and keeps the memory of the list `leaving`.
+    /// Takes over all values of `inside`, an onset of the engine, and reuses the memory of its own list `leaving`.
     pub(crate) fn replace_with(&mut self, inside: &mut OnsetEvent<3>) {
         self.exchange(inside);
         (self.factor, self.load, self.cone) = (inside.factor, Face::from_inside(inside.load), inside.cone);

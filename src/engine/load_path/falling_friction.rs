@@ -13,8 +13,8 @@ use crate::prelude::*;
 
 impl<'g> PiecewiseFollower<'g> {
     /// Begins to store the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
-    /// kinetic friction. This may cause a jump, which the path then reports as its first event. Changes nothing if the cones are stored already. The
-    /// error is the end of the path in that jump.
+    /// kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then reports as its first event.
+    /// Changes nothing if the cones are stored already. The error is the end of the path in that jump.
     pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -50,7 +50,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the static cone, which is wider. Thus
-    /// their active sets lose all edges of the cone; a contact at the apex stays at the apex.
+    /// their active sets (edges of the cone on which the force lies) become empty; a contact at the apex stays at the apex.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {

@@ -18,8 +18,8 @@ pub(super) struct FirstExits {
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-/// The smallest step to an exit in `ways`, and all contacts with exits after this step; `None` if `ways` has no exit. In symmetric grasps several
-/// contacts reach an edge at once: steps that are equal up to the sum of their uncertainties are taken as equal.
+/// The smallest step (change of the load factor) to an exit in `ways`, and all contacts with an exit at this step; `None` if `ways` has no exit. In
+/// symmetric grasps several contacts reach an edge at once: steps that are equal up to the sum of their uncertainties are taken as equal.
 pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached)> {
     let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
     for (_, exits) in &ways {

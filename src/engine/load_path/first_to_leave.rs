@@ -29,8 +29,8 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor, or if the simple case of this file does not
-/// apply.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor. Also `None` unless everything clearly sticks
+/// under the base load, and one contact stops sticking before all others.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -67,7 +67,7 @@ pub(super) enum WhileTurning {
 }
 
 /// The first contact that stops sticking while the load turns by up to `turn.angle`, or [`WhileTurning::Never`]. `inside` is the load as a function
-/// of the angle. `None` if the simple case of this file does not apply, or if a force touches its cone.
+/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the edge of its friction cone.
 pub(super) fn first_to_leave_on_turn(
     segment: &Segment<'_>,
     turn: &Turn<3>,

@@ -75,7 +75,7 @@ pub(super) struct Flow<'s, 'g> {
     from: f64,
     /// The state at the start of a step, with rates per unit of arclength.
     point: &'s PathPoint,
-    /// Friction forces of the sliding contacts at the start, N, in the order of `arc.sliding`.
+    /// Friction forces of the sliding contacts at the start of the step, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
     /// For each sliding contact, whether its normal force has almost vanished and still decreases, so that its direction of friction needs extra
     /// accuracy.
@@ -142,12 +142,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         Self { arc, from, point, begin, vanishing, sizes }
     }
 
-    /// The direction of the path (rates of twist and load factor) at the start.
+    /// The direction of the path (rates of twist and load factor) at the start of the step.
     fn initial_direction(&self) -> Direction {
         Direction { twist: self.point.twist_rate.clone(), factor: self.point.factor_rate }
     }
 
-    /// The largest of the rates in [`Self::relaxations`], per unit of arclength, at least zero.
+    /// The largest rate at which the friction force of a sliding contact turns towards its slip, per unit of arclength, see [`Self::relaxations`]. At
+    /// least zero.
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
@@ -228,8 +229,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices of the load factor and of the first of the four works in the list of variables. Before them are two tangential friction components for
-    /// each sliding contact, then the twist.
+    /// Indices, in the list of integrated variables, of the load factor and of the first of four works (see [`Self::step`]). Before the load factor
+    /// are two friction components for each sliding contact, then the twist.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
@@ -245,8 +246,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Writes the rates of all variables, per unit of arclength, to `out`; `y` are their changes since the start. Returns whether a contact slips
-    /// against its friction force or, unless the load turns, the load factor decreases. `None` if the path has no unique direction.
+    /// Writes the rates of all variables, per unit of arclength, to `out`; `y` are their changes since the start of the step. Returns whether a
+    /// contact slips against its friction force or, unless the load turns, the load factor decreases. `None` if the path has no unique direction.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;

@@ -66,8 +66,8 @@ pub(crate) trait Follower<'g>: Debug {
     /// The forces and the rate problem at the present place. In the rate problem, contacts on the edge of their cones may slide or open.
     fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g>;
 
-    /// The situation beyond the end of the path, if it ended in a jump to kinetic friction that found no equilibrium. Otherwise `None`, as always
-    /// from a follower without kinetic friction.
+    /// The situation beyond the end of the path, if it ended in a jump at constant load, as friction fell to its kinetic value, that found no
+    /// equilibrium. Otherwise `None`, as always from a follower without kinetic friction.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }

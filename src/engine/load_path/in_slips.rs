@@ -1,8 +1,9 @@
 //! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. Used for verdicts on a load (`hold`) of
 //! many grasps.
 //!
-//! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. The matrices R_ij are responses
-//! of the grasp in which everything sticks to unit slips of contact j. A contact slips along its friction force,
+//! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. F_i⁰ is the force on contact i
+//! under the base load, and F_i¹ its rate, both without slip. The matrix R_ij is the change of F_i per unit slip of contact j, N/m, if everything
+//! else sticks. A contact slips along its friction force,
 //!
 //! ```text
 //! F_i = F_i⁰ + λ F_i¹ + Σ_j R_ij s_j,     s_j' = γ_j p_j,     p_j = F_t,j / |F_t,j|
@@ -104,8 +105,8 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the state `at`, in which the contact `first` begins to slide, and writes the result to `path`. `None` in cases that are
-    /// left to a `LoadPath`.
+    /// Follows the load from the state `at` until the path ends, and writes its contacts that slide and its end to `path`. At first `at` holds 1 and
+    /// the load factor at which the contact `first` begins to slide. `None` in cases that are left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),

@@ -15,10 +15,11 @@ use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
 /// A jump from one equilibrium to another under one load. In the first kind contacts begin to slide, and with [kinetic
-/// friction](crate::grasp::Contact::kinetic) they carry less.
+/// friction](crate::grasp::Contact::kinetic) they carry less tangential force.
 ///
-/// The lost force is removed so slowly that other contacts can take it over. Contacts that reach their static friction limit meanwhile begin to
-/// slide, too, and lose force as well. The object comes to rest where forces balance again. It does not overshoot, as if its motion were overdamped.
+/// The tangential force that they lose is removed so slowly that other contacts can take it over. Contacts that reach their static friction limit
+/// meanwhile begin to slide, too, and lose force as well. The object comes to rest where forces balance again. It does not overshoot, as if its
+/// motion were overdamped.
 ///
 /// In the second kind nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). At every point
 /// of this motion forces balance under the same load. The speed at which the gap closes plays no part.

@@ -1,7 +1,8 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
 //!
-//! A contact j that leaves its static cone has the force F_j' on its kinetic cone in place of F_j, at the same stretch. The difference is first
-//! applied as an external force, and then removed along a leg of its own, at the same load W and commands:
+//! A contact j that leaves its static cone has the force F_j' on its kinetic cone in place of F_j, at the same stretch of its springs. The difference
+//! is first applied as an external force. It is then removed along a separate leg with load factor τ, at the same load W and commands, with the grasp
+//! maps G:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -54,8 +55,8 @@ impl<'g> JumpInProgress<'g> {
     }
 
     /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on the leg are removed as well.
-    /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or forces are lost too
-    /// often.
+    /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or contacts lose friction
+    /// force too often.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
         // A lost force is removed at most sixteen times for each contact or drive. Each jump loses energy, so contacts could only stick and slide
         // again more often because of rounding.
@@ -263,8 +264,8 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// Whether any equilibrium solves `problem`, the static problem at the load at which a jump found no equilibrium. Contacts that slide have kinetic
-/// friction. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
+/// Whether any equilibrium exists at a load at which a jump found none; contacts that slide have kinetic friction. `problem` is the static problem at
+/// this load. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         SearchOutcome::Found(..) => Beyond::Snap,

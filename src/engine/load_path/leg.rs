@@ -16,10 +16,10 @@ use crate::prelude::*;
 
 /// One leg of a load program: the load, the commands, or both change linearly to their goals, or the load turns.
 ///
-/// A squeeze is a leg of commands, loading and unloading are legs of the load. A quantity that the leg does not mention keeps its value. Loads act on
-/// the object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal part positive into the
-/// object. All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in proportion to the
-/// fraction of the leg, from 0 to 1; this fraction is the load factor of the leg.
+/// To squeeze the object, a leg changes the commands; to load or unload it, a leg changes the load. A quantity that the leg does not mention keeps
+/// its value. Loads act on the object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal
+/// part positive into the object. All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in
+/// proportion to the fraction of the leg, from 0 to 1; this fraction is the load factor of the leg.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -50,7 +50,7 @@ pub struct Leg<const C: usize> {
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
     pub(super) torques: LegGoal<Vec<f64>>,
-    /// The bodies whose own loads change along the leg, with their goals.
+    /// The bodies whose own loads change along the leg, each with the change of its load, or its load at the end.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
@@ -70,12 +70,12 @@ impl<const C: usize> Leg<C> {
         bodies: Vec::new(),
     };
 
-    /// A leg along which the load changes by `change`.
+    /// A leg along which the load changes by `change`, N and N m about the origin.
     pub fn load_by(change: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::By(change)), ..Self::STAY }
     }
 
-    /// A leg at whose end the load is `load`.
+    /// A leg at whose end the load is `load`, N and N m about the origin.
     pub fn load_to(load: Wrench<C>) -> Self {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
@@ -244,7 +244,7 @@ impl Leg<3> {
     }
 }
 
-/// The change of the load along a leg: linearly in the load factor, or along a turn.
+/// The change of the load along a leg: linear in the load factor, or along a turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegLoad<const C: usize> {
     Straight(LegGoal<Wrench<C>>),
@@ -269,7 +269,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the values at the beginning and end of the previous leg, by the values for the leg with this goal.
+    /// Replaces `commands`, the commands (or torques) at the beginning and end of the previous leg, by those of the next leg, which has this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -16,15 +16,16 @@
 //! ```
 //!
 //! **Beyond.** At an event the rates of forces and motion solve a complementarity problem for the contacts on the edge of their cones. A gap grows
-//! only if the normal force stays zero, and a slip only if the friction reserve stays zero. In this problem a contact inside its cone is treated as
-//! bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues ([`Continuation`]);
-//! without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: if no
-//! other equilibrium exists, the end is a limit load, else a snap. At a snap a load path lets the object move as with viscous contacts, and continues
-//! from the equilibrium in which it comes to rest.
+//! only if the normal force stays zero, and a slip only if the friction margin `μ F_n - |F_t|` stays zero. In this problem a contact inside its cone
+//! is treated as bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues
+//! ([`Continuation`]); without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate
+//! question: if no other equilibrium exists, the end is a limit load, otherwise a snap. At a snap a load path lets the object move as with viscous
+//! contacts, and continues from the equilibrium in which it comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
-//! s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of
-//! sliding turns along the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times. Slips are then integrated with an estimate of the error.
+//! s)`. Here K_t is the tangential stiffness, a_t the tangential command, t·u_c the object's tangential displacement at the contact, and s the
+//! earlier slip. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of sliding turns along
+//! the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times. Slips are then integrated with an estimate of the error.
 //!
 //! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter. The parts of a
 //! path have these names in all files of this module:
@@ -46,9 +47,9 @@
 //! | [`LoadPath`] | whole pieces, which are stored | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ contacts |
 //!
-//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`OnsetMargins`]). In known contact states the law is linear,
-//! `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. The change of forces and twist due to a small change of a datum p
-//! takes one more solve:
+//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`OnsetMargins`]). In known contact states the law is linear, `F_i = K_i (a_i
+//! - G_iᵀq)`, where K_i depends on stiffness, friction and state, a_i is the offset of the contact's springs, G_i the grasp map and q the twist. The
+//! change of forces and twist due to a small change of a datum p takes one more solve:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0

@@ -33,7 +33,8 @@ struct NodeRates<'g> {
     effort: SearchCounts,
 }
 
-/// The state of the path at a node, or at the end of the last piece. Each list has an entry for each contact and drive.
+/// The state of the path at a node, or at the end of the last piece (part of a leg with fixed contact states). Each list has an entry for each
+/// contact and drive.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     /// Contact states. A slide on the round cone is stored with the direction of its friction force.
@@ -146,7 +147,7 @@ impl Node {
                 continue;
             };
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
-            // problem at 1e-12 rad behind the node, the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might
+            // problem at 1e-12 rad beyond the node, the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might
             // have the wrong sign.
             let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
@@ -192,9 +193,9 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts in the solution `found` of the rate problem that touch and gain no force, so that they do not drag the object along. They open
-    /// if a solution exists in which they are open and the object moves less. If no contact gains a force, and a contact would slide on the round
-    /// cone, all contacts that may open are opened.
+    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem, so that they do not drag the object along. They are
+    /// opened if a solution exists in which they are open and the object moves less. If no contact gains a force, and a contact would slide on the
+    /// round cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone a contact slides along its friction force, and a zero force has no direction.

@@ -23,7 +23,8 @@ pub enum Onset<const C: usize> {
     At(Box<OnsetEvent<C>>),
     /// Everything keeps sticking at every load factor; for a turn, at every angle up to the last angle.
     Never,
-    /// A contact slides already at load factor 0, in this equilibrium. (A contact on the edge of its cone sticks, and may leave at load factor 0.)
+    /// A contact slides already at load factor 0, in this equilibrium. (A contact on the edge of its cone still sticks, and may begin to slide at
+    /// load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at load factor 0.
     NoBase(NoEquilibrium<C>),
@@ -31,8 +32,8 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond. Its work is the work of the rate of the load, J per unit of the load factor (J/rad for a
-        /// turn).
+        /// The reason why no equilibrium exists beyond. The work stated in it is that of the rate of the load, J per unit of the load factor (J/rad
+        /// for a turn).
         reason: NoEquilibrium<C>,
     },
     /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
@@ -82,8 +83,8 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The state at an onset, in which everything that touches sticks and some contacts are on the edge of their cones. Rates of load and offsets are per
-/// unit of the load factor. Moments are about the centroid of the contacts.
+/// The state at an onset, in which everything that touches sticks and some contacts are on the edge of their cones. The rates of the load and of the
+/// springs' offsets are per unit of the load factor. Moments are about the centroid of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: StoredSolution,

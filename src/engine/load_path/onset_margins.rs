@@ -1,5 +1,5 @@
-//! The margins m that vanish at an onset, and the derivatives of its load factor τ with respect to the data: `dτ = -dm / m'`, with the rate m' of the
-//! margin along the ramp.
+//! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset's load factor τ. With respect to stiffness, friction
+//! and other data these are `dτ = -dm / m'`, with the rate m' of the margin along the ramp.
 
 use nalgebra::SVector;
 
@@ -84,9 +84,9 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor of the onset with respect to one datum, for each contact or drive of [`Self::leavers`]. Its unit is the
-    /// inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative
-    /// of the forces.
+    /// The derivative of the load factor of the onset with respect to one datum (such as a friction coefficient or stiffness), for each contact or
+    /// drive of [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
@@ -99,9 +99,9 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// The derivative with respect to x at x = 0 of the load factor at which `load` times x is added to the load. It is computed for each contact or
-    /// drive of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load, at the
-    /// value 1. `None` if nothing resists `load` in the present contact states.
+    /// The derivative of the onset's load factor with respect to x, at x = 0, if `load` times x is added to the base load. One derivative for each
+    /// contact or drive of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load,
+    /// at the value 1. `None` if nothing resists `load` in the present contact states.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;

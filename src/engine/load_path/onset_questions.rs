@@ -49,8 +49,8 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`]. Also returns the result of the search for the equilibrium under the base load, if this search was made. A path can start from
-    /// it.
+    /// [`Self::onset`]. Also returns the result of the search for the equilibrium under the base load, if this search was made. A load path can start
+    /// from this equilibrium.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,

@@ -19,8 +19,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 #[derive(Debug, Clone)]
 pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
-    /// The second path is sometimes restarted near the first. This is the sum, over these restarts, of the distance between both paths before each,
-    /// divided by the largest contact force of that step.
+    /// The second path is sometimes restarted near the first. This field is the sum, over all restarts, of the distance between both paths just
+    /// before the restart, divided by the largest contact force there.
     lost: f64,
     /// The largest value so far of the distance between both paths, divided by the largest contact force of the step, plus the sum `lost`.
     pub(super) farthest: f64,

@@ -1,4 +1,4 @@
-//! The data of the step control along a leg: the length of the next step, and the speeds of the object.
+//! State of the step control along a leg: the length of the next step, and the speeds of the object.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,7 +6,7 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// The data of the step control of a path followed in steps, along one leg.
+/// State of the step control of a path followed in steps, along one leg of the load program.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
     /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.

@@ -1,7 +1,7 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded the speed grows without bound, as a power of the load's remaining distance δ from it. With the displacement
-//! q and some p > 0:
+//! Towards a load that is never exceeded the object's speed dq/dδ grows without bound, as a power of the distance δ of the load from this largest
+//! load. With the displacement q and some p > 0:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}

@@ -66,14 +66,15 @@ impl<'g> SteppedFollower<'g> {
         Ok(Advance::Reached(self.accept_step(run, &twice)))
     }
 
-    /// The error of a step divided by the allowed error, the largest such ratio over all contacts.
+    /// The error of the contact forces in a step divided by the error allowed there: the largest such ratio over all contacts. Up to 1 the step is
+    /// accepted.
     fn part_of_what_is_allowed(&self, twice: &DoubledStepSizes) -> f64 {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction of
-        // the leg. The second is the change of forces, and the third the change of forces that the motion would cause in sticking springs, both
-        // divided by the largest force. Errors in the directions of friction decay while the third measure grows to one.
+        // the leg that the step covers. The second is the change of contact forces, the third the change that the object's motion would cause if all
+        // contacts stuck, both divided by the largest force. Errors in the directions of friction decay while the third measure grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
         // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
@@ -88,8 +89,8 @@ impl<'g> SteppedFollower<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // Errors that a step and its halves have in common may be a tenth of the allowed error, because a contact makes such an error only a few
-        // times on a leg.
+        // Errors that a step made at once and its two halves have in common may be a tenth of the allowed error, because a contact makes such an
+        // error only a few times on a leg.
         used.max(twice.unseen / (0.1 * self.error).max(rounding))
     }
 

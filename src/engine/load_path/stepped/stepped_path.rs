@@ -1,4 +1,4 @@
-//! The follower (the part of a path that advances) that follows a load program in steps: its data, and its start.
+//! The follower (the part of a path that advances) that follows a load program in steps: its fields, and its start.
 
 use nalgebra::SVector;
 
@@ -65,7 +65,7 @@ pub struct Step<const C: usize> {
     pub error: f64,
 }
 
-/// Refuses, with an error, an allowed error for a leg that is not from 1e-9 to 1; `what` is its name in the error.
+/// Returns an error unless `value`, the allowed error of contact forces on a leg, is from 1e-9 to 1; `what` is its name in the message.
 pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Error> {
     if (1e-9..=1.0).contains(&value) {
         Ok(())
