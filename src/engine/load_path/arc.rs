@@ -40,8 +40,8 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The constant parts of T and b in `T q' = b λ'`, those without sliding contacts: T is the tangent stiffness, b the right-hand side. They are
-    /// computed on first use, because the rates at which friction forces turn do not need them.
+    /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand side.
+    /// They are computed on first use, because the rates at which friction forces turn do not need them.
     fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -209,15 +209,16 @@ impl<'s, 'g> Arc<'s, 'g> {
         Some((bordered, scale))
     }
 
-    /// Multiplies the tangent stiffness `t` by the displacement u. Returns the largest entry of the scaled `t` and of `push`. Also returns the twist
-    /// part of the last row of the bordered matrix, scaled to this size.
+    /// Multiplies the tangent stiffness `t` by the unit u of displacement. Returns the largest entry of the scaled `t` and of `push`. Also returns
+    /// the twist part of the last row of the bordered matrix, scaled to this size.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// The change of twist and load factor from a solution of the bordered linear system, in which the twist is divided by the displacement u.
+    /// The change of twist and load factor from a solution of the bordered linear system, in which the twist is divided by the unit u of
+    /// displacement.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
@@ -274,7 +275,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
-        // compared with the load at the start.
+        // compared with the load at the start of the leg.
         let from = self.segment.course.at(0.0).norm();
         let (mut frictions, mut balanced) = (frictions.to_vec(), None);
         for _ in 0..4 {

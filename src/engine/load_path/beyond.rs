@@ -37,8 +37,8 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with these contacts sliding or open. This answer occurs only beyond a first slip: a load path is followed as far as
-    /// it continues, so nothing continues at its end.
+    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond a first slip: a load path is followed
+    /// as far as it continues, so nothing continues at its end.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
     /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
@@ -50,7 +50,7 @@ pub enum Beyond<const C: usize> {
     /// object that moves as with viscous contacts reaches none of them by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist at
-    /// larger loads is not known. The reason is the number of contacts: more than 32 on the round cone, or else more combinations of contact states
+    /// larger loads is not known, because there are too many contacts: more than 32 on the round cone, or else more combinations of contact states
     /// than [`Settings::most_states`].
     Ends {
         /// The reason why no rates of forces and motion exist. The work stated in it is that of the rate of the load, J per unit of the load factor.
@@ -186,7 +186,8 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search at the distance `part` finds an equilibrium whose forces differ from those at the end by more than on a continued path.
+    // Whether the search at the distance `part` beyond the end finds another equilibrium: its forces differ from those at the end by more than on a
+    // continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -196,14 +197,14 @@ fn from_scratch<'g>(
     // undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance the search would exceed the allowed number of pivots, too.
+            // At a larger distance beyond the end the search would exceed the allowed number of pivots, too.
             SearchOutcome::Undecided(Doubt::OutOfPivots) => {
                 return Beyond::Undecided { doubt: Doubt::OutOfPivots };
             }
             SearchOutcome::Undecided(doubt) => why = doubt,
             SearchOutcome::Found(found, _) => {
-                // If the forces found are nearly the forces at the end, the search is repeated at shorter distances. Only the forces of another
-                // equilibrium stay different from the forces at the end.
+                // If the forces found are nearly the forces at the end, the search is repeated at load factors nearer to the end. Only the forces of
+                // another equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
                 // If the forces found do not differ from the forces at the end, the equilibrium found may be the one that ends here: rounding may let
                 // this equilibrium exist a little further. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! At the closed gap the path continues at the same load, and contacts keep the slips that the motion has caused. If kinetic friction is lower,
-//! contacts that begin to slide lose a part of their friction force. This part is removed first, along a leg of its own ([`super::jump_leg`]) on
-//! which the gap may close. A motion too large for linear kinematics is not made.
+//! contacts that begin to slide lose a part of their friction force. This part is removed first, along a separate leg ([`super::jump_leg`]) on which
+//! the gap may already close. A motion too large for linear kinematics is not made.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -39,8 +39,8 @@ struct FreeTravel {
     still: Vec<bool>,
 }
 
-/// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. Then no spring is
-/// stretched, and friction is at its limit against the slip. Velocities up to `none` are treated as zero.
+/// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. It does if no spring
+/// is stretched, and friction is at its limit against the slip. Velocities up to `none` are treated as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -143,7 +143,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues with this gap
-    /// closed. `None` if no gap closes, after a failed jump, or if no integration steps are left.
+    /// closed. `None` if no gap closes, if a jump (motion at constant load) has failed here, or if no integration steps are left.
     pub(super) fn closing_gap_event(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= run.settings.most_steps {
             return None;
@@ -190,9 +190,9 @@ impl<'g> PiecewiseFollower<'g> {
 }
 
 impl<'g> JumpInProgress<'g> {
-    /// Continues the jump after the loss of equilibrium `loss` on its present leg. If contacts begin to slide with lower kinetic friction, starts a
-    /// new leg along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes, and returns
-    /// false.
+    /// Continues the jump after `loss`, a loss of equilibrium on the jump's present leg. If contacts begin to slide with lower kinetic friction,
+    /// starts a new leg along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes,
+    /// and returns false.
     ///
     /// # Errors The loss `loss`, if no gap closes.
     pub(super) fn follow_free_motion(

@@ -21,7 +21,8 @@ pub(super) struct StepEnd {
 }
 
 impl PiecewiseFollower<'_> {
-    /// Makes a step of this arclength from `point` along an arc, and evaluates the watched conditions at its end; `None` if the step fails.
+    /// Makes a step of the arclength `length` from `point` along an arc, and evaluates the watched conditions at its end. `trial` is the number of
+    /// earlier trials of this step. `None` if the step fails.
     pub(super) fn step(
         &self,
         point: &PathPoint,

@@ -1,4 +1,4 @@
-//! A closed cycle of legs of a load program, followed again and again.
+//! A closed cycle of legs (sections of a load program), followed again and again.
 
 use nalgebra::{Matrix, SVector};
 
@@ -103,7 +103,7 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The same cycle of legs, not followed yet, at a beginning in the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
+    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
     /// slide at once, or the equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;

@@ -19,7 +19,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Event<const C: usize> {
-    /// Index of the leg, from 0.
+    /// Index of the leg (section of the load program), from 0.
     pub leg: usize,
     /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding or, if a contact slides on the round cone, up to the error of the
     /// steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
@@ -48,8 +48,8 @@ pub struct Event<const C: usize> {
     pub other_continuations: Option<usize>,
     /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).
     pub state: Equilibrium<C>,
-    /// The jump at this load: a contact begins to slide with kinetic friction below its static friction, or the object moves freely until a gap
-    /// closes. `None` without a jump.
+    /// The jump at this load: a contact's friction falls as it begins to slide, the object moves freely until a gap closes, or it snaps over to
+    /// another equilibrium. `None` without a jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub jump: Option<Box<Jump<C>>>,
 }
@@ -123,7 +123,7 @@ pub enum PathEnd<const C: usize> {
     NoStart(Box<Outcome<C>>),
     /// The path could not be followed beyond this place, and it is not known whether an equilibrium continues it. Up to this place the path is valid.
     Undecided {
-        /// Index of the leg, from 0.
+        /// Index of the leg (section of the load program), from 0.
         leg: usize,
         /// Fraction of the leg that is done, from 0 to 1.
         fraction: f64,
@@ -166,7 +166,7 @@ impl<const C: usize> PathEnd<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Loss<const C: usize> {
-    /// Index of the leg, from 0.
+    /// Index of the leg (section of the load program), from 0.
     pub leg: usize,
     /// Fraction of the leg that is done at the loss, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]

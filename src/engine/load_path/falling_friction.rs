@@ -64,8 +64,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether one of the contacts in `reached` has kinetic friction and has almost lost its contact force. As the force of such a contact decreases
-    /// to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
+    /// Whether one of the contacts in `reached` (whose present states end here) has kinetic friction and has almost lost its contact force. As the
+    /// force of such a contact decreases to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
@@ -73,8 +73,8 @@ impl<'g> PiecewiseFollower<'g> {
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Takes the forces of those contacts in `reached` that are almost zero as zero: puts these contacts at the apex of their cones. Adds the
-    /// relative size of these forces to the step error.
+    /// Takes almost vanishing forces of the contacts in `reached` (whose present states end here) as zero: puts these contacts at the apex of their
+    /// cones. Adds the relative size of these forces to the step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {

@@ -160,11 +160,11 @@ impl FirstToLeave {
     }
 }
 
-/// Whether the margin of every condition of sticking is more than the fraction `NEGLIGIBLE` of the size of its terms. For an absent contact the
-/// conditions are those of being open.
+/// Whether the value of every condition of sticking, positive inside the friction cone, is more than the fraction `NEGLIGIBLE` of the size of its
+/// terms. For an absent contact the conditions are those of being open.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // If the margin of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
+    // If the value of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.trial_state(), at, |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
@@ -212,7 +212,8 @@ fn first_exit(
         }
     }
     first.filter(|FirstContact { exit, .. }| {
-        // The next exit must come later than the first, by more than the fraction `NEGLIGIBLE` of the load factor of the first.
+        // The next exit of a force from its cone must come later than the first, by more than the fraction `NEGLIGIBLE` of the load factor of the
+        // first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor up to the onset: if they would grow more, their rates may be rounding.

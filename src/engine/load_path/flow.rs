@@ -7,9 +7,9 @@
 //! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
 //! ```
 //!
-//! with the tangent stiffness T, the right-hand side b, and for each contact the tangent stiffness C, the rate a' of its offset and the grasp map G.
-//! Thus a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps
-//! preserve it. A step removes friction forces a little from their cones. Newton's method transverse to the path puts them back.
+//! with the tangent stiffness T, the right-hand side b, and for each contact the tangent stiffness C, the rate a' of the offset of its springs and
+//! the grasp map G. Thus a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in all
+//! variables, and steps preserve it. A step removes friction forces a little from their cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 
@@ -290,8 +290,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with force F and rate a' of the offset. `y` are the
-    /// changes of all variables since the start.
+    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with force F and rate a' of the offset of the springs. `y`
+    /// are the changes of all variables since the start.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -332,8 +332,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the start that ends at the load factor `goal`, of arclength less than `most`. `None` if sixty trials do not find it or a trial
-    /// fails.
+    /// The step from the starting point of this flow to the load factor `goal`, if its arclength is less than `most`. `None` if sixty trials do not
+    /// find it or a trial fails.
     pub(super) fn step_to_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<FlowStep> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.point.factor_rate;

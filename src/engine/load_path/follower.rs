@@ -28,7 +28,7 @@ pub(crate) enum Advance<T> {
 }
 
 /// The contact forces at the present place of a path, and `rates`, the complementarity problem for the rates of forces and motion there (rate
-/// problem). Its solution decides whether contacts on the edge of their cones stick, slide or open.
+/// problem). The solution of this problem decides whether contacts on the edge of their cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -66,8 +66,8 @@ pub(crate) trait Follower<'g>: Debug {
     /// The forces and the rate problem at the present place. In the rate problem, contacts on the edge of their cones may slide or open.
     fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g>;
 
-    /// The situation beyond the end of the path, if it ended in a jump at constant load, as friction fell to its kinetic value, that found no
-    /// equilibrium. Otherwise `None`, as always from a follower without kinetic friction.
+    /// The situation beyond the end of the path, if the path ended in a jump: friction fell to its kinetic value at constant load, and no equilibrium
+    /// was found. Otherwise `None`, as always from a follower without kinetic friction.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }

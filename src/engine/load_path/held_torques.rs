@@ -92,8 +92,8 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The torques that hold the joints, minus the torques of the hand before the program, at the beginning and at the end of the leg. They are
-    /// generalised forces on the coordinates of the grasp. `None` if no leg so far changes them.
+    /// The torques that hold the joints, minus the torques before the load program, as generalised forces on the coordinates of the grasp. One vector
+    /// for the beginning of the leg, one for its end. `None` if no leg so far changes them.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {

@@ -55,8 +55,8 @@ pub(crate) enum SlipEnd {
 }
 
 impl Engine {
-    /// Follows a load that grows along `ramp` up to the load factor `most`, from an onset below `most`. `None` in all cases that are left to a
-    /// `LoadPath`, see the head of this file.
+    /// Follows a load that grows along `ramp` up to the load factor `most`, starting at the onset of sliding, which must be at a load factor below
+    /// `most`. `None` in all cases that are left to a `LoadPath`, see the head of this file.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
@@ -105,8 +105,8 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the state `at` until the path ends, and writes its contacts that slide and its end to `path`. At first `at` holds 1 and
-    /// the load factor at which the contact `first` begins to slide. `None` in cases that are left to a `LoadPath`.
+    /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. At first `at`
+    /// holds 1 and the load factor at which the contact `first` begins to slide. `None` in cases that are left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -284,7 +284,8 @@ impl Slips<'_> {
 }
 
 /// The slip rates of the chosen contacts, per unit of the load factor, with which their margins `μ F_n - |F_t|` stay zero. The slip rates of all
-/// other contacts are zero. `None` if the equations do not determine the slip rates.
+/// other contacts are zero. `margins` has the derivatives of each margin with respect to the load factor and to the slip of each contact. `None` if
+/// the equations do not determine the slip rates.
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {

@@ -1,4 +1,5 @@
-//! Jumps at constant load: friction falls as a contact begins to slide, or nothing resists the object. A jump ends when contacts stop the object.
+//! Jumps at constant load: friction falls as a contact begins to slide, nothing resists the object, or the object snaps over to another equilibrium.
+//! A jump ends when contacts stop the object.
 
 use core::fmt;
 
@@ -68,7 +69,8 @@ pub struct JumpSlip<const C: usize> {
     pub slip: SVector<f64, C>,
 }
 
-/// For example "caught after left slips 0.4 mm", for a soft fingertip with the point that slips farthest, or "the object moves 0.4 mm along +x to stop".
+/// The jump in words, for example "caught after left slips 0.4 mm", for a soft fingertip with the point that slips farthest, or "the object moves 0.4
+/// mm along +x to stop".
 impl<const C: usize> fmt::Display for Jump<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

@@ -47,9 +47,9 @@
 //! | [`LoadPath`] | whole pieces, which are stored | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ contacts |
 //!
-//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`OnsetMargins`]). In known contact states the law is linear, `F_i = K_i (a_i
-//! - G_iᵀq)`, where K_i depends on stiffness, friction and state, a_i is the offset of the contact's springs, G_i the grasp map and q the twist. The
-//! change of forces and twist due to a small change of a datum p takes one more solve:
+//! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`OnsetMargins`]). In known contact states the law of contact i is linear,
+//! `F_i = K_i (a_i - G_iᵀq)`. Here K_i depends on stiffness, friction and state, a_i is the offset of the contact's springs, G_i the grasp map and q
+//! the twist. The change of forces and twist due to a small change of a datum p (such as a stiffness or friction coefficient) takes one more solve:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0

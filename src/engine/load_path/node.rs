@@ -42,8 +42,8 @@ pub(super) struct Node {
     /// For each contact the unit direction in which it slides, in coordinate axes; `None` if it does not slide.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) active_sets: Vec<ActiveSet>,
-    /// For each contact, whether it has infinite friction and carries a tangential force. It loses such a force at once when its normal force
-    /// vanishes.
+    /// For each contact, whether it has infinite friction and carries a tangential force. Such a contact loses this force at once when its normal
+    /// force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether some contact starts to slide from the apex of its cone: it has a direction of sliding, but no friction force yet.
     pub(super) starts_at_apex: bool,
@@ -260,7 +260,7 @@ impl Node {
     }
 }
 
-/// Lets contacts of `found` slide whose force, if they stuck, would leave the round cone along a tangent, see
+/// Lets a contact of `found` slide if its force, while it sticks, would leave the round cone along a tangent, see
 /// [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);

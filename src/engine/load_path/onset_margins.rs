@@ -1,5 +1,5 @@
-//! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset's load factor τ. With respect to stiffness, friction
-//! and other data these are `dτ = -dm / m'`, with the rate m' of the margin along the ramp.
+//! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset's load factor τ. If a change of the data (stiffness,
+//! friction and others) changes a margin by dm, τ changes by `dτ = -dm / m'`. Here m' is the rate of the margin along the ramp.
 
 use nalgebra::SVector;
 

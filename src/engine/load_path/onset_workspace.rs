@@ -75,7 +75,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Puts an event into the box of the last event taken back by [`Self::reclaim`], or into a new one.
+    /// Puts an event into the box that [`Self::reclaim`] last took back, so that its memory is reused. Without such a box it makes a new one.
     pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {

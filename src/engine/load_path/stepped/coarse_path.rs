@@ -15,14 +15,15 @@
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The second path, of steps made at once.
+/// The second path, of steps that are made at once and not in two halves.
 #[derive(Debug, Clone)]
 pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
     /// The second path is sometimes restarted near the first. This field is the sum, over all restarts, of the distance between both paths just
     /// before the restart, divided by the largest contact force there.
     lost: f64,
-    /// The largest value so far of the distance between both paths, divided by the largest contact force of the step, plus the sum `lost`.
+    /// Estimated error of the path: the largest value so far of the distance between both paths, divided by the largest contact force of the step,
+    /// plus `lost`.
     pub(super) farthest: f64,
 }
 
@@ -34,7 +35,7 @@ impl CoarsePath {
 
     /// Makes on the second path the step that the first path has made between the states `from` and `to`. `at_once` is the end of that step made at
     /// once. The second path moves to `at_once` if it finds no step of its own, or only a step to a distant state. It also moves to `at_once` if it
-    /// nearly agrees with the first path. `beside` is memory for its own step.
+    /// nearly agrees with the first path. `beside` is memory for the second path's own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,

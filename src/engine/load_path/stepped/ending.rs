@@ -18,9 +18,9 @@ impl<'g> SteppedFollower<'g> {
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = chosen(edge.rates.len(), &leaves);
         if self.pace.speeds.run_to(fraction) {
-            // Before a maximum of the load forces keep changing; towards an asymptote they become constant while the object moves. `changed` is the
-            // largest change of a force in the last step, divided by the change that the motion would cause in sticking springs. Before maxima it is
-            // some hundredths, at least a thousandth; towards asymptotes it falls to about 1e-5.
+            // Before a maximum of the load, contact forces keep changing. Towards an asymptote of the motion they become constant while the object
+            // moves. `changed` is the largest change of a force in the last step, divided by the change that the motion would cause in sticking
+            // springs. Before maxima it is some hundredths, at least a thousandth; towards asymptotes it falls to about 1e-5.
             let kind = if self.pace.changed < 2e-4 { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);
             return PathEnd::Lost(Box::new(run.loss(fraction, kind, leaving, motion.as_ref())));

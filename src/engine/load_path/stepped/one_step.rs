@@ -14,7 +14,7 @@ use crate::prelude::*;
 /// The state of the grasp at a place of the path. The twist is about the centroid of the contacts; lists have an entry for each contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
-    /// Fraction of the leg that is done in this state, from 0 to 1.
+    /// Fraction of the leg (section of the load program) that is done in this state, from 0 to 1.
     pub(super) fraction: f64,
     pub(super) twist: Vector,
     /// Accumulated slips since the start of the path, m, in the contact frames.
@@ -53,7 +53,8 @@ impl SteppedState {
     }
 }
 
-/// The static problem at the end of a step along the present leg; each step writes its offsets and its load into the problem.
+/// The static problem at the end of a step along the present leg; each step writes the offsets of the contact springs and the load at its end into
+/// the problem.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,

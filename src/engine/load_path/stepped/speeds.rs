@@ -1,7 +1,7 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded the object's speed dq/dδ grows without bound, as a power of the distance δ of the load from this largest
-//! load. With the displacement q and some p > 0:
+//! Towards a load that is never exceeded, the object's speed dq/dδ grows without bound, as a power of the load's distance δ from this limit. With the
+//! displacement q and some p > 0:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
@@ -12,7 +12,8 @@
 
 use crate::prelude::*;
 
-/// Pairs of a fraction of the leg and the speed of the object at this fraction. Each speed is more than twice the speed before.
+/// Pairs of a fraction of the leg (section of the load program) and the object's speed there, in the unit of [`Speeds::note`]. Each speed is more
+/// than twice the speed before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 

@@ -17,7 +17,7 @@ impl SteppedState {
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is subtracted from the offsets already, so a sliding contact keeps only its direction of sliding.
+        // All slip so far is already subtracted from the offsets of the contact springs, so a sliding contact keeps only its direction of sliding.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -29,13 +29,14 @@ impl SteppedState {
     }
 
     /// The forces of this state, with the complementarity problem for the rates of forces and motion in this state. A contact is taken as on the edge
-    /// of its friction cone if its force is within 1e-9 of the largest force from that edge. The last steps resolve no less.
+    /// of its friction cone if its force is within 1e-9 of the largest force from that edge. The last, shortest steps of a path resolve no smaller
+    /// margin.
     pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
         let segment = run.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // A friction margin (`μ F_n - |F_t|`), or the force that would close a gap, is taken as zero below this fraction of the largest force. The
-        // last steps cover 1e-12 of a leg (section of the load program). With a smaller fraction, a contact that such a step would bring to its edge
-        // would still be taken as inside its cone, and the limit load would not be recognised.
+        // A friction margin `μ F_n - |F_t|`, or the force that would close a gap, counts as zero below this fraction of the largest force. The last
+        // steps cover 1e-12 of a leg (section of the load program). With a smaller fraction, a contact that such a step would bring to its edge would
+        // still be taken as inside its cone, and the limit load would not be recognised.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

@@ -73,8 +73,9 @@ impl<'g> SteppedFollower<'g> {
         let length = to.fraction - from.fraction;
         let way = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction of
-        // the leg that the step covers. The second is the change of contact forces, the third the change that the object's motion would cause if all
-        // contacts stuck, both divided by the largest force. Errors in the directions of friction decay while the third measure grows to one.
+        // the leg that the step covers. The second is the change of contact forces, divided by the largest force. The third is the change that the
+        // object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction decay while the third measure
+        // grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
         // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with `way`, the sum of the
         // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.

@@ -49,7 +49,7 @@ pub(crate) struct SteppedFollower<'g> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Step<const C: usize> {
-    /// Index of the leg, from 0.
+    /// Index of the leg (section of the load program), from 0.
     pub leg: usize,
     /// Fraction of the leg at the end of the step, up to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]

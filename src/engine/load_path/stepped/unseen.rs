@@ -2,8 +2,8 @@
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`. Let sticking springs have the stiffness K and the stretch v. At
 //! the end of the step their force differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact slides on
-//! its cone along p. The rate at which the motion drives its force out of the cone is `a = p·K v_t' - μ k_n v_n'`. At the fraction s of the step this
-//! rate is a + c s, with `c = a' h` < 0:
+//! its cone along p. The rate at which the motion drives its force out of the cone is `a = p·K v_t' - μ k_n v_n'`. Here k_n is the normal stiffness,
+//! and v_t' and v_n' are the rates of the tangential and normal stretch. At the fraction s of the step this rate is a + c s, with `c = a' h` < 0:
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
@@ -38,7 +38,7 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // In the middle of each half the deviation from a straight line is a quarter of that in the middle of the whole step.
+        // In the middle of each half step the twist deviates from a straight line by a quarter of the deviation in the middle of the whole step.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
