@@ -1,7 +1,8 @@
-//! Exact derivatives of forces and motion with respect to one datum, while contacts keep their states.
+//! Exact derivatives of forces and motion with respect to one datum (a given number of the grasp or its load), while contacts keep their states.
 //!
-//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. The derivative with
-//! respect to any datum z takes one more solve with the same factors:
+//! In known states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i, the grasp map G_i and the twist q.
+//! K_i depends on stiffness, friction and state. The derivative with respect to any datum z takes one more solve with the same factors (W is the
+//! load, and v_i = a_i - G_iᵀq the stretch):
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
@@ -48,7 +49,7 @@ pub enum Parameter {
         axis: usize,
     },
     /// Position of a contact, m, while its frame keeps its directions. Commands and clearance stay along the axes of the frame. Not available for a
-    /// grasp by a hand, whose joints would move the contact differently.
+    /// contact of a hand: if its position changed, joints would move it differently.
     Point {
         /// Index of the contact, from 0.
         contact: usize,
@@ -87,8 +88,8 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivatives of forces and twist of an equilibrium with respect to one datum, per unit of the datum. `None` if the grasp has no such datum,
-    /// or if after a small change of the datum no forces balance in the present contact states.
+    /// The derivatives of contact forces and twist of an equilibrium with respect to one given number (the datum `by`), per unit of it. `None` if the
+    /// grasp has no such datum, or if after a small change of the datum no forces balance in the present contact states.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
         let mut offsets = self.at_rest();

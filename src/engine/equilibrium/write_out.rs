@@ -158,8 +158,8 @@ struct SolvedContact<'s> {
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip in addition to `memory`, m, which is zero if the contact sticks. For an open or frictionless contact the
-    /// second value is the displacement of the surfaces past each other.
+    /// State of the contact, and its slip since the slip `memory` was accumulated, m. This slip is zero if the contact sticks. For an open or
+    /// frictionless contact the second value is the displacement of the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {

@@ -179,8 +179,9 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved by the sum of τ times the
-/// motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion in `motions`, for which the inequalities of all contact states hold after the object has
+/// moved by the sum of τ times the motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each
+/// comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],
@@ -200,8 +201,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
-                // If the rate of an inequality along a unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very long
-                // motion could seem to satisfy the inequality.
+                // If the change of an inequality's value per unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very
+                // long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -29,8 +29,8 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
     }
 }
 
-/// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. It may break
-/// inequalities. `None` if no forces in these states balance the load.
+/// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. This solution may
+/// break inequalities of the contact states. `None` if no forces in these states balance the load.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);

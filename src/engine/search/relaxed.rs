@@ -31,7 +31,7 @@ use crate::proofs::{ESCAPE, LEAST_WORK};
 /// A generator of the hull of a contact law: the index of its contact, and its index among the generators of that contact.
 pub(super) type GeneratorIndex = (usize, usize);
 
-/// The equation `e + P (f - e) = f⁰`, which expresses balance of forces f and compatibility of stretches e.
+/// The equation `e + P (f - e) = f⁰` with the projector P, which expresses balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
@@ -54,7 +54,8 @@ pub(super) enum Relaxed {
 }
 
 impl BalanceEquation {
-    /// The equation of a problem with the solution of its elastic trial; `None` if the elastic trial carries no force.
+    /// Sets up the equation for a problem, given the solution `state` of its elastic trial `trial`, in which every contact sticks. `None` if the
+    /// elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -115,7 +116,8 @@ impl BalanceEquation {
         }
     }
 
-    /// The scalar product of y with the column of each generator: `(1 - P) y` times the generator's stretch, plus `P y` times its force.
+    /// The scalar product of y with the value `e + P (f - e)` of each generator, a stretch e with a force f: `(1 - P) y` times the generator's
+    /// stretch, plus `P y` times its force.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],

@@ -107,7 +107,7 @@ impl RoundPieces {
         })
     }
 
-    /// One Newton step: adds corrections of forces and twist from the linear problem `piece`. Returns their sizes.
+    /// One Newton step: adds the corrections of forces and twist that follow from the linear problem `piece`. Returns the sizes of these corrections.
     fn step(&mut self, problem: &Problem, piece: &Piece) -> NewtonChange {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);

@@ -42,8 +42,8 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search. In a rate problem, the law of
-/// a contact on the edge of a round cone is a plane facet.
+/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search. In a rate problem (for
+/// derivatives along a load path), the law of a contact on the edge of a round cone is a plane facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
