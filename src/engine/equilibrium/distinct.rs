@@ -1,7 +1,7 @@
 //! Contact states that working precision distinguishes from their neighbours.
 //!
-//! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, a slip or the margin `μ F_n
-//! - |F_t|` to the edge of the friction cone vanishes. Next to such a point the last digits of the numbers given for grasp and load determine the
+//! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, a slip or the margin to the
+//! edge of the friction cone, `μ F_n - |F_t|`, vanishes. Next to such a point the last digits of the numbers given for grasp and load determine the
 //! state.
 
 use super::answer::Equilibrium;
@@ -13,8 +13,8 @@ use crate::object::largest_force;
 use crate::prelude::*;
 
 impl Engine {
-    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether its state is distinct. `None` if the
-    /// equilibrium lacks the engine's solution, as after reading it from a file.
+    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether working precision distinguishes its
+    /// state from neighbouring states. `None` if the equilibrium lacks the engine's solution, as after reading it from a file.
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =

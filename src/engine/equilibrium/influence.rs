@@ -24,7 +24,7 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence matrix of each contact and drive for forces at a point. The error contains a motion that nothing resists and along which one of
+    /// The influence matrix of each contact and drive for forces at a point. The error value is a motion that nothing resists and along which one of
     /// the unit forces does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();

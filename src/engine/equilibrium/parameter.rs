@@ -67,17 +67,17 @@ pub enum Parameter {
     },
     /// Command of a joint of the hand or of a tendon, rad or m.
     JointCommand {
-        /// Index of the joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
     /// Stiffness of the own spring of a joint or of a tendon, N m/rad or N/m.
     JointStiffness {
-        /// Index of the joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
-    /// Limit of a joint or of a tendon, N m or N.
+    /// Greatest torque or force of the drive of a joint, or greatest tension of a tendon, N m or N.
     JointLimit {
-        /// Index of the joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
     /// Component of the load on the object: forces first (N), then moments about the origin (N m).
@@ -172,8 +172,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // Forces are taken as rounding below this fraction of the force that the same displacement of the contact alone would cause in its
-            // stiffest spring.
+            // A free motion stays free if the forces that it causes in the changed geometry are rounding. They are rounding below this fraction of
+            // the force that the same displacement of the contact alone would cause in its stiffest spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })

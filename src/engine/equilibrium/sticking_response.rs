@@ -27,7 +27,8 @@ pub(crate) struct StickingResponse<'g> {
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms whose sum it is, to which its rounding is proportional.
+/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms that add up to this force; the rounding error of the force
+/// is proportional to it.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -70,7 +71,7 @@ impl<'g> StickingResponse<'g> {
     }
 
     /// Forces of contacts and drives under the finger offsets `offsets` (commands minus clearances) and the load `load` in the engine's coordinates.
-    /// Contacts and drives have the states of this response. The error contains a motion that nothing resists and along which the load does work.
+    /// Contacts and drives have the states of this response. The error value is a motion that nothing resists and along which the load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -101,8 +102,9 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least margin of any contact to opening or sliding under a load, as a fraction of the largest contact force. It is computed as if every
-    /// contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all contact forces are zero.
+    /// The least distance of any contact force from the edge of its friction cone, or from opening, under a load, as a fraction of the largest
+    /// contact force. It is computed as if every contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all
+    /// contact forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

@@ -153,7 +153,7 @@ struct SolvedContact<'s> {
     offset: SVector<f64, 3>,
     /// Slip accumulated along a load path so far, m.
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core at the contact, minus the finger's displacement by its joints, in the contact frame, m.
+    /// Displacement of the contact point as a point of the rigid body, minus the finger's displacement due to joints, in the contact frame, m.
     moved: SVector<f64, 3>,
 }
 

@@ -158,7 +158,7 @@ pub(crate) struct SearchCounts {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Whether the dense kinematic form was proved, up to rounding, to have no solution, so that no choice of slips and gaps solves it. Always false
-    /// with round cones.
+    /// Whether the kinematic form (the complementarity problem for gaps and slips) with a dense matrix was proved, up to rounding, to have no
+    /// solution, so that no choice of slips and gaps solves it. Always false with round cones.
     pub(crate) no_slips: bool,
 }

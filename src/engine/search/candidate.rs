@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
     Violated {
-        /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
+        /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
-    /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
+    /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
@@ -65,8 +65,9 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // An inequality may be violated by this fraction of its size, times the factor by which the linear problem amplifies rounding errors. In
-    // symmetric grasps equalities are common: a slack that is exactly zero is computed as a few roundings of 1e-16.
+    // The value of an inequality, which should not be negative, may be below zero by this fraction of the size of its terms, times the factor by
+    // which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero is computed as a
+    // few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.

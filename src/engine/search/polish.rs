@@ -61,8 +61,8 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<SearchSolu
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution with round friction cones near `near`, the solution with polygonal cones and these contact states. Newton's method starts from the
-/// twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
+/// The solution with round friction cones that is close to `near`, the solution with polygonal cones in the contact states `states`. Newton's method
+/// starts from the twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<SearchSolution> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

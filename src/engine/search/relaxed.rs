@@ -43,13 +43,13 @@ pub(super) struct BalanceEquation {
     roots: Vec<SVector<f64, 3>>,
 }
 
-/// The result of relaxing every contact's law to its convex hull in one case.
+/// The result of relaxing every contact's law to its convex hull in one case of branch and bound, which restricts the contact states.
 pub(super) enum Relaxed {
     /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution. If
     /// the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. It would be larger than the elastic trial state by at least
-    /// this factor.
+    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. Such an equilibrium would be larger than the elastic trial
+    /// state, in which every contact sticks, by at least this factor.
     Contradicted { escape: f64 },
 }
 

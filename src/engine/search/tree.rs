@@ -61,8 +61,8 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     by_size.min(settings.most_states / 5)
 }
 
-/// Searches case by case, at most `most_cases`, from the solution `state` of the elastic trial `trial`. If the result is `Contradicted`, `record` has
-/// received the steps of the proof.
+/// Branch and bound over at most `most_cases` cases of contact states, starting from the solution `state` of the elastic trial `trial`. If the result
+/// is `Contradicted`, `record` has received the steps of the proof.
 pub(super) fn search_tree(
     problem: &Problem,
     trial: &Piece,
