@@ -87,7 +87,7 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// These forces, in which a contact's force is set to zero if it contributes only rounding to the velocities of all contacts.
+    /// The forces r, in which a contact's force is set to zero if it contributes only rounding to the velocities of all contacts.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

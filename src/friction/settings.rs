@@ -27,7 +27,7 @@ pub struct Settings {
     /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
     pub tolerance: f64,
     /// Settings of the complementarity problem. If the complementarity problem has up to twelve rows (three contacts in the plane), the last resort
-    /// is to try all bases.
+    /// is to try all complementary bases.
     pub lcp: lcp::Settings,
 }
 

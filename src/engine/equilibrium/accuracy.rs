@@ -51,7 +51,7 @@ impl Engine {
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(problem.size(), at.twist.clone());
-        // The direction of each slide on the round cone is recomputed from the present force and slip.
+        // The direction in which each contact slides on the round cone is recomputed from the present force and slip.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);

@@ -57,7 +57,7 @@ pub enum Parameter {
         axis: usize,
     },
     /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
-    /// components along its axes, and so turn with it; commands of joints stay.
+    /// components along its axes, and so turn with the frame; commands of joints stay.
     Normal {
         /// Index of the contact, from 0.
         contact: usize,

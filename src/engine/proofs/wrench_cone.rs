@@ -155,8 +155,8 @@ pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
 /// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` if no motion separates them
 /// clearly.
 ///
-/// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the residual of the nearest forces is tried, for
-/// at most [`MOST_COORDINATES`] coordinates.
+/// With many coordinates the augmented Lagrangian searches for this motion. If the residual of this method proves nothing, the residual of the
+/// nearest forces is tried, for at most [`MOST_COORDINATES`] coordinates.
 pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
     if !uses_band(problem.size()) {

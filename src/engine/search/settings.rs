@@ -100,8 +100,8 @@ impl Settings {
         /// one leg (section) of a load path.
         pub fn with_most_steps(mut self, most_steps: usize) { self.most_steps = most_steps; }
 
-        /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no farther
-        /// than this multiple of the load asked about, see [`Settings::most_load`].
+        /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no
+        /// farther than this multiple of the load asked about, see [`Settings::most_load`].
         pub fn with_most_load(mut self, most_load: f64) { self.most_load = most_load; }
 
         /// These settings with another upper limit of the number of cycles of a repeated load that are followed.

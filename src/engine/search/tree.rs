@@ -1,9 +1,9 @@
 //! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
 //!
 //! A case restricts the states of each contact by a [`Label`]; the first case restricts no contact. The relaxation of a case ([`super::relaxed`])
-//! either contradicts the case, or gives a stretch and a force for every contact. In some cases Newton's method starts from these. Unless it
-//! converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two cases. Every division brings
-//! the relaxation closer to the law, until cases are contradicted or Newton's method converges.
+//! either contradicts the case, or gives a stretch and a force for every contact. In some cases Newton's method starts from these stretches and
+//! forces. Unless Newton's method converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two
+//! cases. Every division brings the relaxation closer to the law, until cases are contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
