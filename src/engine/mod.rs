@@ -1,4 +1,5 @@
-//! From a checked question to contact forces: the coupling of the contacts, complementarity problems, searches, proofs, equilibria and load paths.
+//! From a validated grasp, commands and load to contact forces: the coupling of the contacts, complementarity problems, searches, proofs, equilibria
+//! and load paths.
 
 pub mod equilibrium;
 pub mod forms;

@@ -23,7 +23,7 @@ use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// The force Π(ζ) of a contact with friction μ for the trial value ζ, and its derivative with respect to ζ.
+/// The return map Π of a contact with friction μ: the force Π(ζ) for the trial value ζ = `trial`, and its derivative with respect to ζ.
 pub(super) fn answer<const C: usize>(
     trial: &SVector<f64, C>,
     mu: f64,

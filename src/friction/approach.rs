@@ -49,7 +49,7 @@ pub(super) struct BestForces {
     pub(super) worst: usize,
     /// Number of Newton steps of all starts so far.
     pub(super) steps: usize,
-    /// Whether the watcher has stopped the solve.
+    /// Whether the caller's function (the watcher), which receives the progress, has stopped the solve.
     pub(super) stopped: bool,
 }
 

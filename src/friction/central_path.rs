@@ -52,8 +52,8 @@ fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {
     block
 }
 
-/// Follows the path from the forces r; the first τ is `begin` times the mean of ‖r_i‖² / ρ_i over the contacts. `judge` returns the residual of
-/// forces, or stops the path. Returns the forces with the smallest residual, and the number of Newton steps.
+/// Follows the central path from the forces r, as its parameter τ decreases. The first τ is `begin` times the mean of ‖r_i‖² / ρ_i over the contacts.
+/// `judge` returns the residual of forces, or stops the path. Returns the forces with the smallest residual, and the number of Newton steps.
 pub(super) fn follow<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -131,7 +131,8 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// The residual r' − P(r' − ρ û') of a contact's smoothed law, and its derivatives with respect to the contact's force and velocity.
+/// The residual r' − P(r' − ρ û') of a contact's smoothed law (symbols at the top of the file), and the derivatives of this residual with respect to
+/// the contact's force and velocity.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,

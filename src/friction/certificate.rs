@@ -87,8 +87,8 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// The exact sum Σ y_i (W_iN + μ W_iT) over contacts i, with entries of the normal and tangential columns of the matrix W. The product of y_i and μ
-/// is split into two doubles. `None` if it underflows or overflows.
+/// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) over contacts i, which is at most zero in a proof. W_iN and W_iT are entries of the normal and
+/// tangential columns of one contact in the matrix W. The product of y_i and μ is split into two doubles. `None` if it underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

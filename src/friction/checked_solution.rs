@@ -11,8 +11,8 @@ use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// These forces, with the forces of open contacts set to zero, and forces just outside a cone moved onto its edge. `u` has the velocities of the
-    /// contacts; the factor ρ of each contact converts velocities to forces.
+    /// Removes rounding errors from the forces r: forces of open contacts become zero, and forces just outside a cone are moved onto its edge. `u`
+    /// has the velocities of the contacts; the factor ρ of each contact converts velocities to forces.
     pub(super) fn snapped_to_cones(
         &self,
         mut r: DVector<f64>,
@@ -87,7 +87,7 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// These forces, in which a contact's force is set to zero if it contributes only rounding to the velocities of all contacts.
+    /// The forces r, in which a contact's force is set to zero if it contributes only rounding to the velocities of all contacts.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

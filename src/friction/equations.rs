@@ -63,7 +63,7 @@ pub(super) trait Equations<const C: usize> {
     fn blocks(&self) -> &Blocks<C>;
 }
 
-/// Limits of the iteration of [`descend`].
+/// Limits of Newton's method with line search ([`descend`]).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct IterationLimits {
     /// Largest number of Newton steps.

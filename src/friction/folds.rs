@@ -18,7 +18,8 @@ use nalgebra::{DMatrix, DVector};
 /// Largest number of Newton corrections per step. If at most half of them were needed, the next step is longer.
 const MOST_FOLD_CORRECTIONS: usize = 6;
 
-/// Forces at the end of the path, or where its steps become too short or too many. `None` if no starting point or no tangent is found.
+/// Follows the central path around its folds. Returns the forces at the end of the path, or at the point of the path where steps become too short or
+/// too many. `None` if no starting point or no tangent is found.
 pub(super) fn around_folds<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,

@@ -23,9 +23,9 @@
 //! The normal points so that u_N > 0 separates and r_N > 0 presses. All consistent units are allowed, also displacements in place of velocities
 //! or impulses in place of forces.
 //!
-//! All three cases are one condition. With û = u + μ ‖u_T‖ n it reads: r lies in the cone K = { ‖r_T‖ ≤ μ r_N }, û lies in its dual cone, and û
-//! ⟂ r (G. de Saxcé and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that omit μ ‖u_T‖ n solve a convex
-//! problem in which sliding contacts lift off; this module includes it.
+//! All three cases are one condition. With û = u + μ ‖u_T‖ n it reads: r lies in the cone K = { ‖r_T‖ ≤ μ r_N }, û lies in its dual cone, and û ⟂ r
+//! (G. de Saxcé and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that omit the term μ ‖u_T‖ n solve a convex
+//! problem in which sliding contacts lift off; this module includes the term.
 //!
 //! ```
 //! use grasp_lcp::friction::{ContactMode, SpatialContacts};
@@ -67,7 +67,7 @@
 //!
 //! W may be singular, as with redundant contacts; the forces are then one of many solutions. W need not be symmetric.
 //!
-//! Every solution is checked on the given data, each contact relative to its own force and the terms of its velocity, see [`Residuals`]. A
+//! Every solution is checked on the given W, q and μ, each contact relative to its own force and the terms of its velocity, see [`Residuals`]. A
 //! vector that [`FrictionProblem::proves_infeasible`] checks is a proof that no solution exists.
 
 // Files. Input: `problem` validates it. Law: `law` computes residuals of Coulomb's law, `checked_solution` accepts forces as a solution. `solve`

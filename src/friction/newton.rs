@@ -19,7 +19,7 @@ struct Iterate<const C: usize> {
     changes: Vec<SMatrix<f64, C, C>>,
     /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts.
     size: f64,
-    /// The same norm of the forces r and the scaled velocities ρ u together.
+    /// Norm, as for `size`, of the forces r and the scaled velocities ρ u together: the terms whose differences are the residual.
     terms: f64,
 }
 

@@ -1,7 +1,7 @@
 //! A few contacts: from the forces on a polygon to the forces on the round cone.
 //!
-//! Lemke's method solves the problem with polygons, and Newton's method continues from its forces. If that does not converge, the facets are
-//! rotated towards the slip directions, and their number increases.
+//! Lemke's method solves the problem with polygons, and Newton's method continues from its forces. If Newton's method does not converge, the facets
+//! are rotated towards the slip directions, and their number increases.
 
 use super::facets::{FacetedProblem, Facets};
 use super::law::tangent;
@@ -13,7 +13,8 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// State of the search: the angles of the facets, counts of pivots and Newton steps, and the smallest residual after a run of Newton's method.
+/// State of the search for forces on the round cone that starts from polygons: the angles of the facets, counts of pivots and Newton steps, and the
+/// smallest residual after a run of Newton's method.
 pub(super) struct Polygons<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     newton: Newton<'a, C>,
@@ -77,8 +78,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution from these forces, as they are or after Newton's method. Without a solution the outcome is `NoConvergence`. In any case facets are
-    /// rotated for the next try.
+    /// Accepts the forces `start` as a solution, or the forces at which Newton's method from `start` ends. Without a solution the outcome is
+    /// `NoConvergence`. In any case facets are rotated for the next try.
     fn solution_from(&mut self, start: DVector<f64>) -> Outcome<Solution> {
         self.turn(&start);
         if let Some(solution) = self.checked_solution(start.clone()) {

@@ -16,17 +16,18 @@ pub struct Settings {
     /// Largest number of restarts from another polygon after Newton's method did not converge, in space (default 4). Each restart uses 1.5 times as
     /// many facets, rotated towards the slip directions.
     pub turns: usize,
-    /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored steps (default 30).
+    /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored Newton steps, which a proximal term holds near
+    /// an anchor (default 30).
     pub steps: usize,
     /// Largest number of starts for many contacts, or if facets have failed (default and maximum 4). Each start makes Gauss–Seidel sweeps, follows
-    /// the central path and makes anchored steps.
+    /// the central path and makes anchored Newton steps.
     pub starts: usize,
     /// Largest number of rounds of anchored Newton steps in each of the `starts` (default 30). Rounds take most of the time if no solution is found.
     pub rounds: usize,
     /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
     pub tolerance: f64,
     /// Settings of the complementarity problem. If the complementarity problem has up to twelve rows (three contacts in the plane), the last resort
-    /// is to try all bases.
+    /// is to try all complementary bases.
     pub lcp: lcp::Settings,
 }
 

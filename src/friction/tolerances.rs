@@ -3,12 +3,13 @@
 //! All tolerances are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits
 //! for problems that are dominated by rounding are in `lcp::tolerances`.
 
-/// Residual, relative to the norm of its terms, at which a round of anchored steps has converged.
+/// Residual, relative to the norm of its terms, at which a round of anchored Newton steps (with a proximal term) has converged.
 ///
 /// If smaller, rounds that stop at rounding count as failed, and the proximal term grows; if larger, later rounds start from worse forces.
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
-/// Residual below which forces are polished, and below which residuals are weighted contact by contact instead of as energy.
+/// Residual below which forces are polished (refined by final Newton steps without a proximal term), and below which residuals are weighted contact
+/// by contact instead of as energy.
 ///
 /// If smaller, unnecessary rounds precede the polish; if larger, polishing starts where Newton's method does not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;

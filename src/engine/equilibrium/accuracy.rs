@@ -13,34 +13,35 @@ use crate::search::FoundBy;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Estimated errors of an equilibrium with respect to the exact equilibrium with the same contact states, and the condition number of its contact
+/// Estimated errors of an equilibrium with respect to the exact equilibrium with the same contact states, and the condition number of the contact
 /// forces.
 ///
 /// The residuals of all conditions are evaluated in twice the working precision. Solving the linear problem with these residuals as right-hand side
-/// gives the errors. The condition number comes from varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and
-/// A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
+/// gives the errors. The condition number comes from varying all given numbers (points, frames, stiffnesses, friction, commands, load) at once, in a
+/// few patterns of signs (small-sample estimates, C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Accuracy {
-    /// Estimated error of the contact forces, N: the largest error of all contacts. The data – points, contact frames, stiffnesses, friction,
-    /// commands, load – are taken as exact.
+    /// Estimated error of the contact forces, N: the largest error of all contacts. The given points, contact frames, stiffnesses, friction, commands
+    /// and load are taken as exact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
     /// Estimated error of the displacements of the body at the contacts, m: the largest error of all contacts. Errors along motions that nothing
     /// resists are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Condition number of the contact forces: a relative error ε of all data causes errors of about `condition · ε` in the forces, relative to the
-    /// largest force. Rounding of a normal to double precision alone causes `condition · 1.1e-16`.
+    /// Condition number of the contact forces: a relative error ε of all given numbers (points, contact frames, stiffnesses, friction, commands,
+    /// load) causes errors of about `condition · ε` in the forces, relative to the largest force. Rounding of a normal to double precision alone
+    /// causes `condition · 1.1e-16`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub condition: f64,
 }
 
 impl Engine {
-    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the answer lacks the engine's solution. `None` also for a state of a
-    /// load path on the round cone in which a contact slides.
+    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the equilibrium lacks the engine's solution, as after reading it from a
+    /// file. `None` also for a state of a load path on the round cone in which a contact slides.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // Slips along a load path on the round cone are integrated over its history: the present state does not determine them.
@@ -50,7 +51,7 @@ impl Engine {
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(problem.size(), at.twist.clone());
-        // The direction of each slide on the round cone is recomputed from the present force and slip.
+        // The direction in which each contact slides on the round cone is recomputed from the present force and slip.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
@@ -59,7 +60,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The error of a displacement is at least half a unit of rounding of the terms whose sum it is.
+            // The displacement is a sum of terms. Its error is taken to be at least half a unit of rounding of these terms.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -70,7 +71,7 @@ impl Engine {
             }
             size(&forces)
         };
-        // All data are varied together, three times, each time with another pattern of signs.
+        // All given numbers of grasp, commands and load are varied together, three times, each time with another pattern of signs.
         let most = (0..3).map(varied).fold(0.0, f64::max);
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,
@@ -93,8 +94,8 @@ impl Engine {
     }
 }
 
-/// A variation of all data: every number of grasp, commands and load changes by plus or minus its own value, to first order. The fields hold the
-/// resulting changes at each contact and of the load.
+/// A variation of all given numbers: every number of grasp, commands and load changes by plus or minus its own value, to first order. The fields hold
+/// the resulting changes of contact stretches, friction forces and load.
 struct Variation {
     /// Change of the stretch of each contact, m.
     stretches: Vec<SVector<f64, 3>>,

@@ -19,7 +19,7 @@ use crate::search::{Doubt, FoundBy};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The answer to a question for an equilibrium.
+/// The answer to the question whether a grasp has an equilibrium under a load.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -50,8 +50,8 @@ impl<const C: usize> Outcome<C> {
 
 /// An equilibrium of the elastic contacts, the load and the finger commands.
 ///
-/// An equilibrium read from a file, or answered to a scene, contains only the serialised fields: further questions to a grasp about it, such as
-/// [`Grasp::accuracy`](crate::ask::Grasp::accuracy), have no answer.
+/// An equilibrium that was read from a file, or returned as the answer to a scene, contains only the serialised fields. Further questions to a grasp
+/// about such an equilibrium, such as [`Grasp::accuracy`](crate::ask::Grasp::accuracy), have no answer.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -59,11 +59,11 @@ impl<const C: usize> Outcome<C> {
 pub struct Equilibrium<const C: usize> {
     /// The load that the contact forces balance; its moment is about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain, the
-    /// twist has the least norm that gaps and slips allow. On a load path it is the twist nearest to the last place of the object. The square of the
-    /// norm is a sum. It contains the displacement of the centroid of the contact points, and the rotation (rad) times the root mean square distance
-    /// of the points from the centroid. It also contains the displacement of each joint times its reference length: a power of two near the largest
-    /// motion of a contact per unit of the joint.
+    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain,
+    /// which no contact resists, the twist has the least norm that gaps and slips allow. On a load path it is instead the twist nearest to the
+    /// preceding position of the object on the path. The square of the norm is a sum. It contains the displacement of the centroid of the contact
+    /// points, and the rotation (rad) times the root mean square distance of the points from the centroid. It also contains the displacement of each
+    /// joint times its reference length: a power of two near the largest motion of a contact per unit of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -73,8 +73,8 @@ pub struct Equilibrium<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub body_loads: Vec<BodyLoad<C>>,
     /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so such
-    /// an answer solves the question as posed but says little about the object. For example, a wedge with a taper of only 1e-9 rad holds any load in
-    /// the theory, since the object may move any distance. `None` if all motions are small.
+    /// an answer satisfies all conditions but says little about the object. For example, a wedge with a taper of only 1e-9 rad holds any load in the
+    /// theory, since the object may move any distance. `None` if all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The contacts, in the order of the grasp; each point of a soft fingertip is one contact.
@@ -88,11 +88,11 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. The answer still includes the pull of their vacuum, which such a cup would lose: the answer is
-    /// not valid for the real grasp.
+    /// Suction cups whose lips are open all around. Such a cup would lose its vacuum, but this equilibrium still includes the pull of the vacuum. It
+    /// is therefore not valid for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
-    /// The residuals of the conditions, recomputed from the question.
+    /// The residuals of the conditions of equilibrium, such as balance of forces and contact laws, recomputed from grasp, commands and load.
     pub residuals: Residuals,
     /// Estimated errors of this answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a scene,
     /// else `None`.
@@ -100,7 +100,7 @@ pub struct Equilibrium<const C: usize> {
     pub accuracy: Option<Accuracy>,
     /// The friction cone for which the answer was computed.
     pub cone: Cone,
-    /// The rule that found this equilibrium; there may be other equilibria, see [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
+    /// The method that found this equilibrium; there may be other equilibria, see [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub rule: FoundBy,
     /// Energy stored in the springs, including the springs of joints, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -122,10 +122,11 @@ pub struct Equilibrium<const C: usize> {
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")
     )]
     pub change_from_polygon: Option<f64>,
-    /// Counts of the work of the search; only the pivots are serialised.
+    /// Counts of the work of the search for this equilibrium; only the number of pivots of Lemke's method is serialised.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub work: WorkDone,
-    /// The engine's solution, from which further questions about the answer start.
+    /// The solution in the engine's coordinates (contact states, drive forces, motions, offsets), from which further questions about this equilibrium
+    /// start.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) local: LocalAnswer,
 }
@@ -169,24 +170,25 @@ impl Equilibrium<3> {
     }
 }
 
-/// The engine's solution behind an answer, in the order of contacts and then drives of a hand. Empty if the answer was read from text.
+/// The engine's solution behind an equilibrium. Lists for contacts and drives name all contacts first, then the drives of a hand. Empty if the answer
+/// was read from text.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct LocalAnswer {
     pub(crate) states: Vec<State>,
     /// Forces of the drives of a hand, in the form of contact forces; empty without a hand.
     pub(crate) drive_forces: Vec<SVector<f64, 3>>,
-    /// The twist in the engine's coordinates.
+    /// The motion of the object in the engine's coordinates, about the centroid of the contacts.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
     /// Commanded displacements minus clearance and `slips`, m, in the contact frames.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
-    /// The slips along a load path that were subtracted from `offsets`, m.
+    /// The slips accumulated along a load path, m; they were subtracted from `offsets`.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     /// Present friction cones, narrower at contacts that slide with kinetic friction. An empty list means the static cones.
     pub(crate) cones: Vec<Coulomb>,
 }
 
-/// Counts of the work of a search, and of the complementary pairs that its problems did not need.
+/// Counts of the work of a search for an equilibrium, and of the complementary pairs that its complementarity problems did not need.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -197,7 +199,8 @@ pub struct WorkDone {
     /// Number of complementary pairs of the largest complementarity problem that the search made.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
-    /// Complementary pairs that a kinematic form of all contacts would have had in addition, and the reason why the search left them out.
+    /// Complementary pairs that the kinematic form (the problem for gaps and slips) of all contacts would have had in addition, and why the search
+    /// left them out.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<OmittedPairs>,
     /// Combinations of contact states that were tried one by one.
@@ -211,7 +214,7 @@ pub struct WorkDone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
-    /// The reason why the question is undecided.
+    /// The reason why it is undecided whether an equilibrium exists.
     pub doubt: Doubt,
     /// Counts of the work of the search; not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]

@@ -1,4 +1,4 @@
-//! The friction cone to which an answer refers, and the limits of its small motions.
+//! The friction cone for which an answer is computed, and the limits up to which its motions count as small.
 
 use nalgebra::SVector;
 
@@ -8,7 +8,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Settings, SmallMotions};
 
-/// The friction cone and the limits of small motions to which an answer refers.
+/// The friction cone for which an answer is computed, and the limits up to which its motions count as small.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct AnswerFor {
     pub(crate) cone: Cone,
@@ -22,7 +22,7 @@ impl AnswerFor {
     }
 }
 
-/// The friction cone of an answer.
+/// The friction cone for which an answer was computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

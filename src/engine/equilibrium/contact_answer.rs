@@ -26,29 +26,31 @@ pub struct ContactAnswer<const C: usize> {
     /// The contact force along the coordinate axes, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m, with the body's displacement u_c and the finger's offset a_n
-    /// along the normal n; zero for a closed contact.
+    /// Gap between the surfaces, m: `n·u_c - a_n` along the normal n if that is positive, otherwise zero. Here u_c is the body's displacement, and
+    /// a_n the finger's offset (command minus clearance) along n.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m. Here a_t is the finger's offset, u_c the body's
-    /// displacement and k_t the stiffness along the tangents. The normal component of the slip is zero. The slip is along F_t if the contact slides,
-    /// and zero if it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or frictionless contact it
-    /// is the displacement of the surfaces past each other.
+    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m. Here a_t is the finger's commanded displacement along
+    /// the tangents t, u_c the body's displacement and k_t the stiffness along t. The normal component of the slip is zero. The slip is along F_t if
+    /// the contact slides, and zero if it sticks. On a load path it is the whole slip so far, which a sticking contact keeps. For a separated or
+    /// frictionless contact it is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
-    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of
-    /// `μ F_n - h·F_t` over its facet normals h. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or
-    /// frictionless contact.
+    /// Distance of the contact force from the edge of its friction cone, N, for a sticking contact: `μ F_n - |F_t|` in the plane and on the round
+    /// cone, on a polygonal cone the least of `μ F_n - h·F_t` over its facet normals h. Infinite if the contact is bonded or has infinite friction.
+    /// Zero for a sliding, separated or frictionless contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Whether working precision distinguishes the state from neighbouring states, such as sticking from sliding, see
-    /// [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` if this was not computed; scenes that ask to `solve` compute it.
+    /// [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` if this was not computed; it is computed in answers to the question `solve` of a
+    /// scene.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub distinct: Option<bool>,
-    /// Displacement u_c of the body's core at the contact, as part of the rigid object, along the coordinate axes, m.
+    /// Displacement u_c of the contact point as a point of the rigid body, without the deformation of its surface, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
-    /// Displacement u_d of the body's surface along the coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
+    /// Displacement u_d of the body's surface along the coordinate axes, m. `None`, and omitted, if only the stiffness of body and finger in series
+    /// is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -59,7 +61,8 @@ pub struct ContactAnswer<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement u_e of the finger's surface along the coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
+    /// Displacement u_e of the finger's surface along the coordinate axes, m. `None`, and omitted, if only the stiffness of body and finger in series
+    /// is known.
     #[cfg_attr(
         feature = "serde",
         serde(

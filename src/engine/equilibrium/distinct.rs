@@ -1,7 +1,8 @@
 //! Contact states that working precision distinguishes from their neighbours.
 //!
-//! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, the friction in reserve or a
-//! slip vanishes. Next to such an edge the last digits of the data of grasp and load determine the state.
+//! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, a slip or the margin to the
+//! edge of the friction cone, `μ F_n - |F_t|`, vanishes. Next to such a point the last digits of the numbers given for grasp and load determine the
+//! state.
 
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
@@ -12,8 +13,8 @@ use crate::object::largest_force;
 use crate::prelude::*;
 
 impl Engine {
-    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether its state is distinct. `None` if the
-    /// answer lacks the engine's solution.
+    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether working precision distinguishes its
+    /// state from neighbouring states. `None` if the equilibrium lacks the engine's solution, as after reading it from a file.
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =
@@ -22,14 +23,15 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A gap, force, friction reserve or slip below ten times its estimated error may be zero in truth.
+        // A gap, force, slip or margin to the edge of the friction cone may be exactly zero if it is below ten times its estimated error.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            // A gap, force, friction reserve or slip below this fraction of the size of its terms may be zero in truth, because the data are rounded.
-            // Normals, arms and their products have errors of a few 1e-16, which even well-posed grasps magnify a hundredfold.
+            // A gap, force, slip or margin to the edge of the friction cone may be exactly zero if it is below this fraction of the size of its
+            // terms. The reason is that the numbers given for grasp and load are rounded. Normals, arms and their products have errors of a few
+            // 1e-16, which even well-posed grasps magnify a hundredfold.
             let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,

@@ -1,10 +1,10 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain is the work of the virtual
-//! forces along the offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex
-//! cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a generator is divided by
-//! the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which
-//! every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
+//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain of a case is the work of the
+//! virtual forces along the commanded offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is
+//! relaxed to a convex cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a
+//! generator is divided by the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic
+//! trial state, in which every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -140,7 +140,7 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
 }
 
 /// Whether a virtual motion and virtual contact forces contradict, in exact arithmetic, the case in which each contact has one of the states that its
-/// label admits. `data` is the size of the elastic trial state, the square root of an energy.
+/// label admits. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],
@@ -174,7 +174,7 @@ fn is_contradicted(
         })
 }
 
-/// Three fingers with different data around a jar, which is pulled with more force than they can hold.
+/// Three fingers with different normals and commands around a jar, which is pulled with more force than they can hold.
 fn jar(shift: f64, load: [f64; 3]) -> (Engine, Wrench<3>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();

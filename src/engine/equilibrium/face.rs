@@ -1,4 +1,4 @@
-//! Conversion of equilibria between the engine, which has three components everywhere, and callers in the plane or in space.
+//! Conversion of equilibria between the engine, whose vectors always have three components, and callers in the plane or in space.
 
 use super::accuracy::Accuracy;
 use super::answer::{Equilibrium, LocalAnswer, Outcome, Undecided, WorkDone};

@@ -1,6 +1,7 @@
 //! Change of the grasp map of one contact under a small change of its point or of its frame.
 //!
-//! With the arm p from the reference point and the frame R = (n, t…), columns along the coordinate axes, `G F = (R F, p × R F)`.
+//! The grasp map G of a contact turns its force F, in the contact frame, into a wrench: `G F = (R F, p × R F)`. Here p is the arm from the reference
+//! point, and R = (n, t…) the contact frame, with columns along the coordinate axes.
 //!
 //! ```text
 //! point moved by δ:                      dG F = (0, δ × R F)

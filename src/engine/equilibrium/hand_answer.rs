@@ -28,8 +28,8 @@ pub struct JointAnswer {
     /// Displacement φ of the joint from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. It balances the contact forces F and
-    /// the external torque: `τ = Σ Jᵀ F - τ_ext` with the Jacobians J of the contacts.
+    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. This torque balances the contact
+    /// forces F and the external torque τ_ext on the joint: `τ = Σ Jᵀ F - τ_ext` with the Jacobians J of the contacts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
@@ -83,7 +83,7 @@ pub enum DriveState {
     Absent,
 }
 
-/// State, force and yielded displacement of a joint or tendon, combined from its drives.
+/// State, force and yielded displacement of a joint or tendon that may have several drives, combined from these drives.
 struct CombinedDrives {
     carried: f64,
     state: DriveState,

@@ -15,8 +15,8 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// The change of a condition `row·F` on the contact force F under a force of 1 N along each coordinate axis at the point. Zero if within
-    /// rounding.
+    /// The change of the value `row·F` of a condition on the contact force F, under a force of 1 N along each coordinate axis at the point. Zero if
+    /// the change is within rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);
         if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }
@@ -24,8 +24,8 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence matrix of each contact and drive for forces at a point. The error is a motion that nothing resists and along which one of the
-    /// unit forces does work.
+    /// The influence matrix of each contact and drive for forces at a point. The error value is a motion that nothing resists and along which one of
+    /// the unit forces does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });

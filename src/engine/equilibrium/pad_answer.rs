@@ -34,15 +34,15 @@ pub struct PadAnswer<const C: usize> {
     /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. In space the moment
     /// is along the axes of the contact frame, the torsion first; in the plane it is positive from x to y.
     pub wrench: Wrench<C>,
-    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. At the same normal forces the pad
-    /// can carry an additional force of this size in any direction along the surface, if each point takes a part equal to its own margin. Zero if the
-    /// pad slides everywhere or is open; infinite if friction is unlimited.
+    /// Unused friction of the fingertip, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. At the same normal
+    /// forces the pad can carry an additional force of this size in any direction along the surface, if each point takes a part equal to its own
+    /// margin. Zero if the pad slides everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
 }
 
 impl<const C: usize> PadAnswer<C> {
-    /// Range of the points among the contacts of the answer.
+    /// Range of the fingertip's points in the list of contacts of the answer.
     #[must_use]
     pub fn range(&self) -> Range<usize> {
         self.first..self.first + self.points
@@ -146,7 +146,8 @@ impl<const C: usize> WholeAnswer<'_, C> {
         self.force().iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// Friction in reserve, N: see [`ContactAnswer::margin`] and [`PadAnswer::margin`].
+    /// Distance of the contact force from the edge of its friction cone, N; for a fingertip the sum over its points. See [`ContactAnswer::margin`]
+    /// and [`PadAnswer::margin`].
     #[must_use]
     pub fn margin(&self) -> f64 {
         match self {

@@ -1,7 +1,8 @@
-//! Exact derivatives of forces and motion with respect to one datum, while contacts keep their states.
+//! Exact derivatives of forces and motion with respect to one datum (a given number of the grasp or its load), while contacts keep their states.
 //!
-//! In known states the contact law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on stiffness, friction and state. The derivative with
-//! respect to any datum z takes one more solve with the same factors:
+//! In known states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i, the grasp map G_i and the twist q.
+//! K_i depends on stiffness, friction and state. The derivative with respect to any datum z takes one more solve with the same factors (W is the
+//! load, and v_i = a_i - G_iᵀq the stretch):
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
@@ -48,7 +49,7 @@ pub enum Parameter {
         axis: usize,
     },
     /// Position of a contact, m, while its frame keeps its directions. Commands and clearance stay along the axes of the frame. Not available for a
-    /// grasp by a hand, whose joints would move the contact differently.
+    /// contact of a hand: if its position changed, joints would move it differently.
     Point {
         /// Index of the contact, from 0.
         contact: usize,
@@ -56,7 +57,7 @@ pub enum Parameter {
         axis: usize,
     },
     /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
-    /// components along its axes, and so turn with it; commands of joints stay.
+    /// components along its axes, and so turn with the frame; commands of joints stay.
     Normal {
         /// Index of the contact, from 0.
         contact: usize,
@@ -66,17 +67,17 @@ pub enum Parameter {
     },
     /// Command of a joint of the hand or of a tendon, rad or m.
     JointCommand {
-        /// Index of the joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
     /// Stiffness of the own spring of a joint or of a tendon, N m/rad or N/m.
     JointStiffness {
-        /// Index of the joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
-    /// Limit of a joint or of a tendon, N m or N.
+    /// Greatest torque or force of the drive of a joint, or greatest tension of a tendon, N m or N.
     JointLimit {
-        /// Index of the joint, from 0, finger by finger; tendons follow.
+        /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
     /// Component of the load on the object: forces first (N), then moments about the origin (N m).
@@ -87,8 +88,8 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivatives of forces and twist of an equilibrium with respect to one datum, per unit of the datum. `None` if the grasp has no such datum,
-    /// or if after a small change of the datum no forces balance in the present contact states.
+    /// The derivatives of contact forces and twist of an equilibrium with respect to one given number (the datum `by`), per unit of it. `None` if the
+    /// grasp has no such datum, or if after a small change of the datum no forces balance in the present contact states.
     pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
         let PieceState { forces, twist } = state;
         let mut offsets = self.at_rest();
@@ -171,8 +172,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // Forces are taken as rounding below this fraction of the force that the same displacement of the contact alone would cause in its
-            // stiffest spring.
+            // A free motion stays free if the forces that it causes in the changed geometry are rounding. They are rounding below this fraction of
+            // the force that the same displacement of the contact alone would cause in its stiffest spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })

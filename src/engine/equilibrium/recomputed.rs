@@ -1,4 +1,4 @@
-//! Residuals of an equilibrium, recomputed from the data of grasp, commands and load, not from the solver's own data.
+//! Residuals of an equilibrium, recomputed from the numbers given for grasp, commands and load, not from the solver's matrices.
 
 use nalgebra::SVector;
 
@@ -18,8 +18,8 @@ struct SiteAnswer<'a> {
     gap: f64,
     separated: bool,
     stretch: SVector<f64, 3>,
-    /// Slip in addition to the slip memory, which the offsets contain already (nonzero only on a load path), m. Only this part of the slip obeys the
-    /// contact law.
+    /// Slip, m, without the slip accumulated earlier on a load path, which the offsets contain already. Only this part of the slip obeys the contact
+    /// law.
     slip: SVector<f64, 3>,
 }
 
@@ -99,7 +99,8 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law holds for the slip in addition to the slip memory of the problem, which is subtracted from the finger offsets already.
+        // The contact law holds for the slip without `problem.slips`, the slip accumulated on a load path, which is subtracted from the finger
+        // offsets already.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -119,9 +120,9 @@ impl Engine {
         }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
-        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. Their size is therefore taken to be at
-        // least this fraction of the largest size of all contacts. It is also taken to be at least the stretch of the stiffest spring under the
-        // largest force.
+        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The size by which its residuals are
+        // divided is therefore at least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring
+        // under the largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {
@@ -281,7 +282,7 @@ mod tests {
     use crate::object::Load;
     use crate::search::{SearchSolution, Settings};
 
-    /// A comparison of residuals with a bound must fail if any number of the answer is not finite.
+    /// If any number of the answer is not finite, a test whether residuals are below a bound must fail.
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {

@@ -1,7 +1,7 @@
-//! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of data, so that one factorisation
-//! serves all of these sources.
+//! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of the grasp's numbers, such as
+//! stiffnesses. One factorisation serves all of them.
 //!
-//! Each load, command or change of data gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything sticks,
+//! Each load, command or small change gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything sticks,
 //! the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions that a contact's force, a sum of
 //! such responses, must satisfy for the contact to keep its state.
 
@@ -27,7 +27,8 @@ pub(crate) struct StickingResponse<'g> {
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms whose sum it is, to which its rounding is proportional.
+/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms that add up to this force; the rounding error of the force
+/// is proportional to it.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -35,7 +36,8 @@ pub(crate) struct ContactForces {
 }
 
 impl<'g> StickingResponse<'g> {
-    /// The linear response of the grasp while every contact and drive sticks, except those that are absent, with the friction cone of the settings.
+    /// The linear response of the grasp while every contact and drive sticks, except those that their law keeps open, with the friction cone of the
+    /// settings.
     pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
         let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
         let states = problem.trial_states();
@@ -69,7 +71,7 @@ impl<'g> StickingResponse<'g> {
     }
 
     /// Forces of contacts and drives under the finger offsets `offsets` (commands minus clearances) and the load `load` in the engine's coordinates.
-    /// Contacts and drives have the states of this response. The error is a motion that nothing resists and along which the load does work.
+    /// Contacts and drives have the states of this response. The error value is a motion that nothing resists and along which the load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -100,8 +102,9 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least margin of any contact to opening or sliding under a load, as a fraction of the largest contact force. It is computed as if every
-    /// contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all contact forces are zero.
+    /// The least distance of any contact force from the edge of its friction cone, or from opening, under a load, as a fraction of the largest
+    /// contact force. It is computed as if every contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all
+    /// contact forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

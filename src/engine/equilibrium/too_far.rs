@@ -97,8 +97,8 @@ impl TooFar {
     }
 }
 
-/// The rotation of a body, or the slip or opening of a contact, whose length is compared with its limit. In given contact states it is affine in the
-/// motion of the object, the forces and the commands.
+/// The rotation of a body, or the slip or opening of a contact, whose length is compared with its limit. In given contact states its vector is affine
+/// in the motion of the object, the contact forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
     /// The vector of the rotation (rad) or slip (m). An opening (m) has one component, along the normal, and is a motion only if it is positive.

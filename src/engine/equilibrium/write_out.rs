@@ -153,13 +153,13 @@ struct SolvedContact<'s> {
     offset: SVector<f64, 3>,
     /// Slip accumulated along a load path so far, m.
     memory: SVector<f64, 3>,
-    /// Displacement of the body's core at the contact, minus the finger's displacement by its joints, in the contact frame, m.
+    /// Displacement of the contact point as a point of the rigid body, minus the finger's displacement due to joints, in the contact frame, m.
     moved: SVector<f64, 3>,
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip in addition to `memory`, m, which is zero if the contact sticks. For an open or frictionless contact the
-    /// second value is the displacement of the surfaces past each other.
+    /// State of the contact, and its slip since the slip `memory` was accumulated, m. This slip is zero if the contact sticks. For an open or
+    /// frictionless contact the second value is the displacement of the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {

@@ -68,7 +68,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // The row and the column of each jump, multiplied by Qᵀ, the transposed orthogonal factor of the trial state.
+    // The row and the column of each jump (gap or slip), multiplied by Qᵀ, the transposed orthogonal factor of the trial state.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
@@ -85,7 +85,7 @@ pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceStat
 pub(crate) struct UnitDisplacements(Vec<Option<Vec<Vec<f64>>>>);
 
 /// The kinematic form of the given contacts in a problem with many coordinates. All other contacts keep the states of `trial`. Displacements under
-/// jumps are taken from `known`, or computed and stored there. `None` if a number overflows or the factorisation fails.
+/// jumps (gaps and slips) are taken from `known`, or computed and stored there. `None` if a number overflows or the factorisation fails.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &Piece,
@@ -123,8 +123,8 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the kinematic form from its jumps; `None` if a number overflows. `coupling(i, j)` returns by how much a unit of the unknown of jump j
-/// reduces the slack of jump i because the object gives way.
+/// Assembles the kinematic form from its jumps (gaps and slips); `None` if a number overflows. `coupling(i, j)` returns by how much a unit of the
+/// unknown of jump j reduces the slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
     state: &PieceState,

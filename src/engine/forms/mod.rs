@@ -1,11 +1,11 @@
 //! The two complementarity problems of a grasp, the meaning of their rows (complementary pairs), and the rows that a contact does not need.
 //!
-//! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the friction
-//! cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).
+//! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the
+//! friction cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).
 //!
 //! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the trial state every contact sticks, F⁰ = K (a - Gᵀq⁰) with
 //! Σ G_i F⁰_i + W = 0: one d x d solve. The unknowns z are jumps from this state: gaps, and parts σ_j of slips `s = Σ σ_j h_j`. The object gives way
-//! to a jump, and P contains what then remains of its force:
+//! to a jump, and P gives the force that the jump then causes, per unit of displacement:
 //!
 //! ```text
 //! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0

@@ -66,15 +66,15 @@ pub struct OmittedPairs {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OmissionReason {
-    /// Everything sticks: the elastic trial state is the answer.
+    /// Everything sticks: the elastic trial state, in which every contact sticks, is the equilibrium.
     EverythingSticks,
-    /// μ = 0: no tangential force, no facets.
+    /// μ = 0: the contact has no tangential force, and needs no pairs for facets.
     Frictionless,
-    /// μ = ∞: never slides while closed, no facets.
+    /// μ = ∞: the contact never slides while it is closed, and needs no pairs for facets.
     InfiniteFriction,
-    /// Kept closed by the caller: no gap.
+    /// The caller keeps the contact closed: it needs no pair for a gap.
     KeptClosed,
-    /// Bonded by the caller: neither gap nor facets.
+    /// The caller has bonded the contact: it needs pairs neither for a gap nor for facets.
     Bonded,
 }
 

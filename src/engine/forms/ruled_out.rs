@@ -1,5 +1,5 @@
 //! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. It evaluates only the pairs of the
-//! form. States that the test does not exclude need not hold: only a solution with all contacts shows whether they do.
+//! form. States that the test does not exclude may still break a condition: only a solution with all contacts shows whether they do.
 
 use crate::numerics::{matrix_of, vector_of};
 

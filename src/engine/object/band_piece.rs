@@ -236,7 +236,7 @@ impl SpringLists {
         }
     }
 
-    /// As [`Self::for_each`], but for the springs k = 0, 1, … of one contact, numbered from its first spring.
+    /// Calls `visit(k, coordinates, range)` for the springs k = 0, 1, … of one contact. The other two arguments are those of [`Self::for_each`].
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let coordinates = &self.coordinates[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {
@@ -245,7 +245,8 @@ impl SpringLists {
         }
     }
 
-    /// The matrix A or B of this file from the entries of its rows, spring after spring; `count` is the number of coordinates.
+    /// Stores the matrix A (spring stretches per unit motion) or B (push directions), given the entries of its rows, spring after spring. `count` is
+    /// the number of coordinates.
     fn side(&self, rows: Vec<f64>, count: usize) -> StiffnessFactor {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {

@@ -13,8 +13,8 @@ pub(super) struct Limited {
     opens: bool,
     slides: SlideDirections,
     cone: Coulomb,
-    /// Whether the contact is on the edge of its cone in a rate problem. Its friction limit is then the rate of the actual limit, and may be
-    /// negative.
+    /// Whether the contact is on the edge of its cone in a rate problem, whose unknowns are rates along a load path. Its friction limit is then the
+    /// rate of the actual limit, and may be negative.
     is_rate: bool,
 }
 
@@ -47,14 +47,15 @@ pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
     pub(super) holds: SMatrix<f64, 3, 3>,
-    /// The rest of the spring stiffness, by which the force does not grow because the contact slides or opens, N/m.
+    /// The spring stiffness minus `holds`, N/m: the part that is lost because the contact slides or opens.
     pub(super) gives: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }
 
 impl Limited {
     /// The contact with its polygonal friction cone if `on_polygons`, otherwise with its round cone. `None` for two cases that Tresca friction does
-    /// not cover: a contact that may open but never slides, and in space a contact on the edge of its cone in a rate problem.
+    /// not cover: a contact that may open but never slides, and in space a contact on the edge of its cone in a rate problem (for derivatives along a
+    /// load path).
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -175,7 +176,8 @@ impl Limited {
         }
     }
 
-    /// The friction limit μ F_n of a normal force, N, at least zero; in a rate problem the rate of the limit, of either sign.
+    /// The friction limit μ F_n of a normal force, N, at least zero. In a rate problem (for derivatives along a load path) the rate of the limit, of
+    /// either sign.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

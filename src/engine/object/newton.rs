@@ -1,7 +1,7 @@
 //! Newton's method for equilibrium. The force of each contact is a function of its own stretch alone, and so of the twist of the object.
 //!
 //! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the offset a_i and the grasp map G_i. The stretch gives the contact force F_i and
-//! the contact state. Equilibrium under the load W thus amounts to d piecewise smooth equations, one for each coordinate of the twist:
+//! the contact state. Equilibrium under the load W is therefore a system of d piecewise smooth equations, one for each coordinate of the twist:
 //!
 //! ```text
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
@@ -66,8 +66,8 @@ pub(super) fn on_cones(
     }
 }
 
-/// [`newton`] from the twist `twist` with the laws of `problem`: the force of each contact is its elastic force mapped back onto its friction cone
-/// (`contact/answer`), and its state may be any.
+/// Newton's method ([`newton`]) from the twist `twist` with the laws of `problem`. The force of each contact is its elastic force mapped back onto
+/// its friction cone (`contact/answer`); contacts may take any state.
 pub(crate) fn newton_on_cones(
     problem: &Problem,
     (twist, settled): (Vector, f64),

@@ -1,6 +1,7 @@
 //! Null vectors of the tangent stiffness T = BᵀA as a band matrix, and their mechanical meaning.
 //!
-//! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps their scaled forces to a wrench on the object (see `piece`).
+//! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps the scaled forces of the springs to a wrench on the object (see
+//! `piece`).
 //!
 //! ```text
 //! A n = 0             the motion n stretches no spring: free

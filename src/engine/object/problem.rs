@@ -6,7 +6,8 @@
 //!
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
 //! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
-//! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law of the rates at its present state ([`Law`]).
+//! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law that relates rates of force and stretch at its present
+//! state ([`Law`]).
 
 use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
 use alloc::sync::Arc;
@@ -21,8 +22,8 @@ use crate::grasp::{CachedValue, Engine, Site, Space, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// The static problem or the rate problem of this file: the law and the offset a_i of each contact, and the load W. Moments are about the centroid of
-/// the contacts.
+/// The static problem, or the rate problem for derivatives along a load path: the law and the offset a_i of each contact, and the load W. Moments are
+/// about the centroid of the contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
@@ -132,8 +133,9 @@ impl<'g> Problem<'g> {
         }
     }
 
-    /// The rate problem with the laws `laws`, the rates `offsets` of the offsets, and the rate `wrench` of the load. In space only contacts at the
-    /// apex of their cone keep a round cone. The law of a contact on the edge of its cone has a plane facet instead.
+    /// The rate problem, for derivatives of forces and twist along a load path. `laws` are the contact laws of rates, `offsets` the rates of the
+    /// contact offsets, and `wrench` is the rate of the load. In space only contacts at the apex of their cone keep a round cone. The law of a
+    /// contact on the edge of its cone has a plane facet instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
@@ -221,14 +223,15 @@ impl<'g> Problem<'g> {
         self.each(|local| local.trial_state())
     }
 
-    /// Contact states proposed for a rate problem: contacts on the edge of their cone slide, contacts at its apex open, and all others stick. This is
-    /// the most common solution of a rate problem, and one linear solve checks it.
+    /// Contact states proposed for a rate problem, which determines derivatives of forces and twist along a load path. Contacts on the edge of their
+    /// cone slide, contacts at its apex open, and all others stick. This is the most common solution of a rate problem, and one linear solve checks
+    /// it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }
 
-    /// `states`, in which each contact that slides on the round cone gets the slide of its friction force, with λ = slip·friction/|friction|², at
-    /// least 0. The slip is computed at `twist`. A contact without friction force keeps its state.
+    /// Returns `states`, in which each contact that slides on the round cone gets the direction of its friction force. Its ratio of slip to friction
+    /// becomes λ = slip·friction/|friction|², at least 0. The slip is computed at `twist`. A contact without friction force keeps its state.
     pub(crate) fn slid_on(
         &self,
         states: &[State],

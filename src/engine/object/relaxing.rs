@@ -23,9 +23,9 @@ use crate::prelude::*;
 /// The sequence of twists along which the object relaxes, from the equilibrium in which everything sticks.
 ///
 /// It iterates over twists at which the object has nearly relaxed. At the first, the estimated rest of the way is a hundredth of the way covered, at
-/// the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once R is zero. Short steps indicate an
-/// equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist, the caller
-/// asks for the next twist.
+/// the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the imbalance R of forces is zero. Short steps
+/// indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist,
+/// the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -33,10 +33,12 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     stuck: Vector,
     twist: Vector,
     last: Option<Vector>,
-    /// Factor, at least 1, by which the last step was longer than `T⁻¹R`.
+    /// Factor, at least 1, by which the last step was longer than `T⁻¹R`, the displacement that the imbalance R causes in the stuck grasp of
+    /// stiffness T.
     pace: f64,
     steps: usize,
-    /// The next twist is returned once the estimated rest of the way is at most this fraction of the distance from the stuck twist.
+    /// The next twist is returned once the estimated rest of the way is at most this fraction of the distance from the twist at which everything
+    /// sticks.
     nearly: f64,
 }
 
@@ -52,7 +54,8 @@ impl<'p, 'a> ViscousRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of `twist` from the present twist of the relaxation, divided by the distance of the present twist from the stuck twist.
+    /// The distance of `twist` from the present twist of the relaxation, divided by the distance of the present twist from the twist at which
+    /// everything sticks.
     pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }

@@ -12,7 +12,8 @@ use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// Minimum over the contacts of the softest spring's stiffness times the size of displacements, N. `spans` has this size for each contact, m.
+/// The least force, N, that displacements could cause in a contact's springs, to judge which forces are mere rounding. It is the minimum over the
+/// contacts of the softest spring's stiffness times the size of displacements. `spans` has this size for each contact, m.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
@@ -55,8 +56,8 @@ impl Problem<'_> {
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).list()
     }
 
-    /// Size of the terms of a twist, m, which scales its rounding: its norm, plus the stretch of the stiffest spring under the force `largest`, N.
-    /// Opposite commands cancel, so that the norm alone may be zero.
+    /// Size, m, to which the rounding of a twist is proportional: the norm of the twist, plus the stretch of the stiffest spring under the force
+    /// `largest`, N. Opposite commands cancel, so that the norm alone may be zero.
     pub(crate) fn size_of_motion(&self, twist: &Vector, largest: f64) -> f64 {
         twist.norm() + self.least_stretch(largest)
     }

@@ -38,7 +38,8 @@ impl TangentFactors {
         }
     }
 
-    /// Null vectors of the tangent stiffness, as motions of all coordinates. Empty if it is regular, and always if it is factorised as a full matrix.
+    /// Null vectors of the tangent stiffness, as motions of all coordinates. Empty if the tangent stiffness is regular. Always empty if it is
+    /// factorised as a full matrix.
     pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),

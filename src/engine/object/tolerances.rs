@@ -29,9 +29,9 @@ pub(super) const MOST_CORRECTIONS: usize = 4;
 /// are made. With fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed once the estimated rest of its way is below this fraction of its distance from the stuck twist. Newton's method
-/// completes the way. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240 random scenes (test
-/// `needed_amounts`). With a smaller fraction there are more steps.
+/// The object has nearly relaxed once the estimated rest of its way is below this fraction of its distance from the position at which everything
+/// sticks. Newton's method completes the way. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240
+/// random scenes (test `needed_amounts`). With a smaller fraction there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
 /// If the cosine of the angle between two steps of the relaxation is at least this number, they have nearly the same direction. The factor by which

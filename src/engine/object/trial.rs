@@ -8,11 +8,11 @@ use crate::contact::State;
 
 impl Problem<'_> {
     /// The factorised linear problem in which every contact sticks, except absent contacts, which stay open. In the static problem it depends on
-    /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later questions.
+    /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later loads and commands.
     pub(crate) fn trial(&self) -> Arc<Piece> {
         let make = || Piece::new(self, &self.trial_states());
         match self.trial {
-            // Only grasps with few contacts and drives keep these factors, which take memory: most repeated questions are about small grasps.
+            // Only grasps with few contacts and drives keep these factors, which take memory: searches are most often repeated for small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
 //! | `separating_many` | the same kind of proof with many coordinates, by band matrices |
-//! | `escape` | the margin of a proof: rounding may hide only forces far larger than the data |
+//! | `escape` | the safety factor of a proof: rounding may hide only forces far larger than load and commands |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | a radius around a lost equilibrium within which no other equilibrium exists |
 //! | `opening_cases` | a linear problem for each choice of open contacts, with friction of any direction |

@@ -1,7 +1,7 @@
 //! Tolerances of the proofs that no equilibrium exists: when a contradiction is accepted, and which values are taken as rounding errors.
 
-/// A proof of no equilibrium is accepted if any equilibrium that rounding could hide from it has forces at least this many times as large as the data
-/// (load and commands).
+/// A proof of no equilibrium is accepted if any equilibrium that rounding could hide from it has forces at least this many times as large as load and
+/// commands.
 ///
 /// If smaller, proofs are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
@@ -17,6 +17,6 @@ pub(crate) const LEAST_WORK: f64 = 1e-15;
 /// If smaller, a load on the boundary seems to lie outside the cone of contact forces; if larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;
 
-/// With more coordinates the search for the nearest forces (`wrench_cone`) uses at most 200 generators. The time for each grows with the square of
-/// the number of coordinates, so more generators would take seconds.
+/// Above this number of coordinates the search for the admissible forces nearest to the load (`wrench_cone`) uses at most 200 generators. The time
+/// for each generator grows with the square of the number of coordinates, so more generators would take seconds.
 pub(super) const MOST_COORDINATES: usize = 600;

@@ -1,4 +1,4 @@
-//! A proof that no contact forces at all balance the load: it lies outside the friction wrench cone.
+//! A proof that no contact forces at all balance the load: the load lies outside the friction wrench cone.
 //!
 //! With the generators γ of all friction cones (wrenches), the load is balanced by admissible forces iff `Σ γ β + W = 0` for some nonnegative
 //! coefficients β. Otherwise the residual of the nearest sum,
@@ -155,8 +155,8 @@ pub(crate) fn separating_motion_of_few(problem: &Problem) -> Option<Vector> {
 /// A unit motion that clearly separates the load from all admissible contact forces, in the engine's coordinates; `None` if no motion separates them
 /// clearly.
 ///
-/// With many coordinates the augmented Lagrangian searches for it. If its residual proves nothing, the residual of the nearest forces is tried, for
-/// at most [`MOST_COORDINATES`] coordinates.
+/// With many coordinates the augmented Lagrangian searches for this motion. If the residual of this method proves nothing, the residual of the
+/// nearest forces is tried, for at most [`MOST_COORDINATES`] coordinates.
 pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
     if !uses_band(problem.size()) {
@@ -169,7 +169,7 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     }
 }
 
-/// The size of the squeezing: the sum of the norms of the springs' wrenches while the commands act and the object does not move.
+/// The size of the squeezing forces: the sum of the norms of the springs' wrenches while the commands act and the object does not move.
 fn squeeze(problem: &Problem) -> f64 {
     let pushed =
         |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
@@ -187,7 +187,7 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
     })
 }
 
-/// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more.
+/// Whether a unit motion proves that no contact forces balance the load of `problem` once it grows in the direction `rate`.
 ///
 /// Three conditions make it a proof for any forces in any state. Along the motion, no admissible contact force does negative work, the load does no
 /// negative work, and the load's rate does positive work.
@@ -201,7 +201,8 @@ pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &
     gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
 }
 
-/// The unit wrenches that generate the cones that are not round. `None` if a contact law is not a cone of forces, as in a rate problem.
+/// The unit wrenches that generate the cones that are not round. `None` if a contact law is not a cone of forces, as in a rate problem (for
+/// derivatives along a load path).
 pub(crate) fn straight_generators(problem: &Problem) -> Option<Vec<Generator>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

@@ -34,7 +34,7 @@ pub enum FoundBy {
     LoadPath,
 }
 
-/// The reason why a question stays undecided.
+/// The reason why it stays undecided whether an equilibrium exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -53,8 +53,8 @@ pub enum Doubt {
     /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix. Also, there are too many contacts to try every
     /// combination of states.
     OutOfPivots,
-    /// On a load path: a leg needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone, or
-    /// more jumps from static to kinetic friction.
+    /// On a load path: a leg (a section of the load program) needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along arcs,
+    /// on which contacts slide in turning directions on the round cone, or more jumps from static to kinetic friction.
     OutOfSteps,
 }
 
@@ -158,7 +158,7 @@ pub(crate) struct SearchCounts {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Whether the dense kinematic form was proved, up to rounding, to have no solution, so that no choice of slips and gaps solves it. Always false
-    /// with round cones.
+    /// Whether the kinematic form (the complementarity problem for gaps and slips) with a dense matrix was proved, up to rounding, to have no
+    /// solution, so that no choice of slips and gaps solves it. Always false with round cones.
     pub(crate) no_slips: bool,
 }

@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
     Violated {
-        /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
+        /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: PieceState,
-    /// Whether the violation is small enough to be rounding, so that it does not prove that these states have no equilibrium.
+    /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
@@ -65,8 +65,9 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // An inequality may be violated by this fraction of its size, times the factor by which the linear problem amplifies rounding errors. In
-    // symmetric grasps equalities are common: a slack that is exactly zero is computed as a few roundings of 1e-16.
+    // The value of an inequality, which should not be negative, may be below zero by this fraction of the size of its terms, times the factor by
+    // which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero is computed as a
+    // few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.
@@ -179,8 +180,9 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion, for which every inequality holds after the object has moved by the sum of τ times the
-/// motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion in `motions`, for which the inequalities of all contact states hold after the object has
+/// moved by the sum of τ times the motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each
+/// comes with its change of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],
@@ -200,8 +202,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
-                // If the rate of an inequality along a unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very long
-                // motion could seem to satisfy the inequality.
+                // If the change of an inequality's value per unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very
+                // long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

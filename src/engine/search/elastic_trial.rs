@@ -12,12 +12,12 @@ use crate::numerics::mapped;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Input of a method: the equilibrium problem, and the solution of its elastic trial, in which every contact sticks. That solution breaks a
-/// condition.
+/// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every contact
+/// sticks. That solution breaks a condition.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
-    /// The contact states of the elastic trial, in which every contact that is not absent sticks.
+    /// The contact states of the elastic trial: every contact sticks, except those that their law keeps open.
     pub(super) trial_states: Vec<State>,
     pub(super) trial: Arc<Piece>,
     pub(super) state: PieceState,
@@ -74,7 +74,7 @@ impl Attempt {
 /// Counts of the work of the search so far, and the reason that an undecided result would have.
 pub(super) struct SearchLog {
     pub(super) effort: SearchCounts,
-    /// The reason that the search returns if no method finds an equilibrium or a proof.
+    /// The reason with which the search returns an undecided result if no method finds an equilibrium or a proof.
     pub(super) doubt: Doubt,
     /// Whether the last complementarity problem that was solved with a dense matrix was proved to have no solution.
     pub(super) is_infeasible: bool,

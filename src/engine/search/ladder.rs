@@ -139,7 +139,7 @@ fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || several()
 }
 
-/// Whether the problem is a rate problem with contacts on the edge of their cone.
+/// Whether the problem is a rate problem (for derivatives along a load path) with contacts on the edge of their cone.
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -200,8 +200,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     another
 }
 
-/// Searches for a proof in a rate problem at a limit load. If all contacts on the edge of their cones slide, nothing resists a motion along which the
-/// rate of the load does work.
+/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution at a limit load. If all contacts on the edge of their
+/// cones slide, nothing resists a motion along which the rate of the load does work.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))

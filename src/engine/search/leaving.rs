@@ -19,7 +19,8 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a run of Lemke's method: states in which the contacts that pivot stick, with the solution `at` of the linear problem `piece`.
+/// The start of a run of Lemke's method: contact states, in which the contacts that pivot stick, with the solution `at` of the linear problem
+/// `piece`.
 struct PivotStart {
     states: Vec<State>,
     piece: Arc<Piece>,

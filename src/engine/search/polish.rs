@@ -29,8 +29,8 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
     }
 }
 
-/// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. It may break
-/// inequalities. `None` if no forces in these states balance the load.
+/// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. This solution may
+/// break inequalities of the contact states. `None` if no forces in these states balance the load.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
@@ -61,8 +61,8 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<SearchSolu
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution with round friction cones near `near`, the solution with polygonal cones and these contact states. Newton's method starts from the
-/// twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
+/// The solution with round friction cones that is close to `near`, the solution with polygonal cones in the contact states `states`. Newton's method
+/// starts from the twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<SearchSolution> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

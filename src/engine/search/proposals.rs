@@ -14,8 +14,8 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether Lemke's method takes acceptable time on a dense matrix with `times` as many rows as the kinematic form. It makes about as many pivots as
-/// there are rows.
+/// Whether Lemke's method takes acceptable time on a dense matrix with `times` times as many rows as the kinematic form, the problem for gaps and
+/// slips. It makes about as many pivots as there are rows.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK

@@ -27,7 +27,7 @@ pub enum RungResult {
 pub struct RecordedSearch {
     /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.
     pub decided: Option<usize>,
-    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after that method are included.
+    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the method `decided` are included.
     pub rungs: Vec<(RungResult, f64)>,
 }
 
@@ -35,7 +35,7 @@ std::thread_local! {
     static RECORD: RefCell<Option<Vec<RecordedSearch>>> = const { RefCell::new(None) };
 }
 
-/// The names of the methods, in the order in which they are tried.
+/// The names of the methods (rungs) of the search ladder, in the order in which they are tried.
 #[must_use]
 pub fn names() -> Vec<&'static str> {
     mapped(&LADDER, &|rung| rung.name)

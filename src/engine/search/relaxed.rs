@@ -31,7 +31,7 @@ use crate::proofs::{ESCAPE, LEAST_WORK};
 /// A generator of the hull of a contact law: the index of its contact, and its index among the generators of that contact.
 pub(super) type GeneratorIndex = (usize, usize);
 
-/// The equation `e + P (f - e) = f⁰`, which expresses balance of forces f and compatibility of stretches e.
+/// The equation `e + P (f - e) = f⁰` with the projector P, which expresses balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
     /// The projector P, column by column.
     projector: Vec<f64>,
@@ -43,18 +43,19 @@ pub(super) struct BalanceEquation {
     roots: Vec<SVector<f64, 3>>,
 }
 
-/// The result of relaxing every contact's law to its convex hull in one case.
+/// The result of relaxing every contact's law to its convex hull in one case of branch and bound, which restricts the contact states.
 pub(super) enum Relaxed {
     /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution. If
     /// the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. It would be larger than the elastic trial state by at least
-    /// this factor.
+    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. Such an equilibrium would be larger than the elastic trial
+    /// state, in which every contact sticks, by at least this factor.
     Contradicted { escape: f64 },
 }
 
 impl BalanceEquation {
-    /// The equation of a problem with the solution of its elastic trial; `None` if the elastic trial carries no force.
+    /// Sets up the equation for a problem, given the solution `state` of its elastic trial `trial`, in which every contact sticks. `None` if the
+    /// elastic trial carries no force.
     pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
@@ -115,7 +116,8 @@ impl BalanceEquation {
         }
     }
 
-    /// The scalar product of y with the column of each generator: `(1 - P) y` times the generator's stretch, plus `P y` times its force.
+    /// The scalar product of y with the value `e + P (f - e)` of each generator, a stretch e with a force f: `(1 - P) y` times the generator's
+    /// stretch, plus `P y` times its force.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],

@@ -107,7 +107,7 @@ impl RoundPieces {
         })
     }
 
-    /// One Newton step: adds corrections of forces and twist from the linear problem `piece`. Returns their sizes.
+    /// One Newton step: adds the corrections of forces and twist that follow from the linear problem `piece`. Returns the sizes of these corrections.
     fn step(&mut self, problem: &Problem, piece: &Piece) -> NewtonChange {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
@@ -160,8 +160,8 @@ impl RoundPieces {
         })
     }
 
-    /// Changes states whose inequalities fail, and turns each slide into the direction of the contact's stretch. Returns whether a contact changed
-    /// its kind of state. Open contacts close only if `closing`.
+    /// Changes states whose inequalities fail, and turns each direction of sliding into the direction of the contact's stretch. Returns whether a
+    /// contact changed its kind of state. Open contacts close only if `closing`.
     fn update_states(&mut self, problem: &Problem, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);

@@ -20,8 +20,8 @@ use crate::numerics::Space;
 pub struct Settings {
     /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For equilibria on the round cone each contact's
     /// polygon is rotated: a corner then lies along the friction force of the elastic trial, and more facets only cost time. For equilibria on the
-    /// polygon itself more facets come closer to the round cone, at the cost of more pivots. With m facets, the error of the onset load falls like
-    /// 1/m², and the error of a state with sliding contacts like 1/m. Ignored in the plane.
+    /// polygon itself more facets come closer to the round cone, at the cost of more pivots. With m facets, the error of the onset load, at which a
+    /// contact first slips or opens, falls like 1/m², and the error of a state with sliding contacts like 1/m. Ignored in the plane.
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
@@ -41,9 +41,9 @@ pub struct Settings {
     /// Step lengths scale with the eighth root of the error: 1e-13 takes about three times as many steps. If rounding allows only a larger error,
     /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, refused steps
-    /// included. It also limits the jumps from static to kinetic friction (default 20 000). A path that needs more ends
-    /// [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
+    /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, a section of the
+    /// load program; refused steps are included. The same number limits the jumps from static to kinetic friction (default 20 000). A path that needs
+    /// more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
     /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
     /// of at most 1 the search stops at this load itself.
@@ -52,7 +52,7 @@ pub struct Settings {
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
-    /// Whether searches for an equilibrium at rest omit the last method, which tries every case and takes longest if no equilibrium exists.
+    /// Whether searches for a static equilibrium omit the last method, which tries every case and takes longest if no equilibrium exists.
     pub(crate) is_quick: bool,
 }
 
@@ -92,15 +92,16 @@ impl Settings {
         /// [`Settings::most_states`].
         pub fn with_most_states(mut self, most_states: usize) { self.most_states = most_states; }
 
-        /// These settings with another allowed error of a step along a sliding arc. With 1e-13 nearly all digits are correct; below 1e-14 rounding
-        /// prevents steps.
+        /// These settings with another allowed error of a step along an arc (a part of a load path on which contacts slide in turning directions).
+        /// With 1e-13 nearly all digits are correct; below 1e-14 rounding prevents steps.
         pub fn with_step_error(mut self, step_error: f64) { self.step_error = step_error; }
 
-        /// These settings with another upper limit of the number of steps along sliding arcs, and of jumps, within one leg.
+        /// These settings with another upper limit of the number of steps along sliding arcs, and of jumps from static to kinetic friction, within
+        /// one leg (section) of a load path.
         pub fn with_most_steps(mut self, most_steps: usize) { self.most_steps = most_steps; }
 
-        /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no farther
-        /// than this multiple of the load asked about, see [`Settings::most_load`].
+        /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no
+        /// farther than this multiple of the load asked about, see [`Settings::most_load`].
         pub fn with_most_load(mut self, most_load: f64) { self.most_load = most_load; }
 
         /// These settings with another upper limit of the number of cycles of a repeated load that are followed.

@@ -15,9 +15,9 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// In the plane, the solution with the same forces in other states, which show the free motions. Contacts on the edge of their cone then slide, and
-/// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
-/// motion.
+/// In the plane, the solution with the same forces in other states, which show the free motions. In these states contacts on the edge of their cone
+/// slide, and contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no
+/// further free motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
     // In space the springs perpendicular to the slip resist, so that no motion stays free. Searches that start near given states do not report such
     // motions.
@@ -39,8 +39,8 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution)
     }
 }
 
-/// The contact states in which sticking contacts without force open, and sticking contacts on the edge of their cone slide. `None` if no contact
-/// changes its state.
+/// The contact states of `found`, except that sticking contacts without force open, and sticking contacts on the edge of their cone slide. `None` if
+/// no contact changes its state.
 fn yielding(problem: &Problem, found: &SearchSolution) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

@@ -19,8 +19,9 @@ pub(super) const MANY_CONTACTS: usize = 32;
 /// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.
 pub(super) const SEVERAL_CONTACTS: usize = 8;
 
-/// Upper limit of the number of multiplications of all runs of Lemke's method on one form, if the caller sets no limit on pivots: about a second. If
-/// larger, a search over thousands of contacts without an equilibrium takes minutes to give up. If smaller, some equilibria are missed.
+/// Upper limit of the number of multiplications of all runs of Lemke's method on one complementarity problem, if the caller sets no limit on pivots:
+/// about a second. If larger, a search over thousands of contacts without an equilibrium takes minutes to give up. If smaller, some equilibria are
+/// missed.
 pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// The stuck grasp relaxes towards an equilibrium (`ViscousRelaxation`), and Newton's method continues from the end of the relaxation. If Newton's

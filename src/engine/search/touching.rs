@@ -6,8 +6,9 @@ use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until no contact does either. Returns
-/// the result if it satisfies every condition, otherwise `None`. Thus a finger far from the object does not change the equilibrium.
+/// Opens contacts that pull and closes contacts that penetrate, starting from the contact states `states` with the solution `trial`, until no contact
+/// does either. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus a finger far from the
+/// object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,

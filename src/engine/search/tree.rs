@@ -1,9 +1,9 @@
 //! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
 //!
 //! A case restricts the states of each contact by a [`Label`]; the first case restricts no contact. The relaxation of a case ([`super::relaxed`])
-//! either contradicts the case, or gives a stretch and a force for every contact. In some cases Newton's method starts from these. Unless it
-//! converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two cases. Every division brings
-//! the relaxation closer to the law, until cases are contradicted or Newton's method converges.
+//! either contradicts the case, or gives a stretch and a force for every contact. In some cases Newton's method starts from these stretches and
+//! forces. Unless Newton's method converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two
+//! cases. Every division brings the relaxation closer to the law, until cases are contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -42,8 +42,8 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search. In a rate problem, the law of
-/// a contact on the edge of a round cone is a plane facet.
+/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search. In a rate problem (for
+/// derivatives along a load path), the law of a contact on the edge of a round cone is a plane facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -61,8 +61,8 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     by_size.min(settings.most_states / 5)
 }
 
-/// Searches case by case, at most `most_cases`, from the solution `state` of the elastic trial `trial`. If the result is `Contradicted`, `record` has
-/// received the steps of the proof.
+/// Branch and bound over at most `most_cases` cases of contact states, starting from the solution `state` of the elastic trial `trial`. If the result
+/// is `Contradicted`, `record` has received the steps of the proof.
 pub(super) fn search_tree(
     problem: &Problem,
     trial: &Piece,

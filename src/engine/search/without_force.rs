@@ -15,7 +15,8 @@ use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{Piece, PieceState, Problem};
 
-/// [`settle`] for a static problem: in a solution that is found, all contacts without force that may open are open.
+/// Searches for an equilibrium of a static problem with [`settle`]. In the solution that is returned, all contacts without force that may open are
+/// open.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (SearchOutcome, SearchCounts) {
     match settle(problem, settings) {
         (SearchOutcome::Found(found, rung), effort) => {

@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{PolygonCone, PolygonFit, planar, spatial};
 
-/// Numbers of random rate problems, of proofs that no forces balance offsets and load, and of problems with an equilibrium among all combinations of
-/// states.
+/// Counts for the tests: random rate problems, proofs that no forces balance offsets and load, and problems in which some combination of contact
+/// states is an equilibrium.
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,
@@ -42,7 +42,8 @@ fn tangent(draw: &mut Draw, tangents: usize) -> SVector<f64, 3> {
     }
 }
 
-/// A random law of a contact in a rate problem. `slip` is its direction of slip; most laws are the edge of a friction cone in that direction.
+/// A random law of a contact in a rate problem (for derivatives along a load path). `slip` is its direction of slip; most laws are the edge of a
+/// friction cone in that direction.
 fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> Law {
     let tangents = if normals.len() > 2 { 2 } else { 1 };
     match one_of(draw, 24) {
@@ -109,7 +110,8 @@ fn in_space() {
     let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
     while count.asked < 4_000 {
         let number = 3 + one_of(&mut draw, 3);
-        // Contacts lie around a circle. In most draws their other data are equal, so that often all of them slide or open at once.
+        // Contacts lie around a circle. In most draws their heights, stiffnesses and friction are equal, so that often all of them slide or open at
+        // once.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
         let place = draw.normal();
         let contact = |i: usize| {
