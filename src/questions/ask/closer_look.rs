@@ -113,7 +113,8 @@ impl<const C: usize> Grasp<C> {
 
     /// The [kinematic form](crate::forms) of the linear complementarity problem under a load. Its unknowns are gaps and slips, added to the elastic
     /// trial state in which everything sticks. `None` if no contact can open or slide, if the load does work along a motion that no contact resists,
-    /// or if a number overflows. If `lcp.vector() >= 0`, everything sticks and z = 0 is the answer. In the plane `cone` is ignored.
+    /// or if a number overflows. If `lcp.vector() >= 0`, everything sticks, and the unknowns z = 0 (no gaps and slips) solve the problem. In the
+    /// plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;

@@ -15,8 +15,8 @@ impl<const C: usize> Energy<'_, C> {
     /// The load factors of a ramp, from 0, for which the minimum of energy under friction constraints is an equilibrium. In space the friction cone
     /// is the polygonal cone of the settings.
     ///
-    /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone. It is found by
-    /// another method, as a check of the first slip. Frictionless contacts may open and close before the first slip.
+    /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone. This end is
+    /// computed by another method than the first slip, and thus checks it. Frictionless contacts may open and close before the first slip.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};

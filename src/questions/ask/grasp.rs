@@ -301,8 +301,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.farthest_direction(&inside(base), point, &self.settings)
     }
 
-    /// The least margin of sticking under the base load, divided by the largest force. It is computed as if every contact stuck. `None` if all forces
-    /// are zero, or if no contact resists the load.
+    /// The least margin of sticking under the base load (by which a contact force is inside its friction cone), divided by the largest force. It is
+    /// computed as if every contact stuck. `None` if all forces are zero, or if no contact resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }

@@ -9,11 +9,12 @@ use crate::prelude::*;
 use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
-    /// The loads up to which all contacts stick with `sigmas` standard deviations in reserve; a load of any direction is added to a base load. Of all
-    /// grasps within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – has a contact that slides below [`Reserve::along`]. The
-    /// probabilities of all contacts are included, not only of the contact that slides first. Effects of the data on contact forces are computed
-    /// beyond first order, and all together at the data with which a contact most probably slides. A quarter of that fraction is kept back for
-    /// neglected effects. The program `reserve` in `examples/reports` compares the result with samples.
+    /// The loads up to which all contacts stick with a reserve of `sigmas` standard deviations of the uncertain data. A load of any direction is
+    /// added to a base load. Of all grasps within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – has a contact that slides
+    /// below [`Reserve::along`]. The probabilities of all contacts are included, not only of the contact that slides first. Effects of the uncertain
+    /// data on contact forces are computed beyond first order. They are computed together, at the values of the data with which a contact most
+    /// probably slides. A quarter of the fraction Φ(-sigmas), the normal distribution function at -`sigmas`, is kept back for neglected effects. The
+    /// program `reserve` in `examples/reports` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -22,9 +22,9 @@ impl<const C: usize> Grasp<C> {
         Ok(path_outside(self.engine.follow(&inside(&start.into()), &all_inside(legs), &self.settings)?))
     }
 
-    /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. Either the grasp
-    /// comes to rest, or contacts slide to and fro for ever, or the object walks by the same motion in every cycle, or it is lost in some cycle.
-    /// [`Shaken`] says in a sentence which of these happens in all cycles; see [`shake`](crate::shake). At most
+    /// Whether the grasp survives a load that repeats. From rest under `base`, a closed cycle of legs (sections of a load program) is followed again
+    /// and again. Either the grasp comes to rest, or contacts slide to and fro for ever, or the object walks by the same motion in every cycle, or it
+    /// is lost in some cycle. [`Shaken`] says in a sentence which of these happens in all cycles; see [`shake`](crate::shake). At most
     /// [`Settings::most_cycles`](crate::Settings::most_cycles) cycles are followed.
     ///
     /// ```
@@ -59,7 +59,8 @@ impl<const C: usize> Grasp<C> {
     /// [`SteppedPath`].
     ///
     /// If no step continues the path, its end is [lost](crate::load_path::PathEnd::Lost) if the motion of the loss is known, from the speed of the
-    /// object or from the rates of contacts on the edge of their cones. Otherwise its end is [undecided](crate::load_path::PathEnd::Undecided).
+    /// object or from the rates of forces and motion in the possible states of contacts on the edge of their cones. Otherwise its end is
+    /// [undecided](crate::load_path::PathEnd::Undecided).
     ///
     /// In the plane friction forces do not turn: a step errs only if contacts begin to slide, stop, open or close within it.
     ///

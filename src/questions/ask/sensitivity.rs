@@ -10,7 +10,8 @@ use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter};
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<'g, const C: usize> Sensitivity<'g, C> {
-    /// The margins of sticking that vanish at a first slip. They give the derivatives of its load factor with respect to every parameter.
+    /// The margins of sticking that vanish at a first slip. They give the derivatives of the load factor at first slip with respect to every
+    /// parameter.
     ///
     /// `None` if a contact closed before the first slip, because the first slip then depends on the slips so far, or if a contact closes at the first
     /// slip and slides at once. Also `None` if the event has another number of contacts.

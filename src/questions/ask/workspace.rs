@@ -7,7 +7,8 @@ use crate::grasp::{Wrench, outside};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Memory;
 
-/// Memory for one first slip after another, for loops that must not wait for an allocator. The answers equal the answers of [`Grasp::onset`].
+/// Memory for one first slip after another, for loops that must not wait for an allocator. The memory is used again for each grasp and ramp. The
+/// answers equal the answers of [`Grasp::onset`].
 ///
 /// From the second call on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
 /// Memory is allocated if contact states must be found from the rates of contact forces. This is so if several contacts reach the edges of their

@@ -18,9 +18,9 @@ use crate::prelude::*;
 /// The load factors from 0 for which the minimum of energy is an equilibrium.
 ///
 /// Load and commands are affine in the factor τ. So is the vector of the complementarity problem of the [quadratic program](super::MinimumEnergy),
-/// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. It ends once the multiplier
-/// of a friction constraint enters the basis. At larger load factors this multiplier acts on the object like a force, and Coulomb's law is violated.
-/// The paper (see [`energy`](crate::energy)) predicts sliding in this way.
+/// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. The method ends once the
+/// multiplier of a friction constraint enters the basis. At larger load factors this multiplier acts on the object like a force, and Coulomb's law is
+/// violated. The paper (see [`energy`](crate::energy)) predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
@@ -39,7 +39,7 @@ pub enum Agreement<const C: usize> {
     /// The load direction does work along a motion that no spring resists with all contacts closed: the quadratic program has no minimum for any τ >
     /// 0.
     Unbounded,
-    /// Lemke's method did not reach the load factor at which a friction constraint binds, nor the end of its pivots.
+    /// The load factor was not found: because of rounding, the limit of pivots of Lemke's method, or more than 10 000 rows of its matrix.
     Unsolved,
 }
 
@@ -80,7 +80,8 @@ impl Engine {
     }
 }
 
-/// The quadratic program along a ramp: at load factor 0, and the changes of offsets and load per unit of the factor.
+/// The quadratic program along a ramp. `program` is that at load factor 0; `change` and `direction` are the changes of the contact springs' offsets
+/// (m) and of the load per unit of the factor.
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,

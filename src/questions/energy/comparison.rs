@@ -76,8 +76,8 @@ impl<const C: usize> Comparison<C> {
 }
 
 impl Difference {
-    /// The largest of three relative differences: of displacement, force and energy, each divided by its `_size`. A difference of zero gives the
-    /// quotient 0, even if the size is zero.
+    /// The largest of three relative differences: of displacement, force and energy. Each difference is divided by the size to which it is compared
+    /// (the field with `_size` in its name). A difference of zero gives the quotient 0, even if the size is zero.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };

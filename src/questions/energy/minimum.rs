@@ -104,7 +104,8 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// Motion and motions without resistance of a minimum, in the engine's coordinates, in which the motions without resistance are orthonormal.
+/// The motion of the object at a minimum of energy, and the motions that no active spring resists, both in the engine's coordinates. In these
+/// coordinates the motions without resistance are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {
     pub(super) twist: Coordinates,

@@ -23,7 +23,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
-/// How far [`Engine::hold_with`] follows the load path, and which data of the verdict it computes.
+/// How far [`Engine::hold_with`] follows the load path, and which fields of the verdict it computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
@@ -46,11 +46,12 @@ pub(crate) struct PathFacts {
     pub(crate) farthest: f64,
     /// The equilibrium under the base load. `None` if no such equilibrium was found, and for [`VerdictScope::Brief`].
     pub(crate) at_rest: Option<AtRest>,
-    /// Number of jumps while the load is put on: a contact catches the object, or friction falls. It is 0 for [`VerdictScope::Brief`].
+    /// Number of jumps, i.e. motions under constant load, while the load is put on: a contact catches the object, or friction falls to its kinetic
+    /// value. It is 0 for [`VerdictScope::Brief`].
     pub(crate) jumps: usize,
 }
 
-/// The equilibrium from which the load is put on.
+/// The equilibrium under the base load, from which the growing load is put on.
 #[derive(Debug, Clone)]
 pub(crate) struct AtRest {
     pub(crate) contacts: Vec<RestingContact>,
@@ -139,7 +140,8 @@ impl Engine {
         let too_far = end_before_loss(&path);
         let end = too_far.map_or(path.place(), |far| (far.leg, far.fraction));
         let held_to = reached(end);
-        // Motions may cease to be small in a jump at the first slip, whose two load factors then differ by rounding.
+        // Motions may cease to be small in a jump at the first slip. The load factors of the first slip and of the end of small motions then differ
+        // by rounding.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let first_slip = self.first_slip(&onset, &events).filter(is_small);
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
@@ -293,7 +295,8 @@ impl Engine {
         }
     }
 
-    /// The first slip of an onset, with the contacts that slide at the events at its start.
+    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. For load factor 0 it also lists contacts
+    /// that begin to slide at `events` at the start of the load path. `None` if `onset` names no such contacts.
     pub(crate) fn first_slip(&self, onset: &Onset<3>, events: &[Event<3>]) -> Option<FirstSlip> {
         let parts = self.wholes();
         let slides_at_rest = |i: usize, state: &Equilibrium<3>| {

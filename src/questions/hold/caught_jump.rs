@@ -137,7 +137,8 @@ impl CaughtJump {
         }
     }
 
-    /// The jumps among the events of the leg that applies the whole load. The fraction of this leg that is done is therefore the load factor.
+    /// The jumps among the events of the leg (section of the load program) that applies the whole load. The fraction of this leg that is done is
+    /// therefore the load factor.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {

@@ -2,8 +2,8 @@
 //!
 //! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
 //! the elastic part and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
-//! plane `Σ F·r θ²`. Fingers that press against each other make it negative. It is compared with the work `W·q` of the load W along the motion, which
-//! equals `q·Kq` with the secant stiffness K of the grasp.
+//! plane `Σ F·r θ²`. Fingers that press against each other make this part negative. The second part is compared with the work `W·q` of the load W
+//! along the motion. This work equals `q·Kq` with the secant stiffness K of the grasp.
 //!
 //! Loads are treated like contact forces, at their points of action. If only the line of a load is known, the load is taken to act at the point of
 //! its line nearest to the centroid of the contacts.
@@ -106,8 +106,9 @@ impl Engine {
         stiffness
     }
 
-    /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body and the forces
-    /// of `load`, if their points are known. The arms r are about `centre`. In the plane θ is along the third axis, in which forces and arms are zero.
+    /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body and the
+    /// forces of `load`, if their points are known. The arms r are about `centre`. In the plane θ is along the third axis, in which forces and arms
+    /// are zero.
     pub(super) fn stiffness_of_arms(
         &self,
         body: usize,

@@ -11,8 +11,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The data of a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The fields about proofs and kinetic
-    /// friction stay empty.
+    /// The [`Lost`] of a verdict, for a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The fields about
+    /// proofs and kinetic friction stay empty.
     pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
@@ -47,7 +47,7 @@ impl Engine {
         }
     }
 
-    /// The data of an end of small motions at this load factor; `everything_slides` says whether gross slip has begun.
+    /// The [`Lost`] of a verdict, for an end of small motions at this load factor; `everything_slides` says whether gross slip has begun.
     pub(super) fn gone_too_far(
         &self,
         factor: f64,

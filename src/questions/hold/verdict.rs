@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 /// The answer to "does it hold?"; its [`Display`](std::fmt::Display) is a sentence.
 ///
-/// Factors are multiples of `load`: at factor τ the loads are `base + τ load`.
+/// Load factors are multiples of `load`: at factor τ the loads are `base + τ load`.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -30,14 +30,16 @@ pub struct Verdict<const C: usize> {
     /// the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
-    /// The jumps up to the whole load or the loss, in each of which the object is caught. Contacts begin to slide with lower [kinetic
-    /// friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to another equilibrium.
+    /// The jumps (motions under constant load) up to the whole load or the loss, in each of which the object is caught. Contacts begin to slide with
+    /// lower [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to another
+    /// equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<CaughtJump>,
     /// Largest load factor that is reached with the load held and motions [small](crate::Settings::small_motions); 0 if the grasp does not hold the
     /// base load.
     ///
-    /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is held.
+    /// The load is followed only up to [`Settings::most_load`](crate::Settings::most_load), so this factor is no upper bound of the load that is
+    /// held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
     /// Load factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at

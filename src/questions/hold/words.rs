@@ -112,7 +112,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// The sentence about a load that is lost: the verb, the load at the loss, the jumps before it and the motion.
+    /// The sentence about a lost load: the verb, the load at the loss, the jumps before the loss, and the motion of the object.
     fn write_loss(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
@@ -291,7 +291,7 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
-    /// Writes how a load at rest is lost, and the fraction of it that is carried.
+    /// Writes how the base load (the load at rest) is lost as it grows from zero, and which fraction of it is carried.
     fn write_at_rest(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         if self.factor > NEGLIGIBLE {

@@ -1,4 +1,4 @@
-//! Bounds beyond which only the enumeration of contact states finds an equilibrium at rest.
+//! Bounds of the sufficient amounts beyond which only the enumeration of contact states finds an equilibrium at rest (before the loads act).
 //!
 //! Several such equilibria may exist, and rounding determines which one is found. Verdicts on neighbouring amounts then alternate.
 
@@ -11,12 +11,12 @@ use crate::prelude::*;
 
 /// Number of amounts tried beyond the last one for which an equilibrium at rest is found without the enumeration.
 ///
-/// If smaller, amounts whose verdicts depend on rounding are called sufficient. Each costs an enumeration.
+/// If smaller, amounts whose verdicts depend on rounding are called sufficient. Each of the amounts tried costs an enumeration.
 const BEYOND_PRESUMED: u32 = 6;
 
 impl Threshold {
     /// This bracket narrowed by full trials. The amount `presumed` is the last one for which an equilibrium at rest is found without the enumeration;
-    /// if verdicts beyond it alternate, the bracket ends there.
+    /// if verdicts beyond it alternate, `presumed` is the sufficient amount of the bracket.
     pub(super) fn beyond(
         mut self,
         presumed: f64,

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::grasp::WholeContact;
 use crate::prelude::*;
 
-/// The answer to "how much squeeze, friction, load, … does it need?"; its [`Display`](std::fmt::Display) is a sentence.
+/// The answer to "how much squeeze, friction, load, … does the grasp need?"; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -16,9 +16,9 @@ use crate::prelude::*;
 pub struct Needed {
     /// The sought quantity.
     pub quantity: Quantity,
-    /// The demand that the amount has to meet.
+    /// The condition that the grasp has to meet with the amount, such as that the object is held.
     pub demand: Demand,
-    /// The least or greatest amount that meets the demand, for the data as given, in the unit of `quantity`.
+    /// The least or greatest amount that meets the demand, with friction, squeeze and loads as given; in the unit of `quantity`.
     pub amount: Amount,
     /// The amount with which nothing slides; `None` unless the demand is that the object is held.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -32,7 +32,8 @@ pub struct Needed {
     /// Factor on the loads that `safe` allows for; 1 without a factor of safety.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
-    /// Whether a load acts at rest, which `safety` does not multiply: weights and loads of bodies, or the load at rest of the question.
+    /// Whether a load acts at rest, before the loads of the question; `safety` does not multiply it. Such loads are weights and loads of bodies, and
+    /// the load at rest of the question.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_loaded_at_rest: bool,
     /// Size of the load whose multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the loads are one
@@ -159,7 +160,7 @@ pub enum Amount {
         /// Further intervals of sufficient amounts, in ascending order.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         elsewhere: Vec<AmountWindow>,
-        /// Normal force of each contact at rest with the squeeze `sufficient`, N; empty for other quantities.
+        /// Normal force of each contact at rest (before the loads act) with the squeeze `sufficient`, N; empty for other quantities.
         presses: Vec<ContactPress>,
         /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`, so that they press no harder; empty for other
         /// quantities.
@@ -250,7 +251,7 @@ pub struct FarEnd {
     pub insufficient: f64,
     /// The verdict on the grasp with `insufficient` in a sentence, or the reason why the verdict is undecided.
     pub otherwise: String,
-    /// Normal force of each contact at rest with the squeeze `sufficient`, N; empty for other quantities.
+    /// Normal force of each contact at rest (before the loads act) with the squeeze `sufficient`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub presses: Vec<ContactPress>,
     /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`; empty for other quantities.

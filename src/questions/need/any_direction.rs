@@ -15,7 +15,7 @@ use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
 impl Loading {
-    /// The result for `load` with a force of this size and of any direction beside it, through a point.
+    /// The result of the trial under `load` and an added force of this size through a point, for the weakest direction of the force.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,
@@ -40,8 +40,8 @@ impl Loading {
         )
     }
 
-    /// The result where everything sticks at rest, under the constant load alone (its verdict), and with a force of any direction added to it. `None`
-    /// where something slides and the demand allows sliding.
+    /// The result of the trial as far as it follows while everything sticks, without a path for each direction. A force of any direction is added to
+    /// the constant load `base`, on which `verdict` is given. `None` if something slides and the demand allows sliding.
     fn while_all_stick(
         &self,
         verdict: &Verdict<3>,
@@ -57,7 +57,7 @@ impl Loading {
             }));
         }
         let weakest = self.grasp.weakest_direction(base, point)?;
-        // The direction that first makes something slide is tried first where things slide.
+        // If directions are tried one by one, the direction in which the least force makes a contact slide is tried first.
         if let WeakestDirection::Force { direction, .. } = &weakest
             && refuting.directions.borrow().is_empty()
         {
@@ -105,8 +105,9 @@ impl Loading {
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
-    /// The worst result over directions of a force: those that refuted other amounts, then evenly spread ones, and those between. `worst` has the
-    /// result without the force. Quick trials are confined to directions that refuted other amounts, if there are any.
+    /// The worst result over directions of a force. First come directions in which the force was not carried with other amounts, then evenly spread
+    /// directions and those between. `worst` has the result without the force. Quick trials are confined to directions that refuted other amounts, if
+    /// there are any.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -199,7 +200,8 @@ impl Loading {
         Ok(held)
     }
 
-    /// The result for one direction, with facts about its load path, which is followed up to the multiple `least` that is carried in another direction.
+    /// The result for one direction, with facts about its load path, which is followed up to the multiple `least` that is carried in another
+    /// direction.
     fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, PathFacts), Error> {
         let least = least.map(|carried| carried.max(CLOSE));
         let (verdict, path) = self.put_on_up_to(ramp, least)?;
@@ -207,8 +209,8 @@ impl Loading {
         Ok((self.said_of(1, &ramp.direction, trial), path))
     }
 
-    /// The weakest direction near one whose trial is `weakest`, with its trial. The search moves to neighbours that carry less. Its step is halved where
-    /// no neighbour carries less.
+    /// The weakest direction near one whose trial is `weakest`, with its trial. The search moves to neighbours that carry less. Its step is halved
+    /// where no neighbour carries less.
     fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -243,7 +245,8 @@ impl Loading {
     }
 }
 
-/// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps while the load is applied.
+/// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps. Jumps are motions under constant load
+/// while the load is applied.
 #[derive(Debug, Clone, Copy)]
 struct DirectionTrial {
     part: f64,
@@ -254,7 +257,8 @@ struct DirectionTrial {
 /// ones is missed; if larger, load paths are followed farther.
 const CLOSE: f64 = 1.1;
 
-/// The least angle between directions that are tried, rad. The carried parts of the load within this angle differ by less than 1e-6, unless they jump.
+/// The least angle between directions that are tried, rad. The carried parts of the load within this angle differ by less than 1e-6, unless they
+/// jump.
 const LAST_STEP: f64 = 1e-3;
 
 /// The least angle between directions at a jump of the carried part, rad. It is used if less than 1 % more than the load is carried. If larger,

@@ -1,4 +1,4 @@
-//! A grasp with an amount set, under the load that leaves the least friction in reserve.
+//! A grasp with a given amount of squeeze, friction, load or another quantity set, and its equilibrium under the load that uses most of its friction.
 
 use super::checked_need::{SafetyDeviations, Sought};
 use super::loading::{Loading, force_at};
@@ -16,8 +16,9 @@ impl<const C: usize> Grasp<C> {
     /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
-    /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts. For a load that turns, 180 equal steps and its end are compared.
-    /// If an angle is sought, the equilibrium at the end of the turn is returned. `None` if no load is held.
+    /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts, with the friction force f_t and the friction margin
+    /// `μ f_n - |f_t|`. For a load that turns, the equilibria at 180 equal steps of the turn and at its end are compared. If an angle is sought, the
+    /// equilibrium at the end of the turn is returned. `None` if no load is held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -39,7 +40,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// A grasp of the plane or of space with the amount set, and the equilibrium with the least friction in reserve.
+    /// The grasp with the amount set, and the equilibrium in which a contact uses the largest fraction of its friction. `None` if no load is held.
     fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
         let grown = self.growing(given)?;
         let posed = self.posed(given.space())?.on(&grown)?;

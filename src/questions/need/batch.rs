@@ -1,8 +1,8 @@
 //! Needed amounts of many grasps, on all cores.
 //!
 //! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
-//! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at the loss is
-//! used instead of first slip; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`].
+//! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at which
+//! equilibrium is lost is used instead; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`].
 
 use core::ops::Range;
 
@@ -56,7 +56,7 @@ impl From<&Amount> for ShortAmount {
 
 impl<const C: usize> Grasp<C> {
     /// The squeeze that each of many grasps needs for its own load, or the multiple of its load that it carries, on all cores. The amounts are those
-    /// of [`Self::need`], without sentences, windows and safe amounts.
+    /// of [`Self::need`], without sentences, further intervals of sufficient amounts, and safe amounts.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
     /// [held](Demand::Held). A row is one grasp with its load. If everything must stick, a row takes a few microseconds; if the object must be held,
@@ -180,7 +180,8 @@ impl BatchNeed {
         turn <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)
     }
 
-    /// The amount with which everything sticks; `None` unless the rotation of the object is then clearly within the limit of small motions.
+    /// The amount with which everything sticks; `None` unless the rotation of the object with this amount is clearly within the limit of small
+    /// motions.
     fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
         let multiple = first.factor()?;
         let amount = self.amount(multiple)?;

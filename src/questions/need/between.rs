@@ -47,7 +47,7 @@ fn where_most_is_carried(
     let in_order: Vec<_> = moved(increasing(&amounts), &|i| (amounts[i], carried[i]));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
-    // If all amounts carry the same fraction, the direction in which it grows is unknown.
+    // If all amounts carry the same fraction of the load, it is unknown whether larger or smaller amounts carry more.
     if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
         return Ok(None);
     }

@@ -1,4 +1,5 @@
-//! A scan of amounts around the bound: how far the sufficient amounts extend from it, and further intervals of sufficient amounts.
+//! A scan of amounts around the bound (the least or greatest sufficient amount). It finds how far the sufficient amounts extend from the bound, and
+//! further intervals of sufficient amounts.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -176,10 +177,10 @@ impl BoundScan {
     }
 }
 
-/// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change. Such
-/// an amount lies beyond the point at which a margin would [vanish](where_a_margin_vanishes), or in the middle of two amounts with different contact
-/// states at rest. If contact states at rest change with the amount, the carried part of the load may jump; the pair with the largest ratio comes
-/// first. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
+/// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
+/// Such an amount lies beyond the point at which a margin would [vanish](where_a_margin_vanishes), or in the middle of two amounts with different
+/// contact states at rest. If contact states at rest change with the amount, the carried part of the load may jump. The pair of amounts with the
+/// largest ratio comes first. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -199,8 +200,8 @@ pub(super) fn between_known(
     Ok(is_new)
 }
 
-/// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether they
-/// suffice.
+/// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether
+/// they suffice.
 fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &&[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
@@ -213,8 +214,8 @@ fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f6
     Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }
 
-/// An amount between two neighbouring sufficient ones, a little beyond the place where a margin would vanish if it fell on as it does towards the first
-/// of them.
+/// An amount between two neighbouring sufficient amounts, a little beyond the place where one of the two [measures](Trial::measures) would vanish.
+/// This place is extrapolated from the first of the two amounts and the sufficient amount before it.
 fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
     let beyond = |[before, here, next]: [&(f64, Trial); 3]| {
         let root = |which: usize| {

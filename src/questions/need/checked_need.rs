@@ -1,4 +1,4 @@
-//! The data of a [`Need`] after it has been checked, with defaults for all data that were not given.
+//! A [`Need`] after a check of its fields, with defaults for all fields that were not given.
 
 use alloc::borrow::Cow;
 
@@ -25,7 +25,7 @@ impl<const C: usize> Need<C> {
         }
     }
 
-    /// The loads given as wrenches.
+    /// The loads of the question that are given as wrenches: the single load and the list of loads.
     #[cfg(feature = "serde")]
     pub(crate) fn wrenches(&self) -> impl Iterator<Item = &Wrench<C>> {
         self.load.iter().chain(&self.loads)
@@ -44,7 +44,7 @@ impl<const C: usize> Need<C> {
     }
 }
 
-/// The data of a [`Need`] after it has been checked.
+/// A [`Need`] after a check of its fields: the sought quantity, the loads, the demand and the reductions for the safe amount.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CheckedNeed {
     pub(super) sought: Sought,
@@ -85,7 +85,7 @@ pub(super) enum Sought {
     },
 }
 
-/// Deviations from the given data to the unfavourable side, which the safe amount takes into account.
+/// Unfavourable deviations from the given friction, squeeze and loads, which the safe amount takes into account.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SafetyDeviations {
     /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
@@ -95,7 +95,7 @@ pub(super) struct SafetyDeviations {
 }
 
 impl SafetyDeviations {
-    /// No deviation from the given data.
+    /// No deviation from the given friction, squeeze and loads.
     pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
 }
 
@@ -123,8 +123,8 @@ impl CheckedNeed {
         self.loads.check_size()
     }
 
-    /// The question with the data of this grasp. The friction of a soft fingertip is set at all its points. If no command presses, a force is
-    /// sought in place of a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
+    /// This need adapted to a grasp. The friction of a soft fingertip is set at all its points. If no command presses, a force is sought in place of
+    /// a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
@@ -210,7 +210,7 @@ impl Need<3> {
         }
     }
 
-    /// The checked data of the question, with the loads and the sought quantity in the form that the search uses.
+    /// This need after a check of its fields, with the loads and the sought quantity in the form that the search uses.
     pub(super) fn posed(&self, space: Space) -> Result<CheckedNeed, Error> {
         let of_its_own = [
             (

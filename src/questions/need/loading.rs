@@ -23,16 +23,17 @@ use crate::words::Words;
 pub(super) struct Loading {
     pub(super) grasp: Grasp<3>,
     pub(super) loads: Loads<3>,
-    /// The load at rest. The factor `times` does not apply to it.
+    /// The load at rest, which acts before the other loads. The factor `times` does not apply to it.
     pub(super) base: Wrench<3>,
     /// Factor on `loads`.
     pub(super) times: f64,
     pub(super) words: Words,
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
-    /// How much of a verdict a trial needs.
+    /// The parts of a verdict that a trial needs, and how far it follows load paths.
     pub(super) extent: VerdictScope,
-    /// Whether the amount with which nothing slides is sought only beside the amount that holds the object. A first slip is then reason enough.
+    /// Whether the amount with which nothing slides is sought only in addition to the amount that holds the object. The load factor of first slip
+    /// then suffices as the reason why an amount is insufficient.
     is_beside: bool,
     /// If a link cannot have its tension at rest, the reason in a sentence. The amount is then insufficient.
     refused: Option<String>,
@@ -155,7 +156,7 @@ impl Loading {
         })
     }
 
-    /// The turning load with its parts multiplied by `times`, plus the load at rest.
+    /// The turning load with its constant, cosine and sine parts multiplied by `times`, plus the load at rest.
     pub(super) fn multiplied_turn(&self, turn: &Turn<3>) -> Turn<3> {
         let ([constant, cosine, sine], times) = (turn.parts(), self.times);
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())

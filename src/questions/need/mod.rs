@@ -18,21 +18,24 @@
 //! [`Sticks`](Demand::Sticks): nothing slides at all. [`Rests`](Demand::Rests): under loads that repeat, the object comes to rest.
 //! [`Stays`](Demand::Stays): under loads that repeat, it does not walk.
 //!
-//! For every amount that is tried, [`Grasp::hold`](crate::ask::Grasp::hold) gives the verdict. The answer names two neighbouring amounts that were
-//! tried: one is sufficient, the other is insufficient. This bracket is narrowed with secants of the carried fraction of the load, in the plane to
-//! the last digits. If that fraction jumps at the bound, secants of a second margin are used: the distance to the limit of small motions, or the
-//! margin of sticking at rest. If no equilibrium at rest exists beyond the bound, the margins of the contacts at rest are used instead. While the
-//! bracket is narrowed, verdicts omit the enumeration of many contact states, which is slowest near a bound, and the reason why no equilibrium
-//! exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at rest beyond the bound, a few amounts
-//! are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of them.
+//! For every amount that is tried, [`Grasp::hold`](crate::ask::Grasp::hold) gives the verdict. An amount is sufficient if the grasp meets the demand
+//! with it. The answer names two neighbouring amounts at the bound (the least or greatest sufficient amount): one is sufficient, the other is
+//! insufficient. This bracket is narrowed with secants of the carried fraction of the load, in the plane to the last digits. If that fraction jumps
+//! at the bound, secants of a second margin are used: the distance to the limit of small motions, or the margin of sticking at rest. At rest means
+//! under the load that acts before the others. If no equilibrium at rest exists beyond the bound, the distances of contacts from the ends of their
+//! states (open, sticking, sliding) are used. While the bracket is narrowed, verdicts omit the enumeration of many contact states, which is slowest
+//! near a bound, and the reason why no equilibrium exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds
+//! equilibria at rest beyond the bound, a few amounts are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of
+//! them.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
 //! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. Therefore the
 //! search goes both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts
 //! around the bound finds how far the sufficient amounts extend ([`FarEnd`]), and which others are sufficient ([`AmountWindow`]). If contact states
-//! at rest differ between neighbouring amounts, or a margin would vanish between them, amounts between these are tried, too. The scan can still miss a narrow interval between two amounts.
-//! The answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof excludes all others. If only loads and squeeze act, twice
-//! the squeeze carries twice the load. The scan is then omitted, unless a much larger squeeze moves the part too far.
+//! at rest differ between neighbouring amounts, or a margin would vanish between them, amounts between these neighbours are tried, too. The scan can
+//! still miss a narrow interval between two amounts. The answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof
+//! excludes all others. If only loads and squeeze act, twice the squeeze carries twice the load. The scan is then omitted, unless a much larger
+//! squeeze moves the part too far.
 //!
 //! If no command presses, there is no squeeze to scale. In that case the force of the only loaded body is sought, or the load at rest, and the answer
 //! says so.

@@ -48,7 +48,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// Answers the question for the engine, whose vectors have three components, in the plane, too.
+    /// Answers this need for a grasp in the form of the engine, whose vectors have three components in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Needed, Error> {
         let grasp = &self.growing(grasp)?;
         let posed = self.posed(grasp.space())?;
@@ -104,8 +104,8 @@ impl Need<3> {
     }
 }
 
-/// The first amount that a search tries. Multiples begin at 1, friction at the largest given coefficient (0.5 if all are 0 or one is infinite). An
-/// arm begins at the largest distance of a contact from the first contact (1 m if this is 0), an angle at the whole turn.
+/// The first amount that a search tries. Multiples of a squeeze, load or force begin at 1, friction at the largest given coefficient (0.5 if all are
+/// 0 or one is infinite). An arm begins at the largest distance of a contact from the first contact (1 m if this is 0), an angle at the whole turn.
 fn start(grasp: &Grasp<3>, need: &CheckedNeed) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
@@ -187,7 +187,8 @@ impl FoundAmounts<'_, '_> {
         self.tried.known(self.demand)
     }
 
-    /// The contact forces at rest with this squeeze, and the drives at their limit, see [`presses`]; both empty if another quantity is sought.
+    /// The normal forces of the contacts at rest with the squeeze `sufficient`, and the names of drives at their limit; see [`presses`]. Both lists
+    /// are empty if another quantity than a squeeze is sought.
     fn presses(&self, sufficient: f64) -> Result<(Vec<ContactPress>, Vec<String>), Error> {
         match self.tried.need.sought {
             Sought::Squeeze | Sought::Overlaps => presses(self.tried.grasp, sufficient, self.tried.need),
@@ -206,13 +207,14 @@ impl FoundAmounts<'_, '_> {
         Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
-    /// Whether an amount between those tried has another verdict than its neighbours; see [`between_known`].
+    /// Tries further amounts between those tried before, see [`between_known`]. Returns whether one of them has another verdict than its neighbours.
+    /// No amount is tried without a scan, or if all easier amounts are known to be sufficient.
     fn changes_between(&self, plan: &SearchPlan, is_claimed: &dyn Fn(f64) -> bool) -> Result<bool, Error> {
         let is_asked = !plan.is_monotone && self.scan > 0;
         if is_asked { between_known(&self.known(), is_claimed, self.tries) } else { Ok(false) }
     }
 
-    /// The answer if all amounts that were tried in the harder direction are sufficient. The last of these amounts is `to`.
+    /// The answer if all amounts that were tried in the harder direction (less squeeze, more load) are sufficient. The last of these amounts is `to`.
     fn any(&self, plan: &SearchPlan, to: f64) -> Result<Amount, Error> {
         let seek = || BoundScan::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
@@ -224,12 +226,13 @@ impl FoundAmounts<'_, '_> {
         Ok(Amount::Any { to, until: self.far_end(until)?, tried })
     }
 
-    /// The amounts around a bound, after [`Self::changes_between`].
+    /// The scan of amounts around a bound. It is repeated if an amount between those tried has another verdict than its neighbours, see
+    /// [`Self::changes_between`].
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
-        // A larger squeeze always carries more in this case, but it may move the part too far. A squeeze is tried that is much larger than the least
-        // squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
+        // If `is_monotone`, a larger squeeze always carries more, but it may move the part too far. Therefore one squeeze is tried that is much
+        // larger than the least squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
         let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
@@ -243,8 +246,8 @@ impl FoundAmounts<'_, '_> {
         if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
     }
 
-    /// The bracket at the hardest interval of sufficient amounts that is not [narrow](NARROW); `None` if the bound is its end already, or if all are
-    /// narrow.
+    /// The bracket at the harder end (less squeeze, more load) of the hardest interval of sufficient amounts that is not [narrow](NARROW). `None` if
+    /// `bound` is at this end already, or if all intervals are narrow.
     fn edge_of_a_wide_window(
         &self,
         plan: &SearchPlan,
@@ -268,7 +271,7 @@ impl FoundAmounts<'_, '_> {
         (sufficient != bound.sufficient).then_some(Threshold { sufficient, insufficient, unknown: None })
     }
 
-    /// The answer with a bound, from its bracket and from amounts that are tried around it.
+    /// The answer [`Amount::Bound`], from the bracket of the least or greatest sufficient amount and from amounts that are tried around it.
     fn bound(
         mut self,
         mut plan: SearchPlan,
@@ -320,14 +323,16 @@ impl FoundAmounts<'_, '_> {
     }
 }
 
-/// Whether the search for a safe amount stepped over amounts, from the insufficient one where it began to a far easier one.
+/// Whether the search for a safe amount stepped over many amounts. This is so if the sufficient amount is easier than the first amount tried by more
+/// than the ratio [`STEPPED_OVER`].
 fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
     let begin = plan.begin();
     let ratio = if plan.is_least { sufficient / begin } else { begin / sufficient };
     plan.everywhere && !plan.is_monotone && ratio > STEPPED_OVER
 }
 
-/// Among the amounts tried on the easier side of the bound `sufficient`: the last sufficient amount, and the first insufficient one.
+/// The last sufficient amount and the first insufficient amount among those tried from the bound `sufficient` towards easier amounts (more squeeze,
+/// less load). `None` if none is insufficient.
 fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
@@ -341,8 +346,9 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
     Some([last, beyond[first].0])
 }
 
-/// The far end of the sufficient amounts that begin at `sufficient`. With friction and loads as given, this end lies between the two amounts `far`.
-/// These are therefore tried first.
+/// The bracket at the far end of the sufficient amounts that begin at `sufficient`. The amounts `far`, between which it is expected, are tried in
+/// turn; for a safe amount, they are the far end with friction, squeeze and loads as given. `None` if neither is insufficient, or if a verdict is
+/// undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

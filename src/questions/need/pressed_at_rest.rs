@@ -10,11 +10,11 @@ use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Also the names of the joints and tendons whose drives are at
-/// their limit.
+/// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Returned with them are the names of the joints and tendons
+/// whose drives are at their limit.
 ///
-/// If the contacts that are pressed by commands carry no force beyond rounding without a load, their forces under the load at rest are returned. A
-/// contact held by a given force presses with this force even if no equilibrium is known.
+/// The forces are those without any load. Some contacts may have commands, forces or vacuums of their own. If none of these contacts presses without
+/// a load, the forces under the load at rest are returned. A contact held by a given force presses with this force even if no equilibrium is known.
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,

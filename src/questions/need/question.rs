@@ -32,7 +32,7 @@ pub enum Demand {
 }
 
 impl Demand {
-    /// Whether the loads repeat.
+    /// Whether this demand is about loads that are applied and removed again and again.
     pub(super) fn repeats(self) -> bool {
         matches!(self, Self::Rests | Self::Stays)
     }
@@ -167,8 +167,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Load, loads)
     }
 
-    /// The greatest displacement x of a force, m. The load is `at + x per_metre`: `at` is its wrench at x = 0 (N, N m), `per_metre` the change of that
-    /// wrench per metre.
+    /// The greatest displacement x of a force, m. The load is `at + x per_metre`: `at` is its wrench at x = 0 (N, N m), `per_metre` the change of
+    /// that wrench per metre.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -307,30 +307,31 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with a safe amount for friction `(1 - friction) μ` and `1 - squeeze` times the squeeze. Both reductions are from 0 to less than 1.
+    /// This need with a safe amount in the answer. It is the amount that is sufficient with coefficients of friction `(1 - friction) μ` and
+    /// `1 - squeeze` times the squeeze. Both reductions are from 0 to less than 1.
     ///
-    /// The defaults are 0.1 and 0.05. With two zeros, and loads not enlarged, there is no safe amount.
+    /// The defaults are 0.1 and 0.05. If both are 0 and [`Self::with_safety`] does not enlarge the loads, the answer has no safe amount.
     #[must_use]
     pub fn if_lower_by(self, friction: f64, squeeze: f64) -> Self {
         self.if_friction_lower_by(friction).if_squeeze_lower_by(squeeze)
     }
 
-    /// This need with a safe amount for friction that is lower by the fraction `part`, as for [`Self::if_lower_by`].
+    /// This need with a safe amount in the answer, for coefficients of friction that are lower by the fraction `part`, as for [`Self::if_lower_by`].
     #[must_use]
     pub fn if_friction_lower_by(mut self, part: f64) -> Self {
         self.friction_less = Some(part);
         self
     }
 
-    /// This need with a safe amount for a squeeze that is lower by the fraction `part`, as for [`Self::if_lower_by`].
+    /// This need with a safe amount in the answer, for a squeeze that is lower by the fraction `part`, as for [`Self::if_lower_by`].
     #[must_use]
     pub fn if_squeeze_lower_by(mut self, part: f64) -> Self {
         self.squeeze_less = Some(part);
         self
     }
 
-    /// This need with a safe amount for loads multiplied by `factor`, in place of reduced friction and squeeze. After a later [`Self::if_lower_by`]
-    /// the safe amount takes both into account. The load at rest keeps its size.
+    /// This need with a safe amount in the answer, for loads multiplied by `factor` in place of reduced friction and squeeze. After a later
+    /// [`Self::if_lower_by`] the safe amount takes the larger loads and the reductions into account. The load at rest keeps its size.
     #[doc(alias = "factor of safety")]
     #[must_use]
     pub fn with_safety(mut self, factor: f64) -> Self {
@@ -338,7 +339,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with a load on another of several bodies. That load grows together with the only load of this need, see
+    /// This need with a load on another of several bodies. That load grows together with the single load of this need, see
     /// [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     #[must_use]
     pub fn together_with(mut self, body: impl Into<String>, load: Wrench<C>) -> Self {
@@ -373,7 +374,7 @@ impl<const C: usize> Need<C> {
         self.quantity
     }
 
-    /// The load at rest.
+    /// The load at rest, which acts before the other loads; zero if none was given.
     pub(crate) fn base(&self) -> Wrench<C> {
         self.base.unwrap_or(Wrench::ZERO)
     }

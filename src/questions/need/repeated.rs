@@ -34,8 +34,8 @@ impl Loading {
         })
     }
 
-    /// The load at rest and the legs of one cycle; `None` for a force of any direction. Each load is applied and removed. A turn is followed back
-    /// unless it is a full turn.
+    /// The load at rest and the legs of one cycle (sections of the load program); `None` for a force of any direction. Each load is applied and
+    /// removed. A turn is followed back unless it is a full turn.
     fn cycle(&self) -> Option<(Wrench<3>, Vec<Leg<3>>)> {
         match &self.loads {
             Loads::Each(loads) => {
@@ -60,8 +60,8 @@ impl Loading {
     }
 }
 
-/// For an insufficient amount, a number below 1 that is used instead of the carried part of the load. It is larger the later the object is lost, or
-/// the less the object moves per period.
+/// For an insufficient amount, a number below 1 that guides the search in place of the carried part of the load. It is larger the later the object is
+/// lost, or the less the object moves per period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
     // A loss gives less than one half; walking and sliding to and fro give more. Thus an increasing number leads the search from loss to walking to
     // rest.

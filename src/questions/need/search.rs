@@ -70,7 +70,7 @@ pub(super) struct SearchPlan {
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
-    /// The amounts that proofs leave.
+    /// The range of amounts that no proof excludes.
     pub(super) range: Range,
     /// Whether the least sufficient amount is sought, otherwise the greatest.
     pub(super) is_least: bool,
@@ -177,9 +177,9 @@ impl SearchPlan {
     }
 }
 
-/// From a sufficient first amount the search goes towards harder amounts (less squeeze, more load), from an insufficient first amount towards easier
-/// amounts. If no amount in that direction is sufficient, the other direction is tried, then the intervals between the amounts tried. Trials in
-/// `known` are not repeated.
+/// Searches for the bound of the sufficient amounts. From a sufficient first amount the search goes towards harder amounts (less squeeze, more load),
+/// from an insufficient first amount towards easier amounts. If no amount in that direction is sufficient, the other direction is tried, then the
+/// intervals between the amounts tried. Trials in `known` are not repeated.
 pub(super) fn search(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -239,8 +239,8 @@ pub(super) fn search(
     Ok(BoundSearch::Nothing(vain))
 }
 
-/// Tries an amount and, if its verdict is undecided, some neighbouring amounts. Their offsets are fractions of `width`, or of the amount itself if
-/// there is no width.
+/// Tries the amount `at` and, if its verdict is undecided, some neighbouring amounts. Returns the first amount with a decided verdict and its trial,
+/// else `at` with its undecided trial. The offsets of the neighbours are fractions of `width`, or of `at` if there is no width.
 pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
@@ -355,7 +355,8 @@ fn edge_from(
     first_insufficient(tries, plan, (sufficient, trial))
 }
 
-/// The bracket of the bound beyond a sufficient amount if no guess of the bound has found an insufficient amount.
+/// The bracket of the bound beyond a sufficient amount, if no guess of the bound has found an insufficient amount. It is found in growing steps
+/// towards harder amounts (less squeeze, more load).
 fn first_insufficient(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,

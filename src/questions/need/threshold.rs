@@ -29,8 +29,8 @@ impl Threshold {
         self.narrowed(tries, sufficient, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at
-    /// the level of rounding, the bracket is halved. `sufficient` contains the two measures at this amount.
+    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at the
+    /// level of rounding, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount of the bracket.
     ///
     /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
@@ -217,7 +217,7 @@ impl Narrowing {
         self.at_first = (self.width(), self.fall());
     }
 
-    /// Chooses the measure that guides the next trial. Returns whether it jumps at the bound, so that the bracket has to be halved.
+    /// Chooses the measure that guides the next trial. Returns whether this measure jumps at the bound, so that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
         let is_known = |sides: &[BracketEnd; 2], which: usize| signs_differ(sides, which).is_some();
         // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
@@ -292,7 +292,7 @@ impl Narrowing {
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
 
-    /// Notes the result of a trial. If the same end moves twice, the next trial is farther away from both ends.
+    /// Notes the result of a trial. If the same end of the bracket moves twice, the next trial is farther away from both ends.
     fn moved_by(&mut self, at: f64, trial: &Trial, forgets: bool) {
         let side = usize::from(!trial.is_sufficient());
         self.push[0] = if self.kept == Some(side) { 16.0 * self.push[0] } else { self.push[1] };

@@ -80,9 +80,10 @@ pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 /// If smaller, narrow intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
 
-/// Where a margin would vanish between two sufficient amounts, one is tried beyond that place, by this part of the way to the next one.
+/// If a margin would vanish at a place between two sufficient amounts, an amount beyond this place is tried. It lies at this fraction of the way from
+/// the place to the next amount.
 ///
-/// If smaller, rounding or a bend of the margin hides that amounts fail there. If larger, a narrow interval is stepped over.
+/// If smaller, rounding or a bend of the margin may hide insufficient amounts beyond the place. If larger, a narrow interval of them is stepped over.
 pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 
 /// At most this many amounts are tried between neighbours with different contact states at rest, or where a margin would vanish.
@@ -90,9 +91,9 @@ pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// At most this many of these amounts are tried where a margin would vanish.
+/// Of the [`BETWEEN`] amounts at most this many are tried where a margin would vanish.
 ///
-/// With one, a margin that falls less and less steeply hides amounts that fail. With more, too few are left for other contact states.
+/// With one, a margin that falls less and less steeply hides insufficient amounts. With more, too few are left for other contact states.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
 /// If the first amount tried is easier than the bound by more than this ratio, amounts easier than the first one are tried as well. The scan around
@@ -109,12 +110,14 @@ pub(super) const NEAR_THE_START: usize = 3;
 /// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`] if a greatest amount is sought. A force may jam
 /// the object already with an arm far shorter than the grasp.
 ///
-/// Without these amounts such an end is missed. Each costs a verdict.
+/// Without these amounts, an end of the sufficient amounts at a very short arm is missed. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 
-/// An interval of sufficient amounts is narrow if its ends differ by less than this part. A narrow one is no bound where there is a wider one.
+/// An interval of sufficient amounts is narrow if its ends differ by less than this fraction. If there is a wider interval, the bound in the answer
+/// is an end of a wider one.
 ///
-/// If smaller, an amount may be the answer that hardly any other amount beside it confirms. If larger, an interval that could be set is passed over.
+/// If smaller, the answer may be an amount whose neighbours on both sides are insufficient. If larger, an interval that a user could set is passed
+/// over.
 pub(super) const NARROW: f64 = 0.01;
 
 /// If the bound of a safe amount is easier by this ratio than the first amount tried, amounts between both are scanned.

@@ -6,8 +6,8 @@ use super::question::Demand;
 use crate::hold::AtRest;
 use crate::prelude::*;
 
-/// The value of the carried part if the load at rest has no equilibrium at all. If the carried part is negative, not even the load at rest is carried
-/// in full.
+/// The value of the carried part of the load if no equilibrium exists under the load at rest, which acts before the others. If the carried part is
+/// negative, not even the load at rest is carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
 /// The result of the trial of an amount.
@@ -108,7 +108,8 @@ impl Trial {
     }
 }
 
-/// The results of one amount for two demands: whether the loads are held, and whether nothing slides. `None` for a demand that was not tried.
+/// The results of trials of one amount for two demands: whether the loads are held, and whether nothing slides. `None` for a demand that was not
+/// tried.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,

@@ -26,8 +26,9 @@ use crate::squeeze::Loads;
 pub(super) enum SearchExtent {
     /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
-    /// A search in both directions. For the data as given, the sufficient amounts may have a far end: a last sufficient amount and its insufficient
-    /// neighbour. If this pair is given here, the search starts from it to find its own far end.
+    /// A search in both directions for a safe amount. With friction, squeeze and loads as given, the sufficient amounts may have a far end: a last
+    /// sufficient amount and its insufficient neighbour. If this pair is given here, the search tries these two amounts to find the far end of the
+    /// safe amounts.
     Everywhere(Option<[f64; 2]>),
     /// A search among a few easier amounts only, such as more squeeze or less load.
     Towards,
@@ -67,13 +68,13 @@ impl<'q> TrialRecord<'q> {
         }
     }
 
-    /// Tries an amount. If `short`, no load is followed beyond the whole load.
+    /// The full trial of an amount, computed unless it is known. If `short`, no load path is followed beyond the whole load.
     pub(super) fn at(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // A sufficient quick trial has the verdict of a full trial. Two cases are excepted: its search for an equilibrium at rest began elsewhere, or
-        // it omits some directions of a force of any direction.
+        // An amount that is sufficient in a quick trial is sufficient in a full trial, too. Excepted are grasps with many coordinates, in which the
+        // search for an equilibrium at rest began elsewhere. Also excepted are forces of any direction, of which quick trials omit some directions.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
@@ -97,7 +98,8 @@ impl<'q> TrialRecord<'q> {
         Ok(kept(&self.known, amount, trials, demand))
     }
 
-    /// Tries an amount without the enumeration of many contact states. If `short`, load paths end at the loads of the question.
+    /// The quick trial of an amount, without the enumeration of many contact states; the full trial if that is known. If `short`, load paths end at
+    /// the loads of the question.
     pub(super) fn quick(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         let found = of(&self.known, amount, demand).or_else(|| of(&self.quick, amount, demand));
         if let Some(trial) = found {
@@ -111,7 +113,8 @@ impl<'q> TrialRecord<'q> {
     fn put_on(&self, loading: &Loading, demand: Demand) -> Result<Trials, Error> {
         let before = self.refuting.directions.borrow().clone();
         let trials = loading.put_on(demand, &self.refuting)?;
-        // Earlier quick trials did not include a direction that is found now.
+        // This trial has added a direction to the directions of a force that quick trials must include. Earlier quick trials did not include it, so
+        // their results are dropped.
         if self.refuting.directions.borrow().iter().any(|direction| !before.contains(direction)) {
             self.quick.borrow_mut().clear();
         }
@@ -147,8 +150,9 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts are
-    /// extrapolated from `sufficient` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
+    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts
+    /// (distances from the ends of their states) are extrapolated. They are taken from `sufficient` and the nearest amounts on its far side with the
+    /// same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =

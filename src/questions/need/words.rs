@@ -62,7 +62,7 @@ impl Needed {
         }
     }
 
-    /// What the amount achieves: "it holds", or only "holds" after "TAKES … and".
+    /// The demand that the amount meets, as words: "it holds", or only "holds" after "TAKES … and".
     fn aim(&self) -> &'static str {
         match self.demand {
             Demand::Sticks => "nothing slides",
@@ -340,8 +340,8 @@ impl Needed {
                         None => self.short(words, *safe, safe_presses),
                     },
                 };
-                // The safe amount is sufficient with lower friction and squeeze or larger loads. With the data as given it may be too large or too
-                // small.
+                // The safe amount is sufficient with lower friction and squeeze or larger loads. With friction, squeeze and loads as given it may be
+                // too large or too small.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
                 } else {
@@ -376,7 +376,7 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. If there is no bound, true.
+    /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. `true` if the answer has no bound.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { sufficient, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*sufficient), until.as_ref().map(|end| end.sufficient));

@@ -101,7 +101,8 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle, by a path longer than rounding and than the errors of jumps.
+    /// Whether a contact or drive slides in the cycle: whether its path is longer than rounding and the errors of jumps (motions under constant
+    /// load).
     pub(super) fn slides(&self, site: usize) -> bool {
         let widest = if self.record.jumps > 0 { largest(&self.record.largest_gap, &|gap| *gap) } else { 0.0 };
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * widest

@@ -1,8 +1,8 @@
 //! Repeated loads: does the grasp come to rest, or does the object walk out of it cycle by cycle?
 //!
-//! A load that is held once may not be held when it is put on a thousand times: in each cycle contacts may slide a little further. From rest,
-//! [`Grasp::shake`](crate::ask::Grasp::shake) follows a cycle of legs again and again, as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later
-//! cycles depend only on the state e at their beginning,
+//! A load that is held once may not be held when it is put on a thousand times: in each cycle contacts may slide a little further. From the
+//! equilibrium under the base load, [`Grasp::shake`](crate::ask::Grasp::shake) follows a cycle of legs (sections of a load program) again and again,
+//! as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later cycles depend only on the state e at their beginning,
 //!
 //! ```text
 //! e = (forces F_i of closed contacts, gaps of open ones)

@@ -1,4 +1,4 @@
-//! The behaviour of a grasp under a repeated load, and the data of the cycles.
+//! The behaviour of a grasp under a repeated load, and numbers about the cycles that were followed.
 
 use crate::equilibrium::{Equilibrium, TooFar};
 use crate::grasp::{BodyMotion, Motion, PartLabel, WholeContact, Wrench};
@@ -32,7 +32,8 @@ pub struct Shaken<const C: usize> {
     /// undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// The factor by which the difference of successive states shrinks per cycle, if the verdict is derived from an extrapolated limit; else zero.
+    /// The factor by which the difference of successive states (forces and gaps between two cycles) shrinks per cycle. Zero unless the verdict is
+    /// derived from an extrapolated limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
     /// The contacts that open and close again in every period, once the motion repeats itself.
@@ -108,7 +109,7 @@ pub enum Repeats<const C: usize> {
     Lost {
         /// The cycle in which the object is lost, from 1.
         cycle: usize,
-        /// The leg of this cycle in which the object is lost, from 0.
+        /// The leg of this cycle (section of its load program) in which the object is lost, from 0.
         leg: usize,
         /// The load at which the object is lost, N and N m.
         load: Wrench<C>,
@@ -155,8 +156,8 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest, at once or in the limit, and no suction cup [leaks](Self::leaks); `None` if it is not known. Other contacts may
-    /// [open](Self::opens) in every cycle. Motions before that may be [too large](Self::too_far).
+    /// Whether the grasp comes to rest, at once or in the limit, and no suction cup [leaks](Self::leaks); `None` if it is not known. Other contacts
+    /// may [open](Self::opens) in every cycle. Motions before the grasp rests may be [too large](Self::too_far).
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {
@@ -169,8 +170,8 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp comes to rest, or the object moves to and fro for ever; `None` if it is not known. Motions meanwhile may be
-    /// [too large](Self::too_far).
+    /// Whether the object stays: the grasp comes to rest, or the object moves to and fro for ever; `None` if it is not known. Motions up to that
+    /// behaviour may be [too large](Self::too_far).
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {
