@@ -5,17 +5,17 @@
 
 use crate::contact::ZERO_SLACK;
 
-/// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that builds up the
-/// whole load or all commands, or the leg if there is neither.
+/// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that would build
+/// up the whole load or all spring offsets at their present rates; or the leg, if there is neither.
 ///
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// An object snaps over at a distance beyond the end of its path that is proportional to the largest force. In this proportion the largest force is
-/// at least this fraction of the imbalance that a whole leg adds at its present rate.
+/// An object that snaps over is tried at a distance beyond the end of its path that is proportional to the largest force. In this rule the largest
+/// force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
 ///
-/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried beyond
-/// a later event.
+/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried at a
+/// load beyond a later event.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
 /// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
@@ -31,12 +31,12 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 /// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium is taken as lost.
 ///
 /// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
-/// leg, and forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of
-/// forces and motion must fail first.
+/// leg, and forty more to the load at which the object is lost. Each time takes as long as a complete search for an equilibrium under a load, since
+/// the search for rates of forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected imbalance by up to this fraction of the
-/// imbalance before the step.
+/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the imbalance expected from the dampers by up to
+/// this fraction of the imbalance before the step.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
@@ -58,7 +58,8 @@ pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// If close events make steps too short to advance, margins and gaps up to this fraction of the size of their terms are set to zero.
+/// If close events make steps too short to advance, gaps and margins up to this fraction of the size of their terms are set to zero. A margin is the
+/// distance of a contact force from the edge of its cone.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
@@ -88,8 +89,8 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// A condition on an arc is taken as zero up to this fraction of the size of its terms. The fraction is the sum of rounding and of the error of the
-/// arc's steps, 1e-13.
+/// A value that must stay positive along an arc is taken as zero up to this fraction of the size of its terms. An example is a gap. The fraction is
+/// the sum of rounding and of the error of steps along the arc, 1e-13.
 ///
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;

@@ -1,4 +1,5 @@
-//! Detects contacts that violate the condition of their state within a step although the condition holds again at its end.
+//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The condition
+//! is a force inside the friction cone or, for an open contact, a gap that is not negative.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic through the values
 //! and rates at both ends, up to an error `s²(1 - s)² g`. A margin `μ F_n - |F_t|` is concave in the force. Hence on a piece of the cubic it is at
@@ -17,12 +18,12 @@ use crate::numerics::{Each, least};
 /// The four Bézier points of a piece of the cubic.
 type BezierPoints = [SVector<f64, 3>; 4];
 
-/// The cubic of a contact force or a gap along a step; its margin must stay positive.
+/// A contact force or a gap as a cubic polynomial along a step. Its margin must stay positive: the gap itself, the normal force, or `μ F_n - |F_t|`.
 pub(super) struct BoundedCubic {
     points: BezierPoints,
     /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
     cone: Option<Coulomb>,
-    /// The factor g of the bound `s²(1 - s)² g` on the error of the margin at the fraction s of the step, in N or m.
+    /// The factor g, N or m, of a bound on the error that the cubic makes in the margin: `s²(1 - s)² g` at the fraction s of the step.
     bend: f64,
     /// The condition is taken as satisfied if its margin is at least minus this number, in N or m.
     nothing: f64,
@@ -116,7 +117,7 @@ impl BoundedCubic {
         Some(0.5)
     }
 
-    /// Bound on the error of the margin of the cubic at the fraction `part` of the step.
+    /// Bound, N or m, on the error that the cubic makes in the margin at the fraction `part` of the step.
     fn margin_error(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square
