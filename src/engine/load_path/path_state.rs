@@ -56,7 +56,7 @@ impl Node {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on rates.
+        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on how fast these change.
         if let Ok(point) = node.point_at(&segment.at_rest(0.0), 0.0, None) {
             node.set_active_sets(segment, &point);
         }

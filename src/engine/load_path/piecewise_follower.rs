@@ -313,8 +313,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if it cannot be
-    /// computed because of rounding.
+    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if the
+    /// equilibrium cannot be computed because of rounding.
     pub(super) fn present_state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(run)?, self.factor)
     }

@@ -1,4 +1,4 @@
-//! The data of a load path that every follower (method of following it) needs: the grasp, the load program with its legs, and the caller's settings.
+//! What every method of following a load program needs: the grasp, the load program with its legs, and the caller's settings.
 
 use alloc::sync::Arc;
 
@@ -96,7 +96,7 @@ impl<'g> ProgramRun<'g> {
     }
 
     /// The loss of equilibrium at a fraction of the present leg. The contacts and drives with the indices `sites` are on the edge of their cones; the
-    /// object leaves with the motion `motion`.
+    /// object moves away with the motion `motion`.
     pub(super) fn loss(
         &self,
         fraction: f64,

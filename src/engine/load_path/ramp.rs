@@ -50,8 +50,8 @@ impl<const C: usize> Ramp<C> {
             self.command_change = Some(vectors(change));
         }
 
-        /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the load
-        /// factor, rad or m.
+        /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, rad or m per unit
+        /// of the load factor.
         pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) {
             self.joint_change = Some(change.into_iter().list());
         }

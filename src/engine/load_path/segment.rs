@@ -1,5 +1,6 @@
-//! A segment gives load and offsets along one leg of a load program, a ramp or a turn, as functions of the load factor. The load changes linearly or
-//! turns, and commands change linearly. While contacts keep their states, forces and motions are linear functions, too, or harmonics of the angle.
+//! A segment gives the load and the spring offsets of contacts (command minus clearance and slip) as functions of the load factor. It describes one
+//! leg of a load program, a ramp or a turn. The load changes linearly or turns, and commands change linearly. While contacts keep their states,
+//! forces and motions are linear functions, too, or harmonics of the load's angle.
 
 use nalgebra::{Matrix, SVector};
 
@@ -21,7 +22,7 @@ pub(super) struct Segment<'g> {
     pub(super) answer_for: AnswerFor,
     /// The static problem at load factor 0. Its offsets are commands minus clearances and accumulated slips.
     pub(super) problem: Problem<'g>,
-    /// For each contact and drive the rate of its offset, m per unit of the load factor; zero while the load turns.
+    /// For each contact and drive the rate of the offset of its spring, m per unit of the load factor; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) course: Trajectory<Vector>,
@@ -86,8 +87,8 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. Thus a contact that touches without force may push
-    /// the object. Returns an error if forces cannot balance the load or its rate.
+    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. Thus `pushed` says how contacts that touch without
+    /// force push the object. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -259,7 +260,7 @@ impl<'g> Segment<'g> {
     }
 
     /// Adds to the accumulated slip of a contact its slip at the load factor `factor`, the twist `twist` and the contact force `force`, and subtracts
-    /// it from the contact's offset. Without tangential stiffness there is no slip memory.
+    /// it from the contact's offset. Contacts without tangential stiffness do not remember slip.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -283,8 +284,8 @@ impl<'g> Segment<'g> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// For every contact the law for the rates of its force and motion. It follows from the contact state and from the active set, i.e. the edges of
-    /// its cone on which its force lies.
+    /// For every contact the law for the rates of its force and motion: which rates keep the contact law satisfied. It follows from the contact state
+    /// and from the active set, i.e. the edges of its cone on which its force lies.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()

@@ -30,7 +30,7 @@ pub(super) struct Slips<'g> {
     pub(super) twists: Vec<Vector>,
     /// Indices of the sliding contacts.
     pub(super) sliding: Vec<usize>,
-    /// The largest contact force at the first slip, N.
+    /// The largest contact force, N, at the load at which the first contact begins to slide; other forces are compared with it.
     pub(super) largest: f64,
     /// The load factor up to which the growing load is followed.
     pub(super) most: f64,

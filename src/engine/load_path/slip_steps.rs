@@ -52,8 +52,9 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to end where the first condition becomes zero, and the index of that condition. The
-    /// whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end of the shortened step is not found.
+    /// The step `end` from the state and rates `from`, shortened to end where the first condition of the list (see [`GROWS`]) becomes zero, and the
+    /// index of that condition. Returns the whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end
+    /// of the shortened step is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),

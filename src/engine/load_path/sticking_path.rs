@@ -83,7 +83,7 @@ impl StickingPath<'_> {
     }
 
     /// Contacts on the edge of their cones under the base load, each with its exits. Either the step to an exit (edge, apex or closing gap) is zero
-    /// up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the contacts leave their cones.
+    /// up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the forces leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

@@ -37,7 +37,7 @@ pub(super) struct StoredPiece<'g> {
     /// Torques that hold joints at both ends of the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
-    /// State at the fraction `from`, with its rates along the piece.
+    /// Forces, twist and gaps at the fraction `from` of the leg, with their rates along the piece.
     pub(super) here: PathPoint,
     /// Forces and twist at the fraction `to`.
     pub(super) there: PieceState,

@@ -19,7 +19,7 @@ pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
 /// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
-/// remaining imbalance is removed along a leg of its own.
+/// remaining imbalance is removed along an additional leg at constant commands.
 ///
 /// If smaller, slow motions take more steps; if larger, an object that still moves is taken as at rest.
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
@@ -58,8 +58,8 @@ pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// If close events make steps too short to advance, gaps and margins up to this fraction of the size of their terms are set to zero. A margin is the
-/// distance of a contact force from the edge of its cone.
+/// If close events make steps too short to advance, gaps and margins up to this fraction of the terms whose difference they are, are set to zero. A
+/// margin is the distance of a contact force from the edge of its cone.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
@@ -77,8 +77,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// A normal force at most this fraction of the size of its terms, and decreasing, no longer determines the direction of friction of its contact. That
-/// direction has the error of the steps divided by this fraction.
+/// A decreasing normal force, at most this fraction of the terms whose sum it is, no longer determines the direction of friction of its contact. The
+/// error of that direction is the error of the steps divided by this fraction.
 ///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.
@@ -89,14 +89,14 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// A value that must stay positive along an arc is taken as zero up to this fraction of the size of its terms. An example is a gap. The fraction is
+/// A value that must stay positive along an arc, as a gap, is taken as zero up to this fraction of the terms whose difference it is. The fraction is
 /// the sum of rounding and of the error of steps along the arc, 1e-13.
 ///
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the first slip, directions of friction turn
-/// fast. `in_slips` then gives no answer, and the grasp is followed as a load path.
+/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the load at which the first contact slides,
+/// directions of friction turn fast. `in_slips` then gives no answer, and the grasp is followed as a load path.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

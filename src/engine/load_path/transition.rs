@@ -82,7 +82,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form of the problem for the rates of forces and motion, which has few complementary pairs.
+/// The kinematic form (a linear complementarity problem) of the problem for the rates of forces and motion. It has few complementary pairs.
 struct FewRows {
     form: Form,
     /// The largest component of a contact force in the elastic trial, in which all contacts stick. Each component is divided by the square root of

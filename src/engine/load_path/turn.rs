@@ -35,8 +35,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Last angle of the turn, at which it ends, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weights, which then take the place of `load`. Only the scene knows these
-    /// weights. `None` if `load` itself turns.
+    /// The axis about which the bodies of a scene are tilted under their own weights. These weights then take the place of `load`. Only the scene
+    /// knows these weights. `None` if `load` itself turns.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 

@@ -18,7 +18,7 @@ use crate::search::{Settings, settle_at_rest};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that everything sticks up to the last angle of the turn.
+    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that all contacts stick up to the last angle of the turn.
     pub onset: Onset<C>,
     /// Contacts and drives that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, a change of
     /// the last digits of the given grasp or load may turn such a touch into the onset.

@@ -317,7 +317,7 @@ impl<'g> PiecewiseFollower<'g> {
 /// `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A falling normal force below this fraction of the size of its terms is followed to zero along the tangent.
+    // A falling normal force below this fraction of the terms whose sum it is, is followed to zero along the tangent.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }

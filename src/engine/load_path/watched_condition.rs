@@ -59,13 +59,13 @@ impl ConditionValue {
     }
 }
 
-/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` of the size of its terms, and still decreases.
+/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` of the terms whose sum it is, and still decreases.
 pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the size of its terms. The direction of
-/// friction was then not accurate enough to end the last step where the normal force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the terms whose sum it is. The direction
+/// of friction was then not accurate enough to end the last step where the normal force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }

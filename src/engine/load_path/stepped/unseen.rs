@@ -3,8 +3,8 @@
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`. Let a contact with the grasp map G have springs of stiffness K
 //! and stretch v, and k_n the normal stiffness. Over the step the rate of the spring force, times h, changes by `K v'' h² = 8 K Gᵀ off`. Let the
-//! contact slide along the unit vector p with the coefficient of friction μ. Let `a = (p·K v_t' - μ k_n v_n') h` be the rate, per step, at which the
-//! motion would drive its force out of the cone at the beginning. At the fraction s of the step this rate is a + c s, with `c = a' h` < 0:
+//! contact slide along the unit vector p with the coefficient of friction μ. At the beginning the motion would drive its force out of the cone at the
+//! rate `a = (p·K v_t' - μ k_n v_n') h` per step. At the fraction s of the step this rate is a + c s, with `c = a' h` < 0:
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
