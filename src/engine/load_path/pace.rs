@@ -3,20 +3,22 @@
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The estimated error of a step is proportional to this power of its length.
+/// The estimated error of a step is proportional to this power of the arclength of the step.
 const ERROR_ORDER: f64 = 8.0;
-/// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, its error is then a sixth of
-/// the allowed error: few steps are refused, and errors that add up have a reserve.
+/// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, the expected error of the
+/// next step is then a sixth of the allowed error. So few steps are refused, and the sum of the errors of many steps stays small.
 const CAUTION: f64 = 0.8;
 /// Least ratio of the length of a step to the length of the step before. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
-/// The data of the step control along an arc: the length and kind of the next step, and counters.
+/// What the step control along an arc keeps from step to step: the length of the next step, its kind (explicit or implicit), and counters. An arc is
+/// a piece of the path on which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
-    /// Arclength of the next step; `None` after a node, where it is chosen anew.
+    /// Arclength of the next step. `None` right after a node (an event or the start of a leg): the rates at the node then determine the length.
     pub(super) length: Option<f64>,
-    /// The unit of displacement in arclength, m, see [`super::arclength`]; `None` before the first step from a node (the place of an event).
+    /// The displacement, m, that counts as much in the arclength as one unit of the load factor, see [`super::arclength`]. `None` before the first
+    /// step from a node (an event or the start of a leg).
     pub(super) unit: Option<f64>,
     /// Number of steps refused since the last accepted step.
     refused: u8,
@@ -25,9 +27,9 @@ pub(super) struct Pace {
     /// Number of explicit steps still to be made before implicit steps are considered.
     patience: u8,
     pub(super) steps: usize,
-    /// Number of times that the allowed error was raised since the last node.
+    /// Number of times that the allowed error of a step was raised since the last node.
     loosened: u8,
-    /// The factor by which the allowed error of a step exceeds the allowed error of the settings.
+    /// The allowed error of a step divided by the error that the caller's settings allow; 1 until it is raised because steps are too short.
     pub(super) looser: f64,
 }
 
@@ -51,8 +53,8 @@ impl Pace {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Called when steps have become too short to advance; `rest` is the rest of the leg. Allows a larger error, at most twice between two events.
-    /// Returns whether it was allowed.
+    /// Called when steps have become too short to advance. Raises the allowed error of a step, at most twice between two nodes, and returns whether
+    /// it did so. `rest` is the part of the leg that is still to be followed, as a fraction of the leg.
     pub(super) fn allow_larger_error(&mut self, rest: f64) -> bool {
         let may = self.loosened < 2;
         if may {
@@ -77,8 +79,8 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether explicit steps are too short: `patience` is used up, and the rest `rest` of the leg is more than fifty times `stable`, the longest
-    /// stable step.
+    /// Whether explicit steps are so short that implicit steps should be made. This requires that the explicit steps counted by `patience` have been
+    /// made. Also, the arclength `rest` up to the end of the leg must be more than fifty times `stable`, the longest stable explicit step.
     pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
         self.patience == 0 && stable * 50.0 < rest

@@ -60,8 +60,8 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 /// A load program being followed in steps: an iterator over its [`Step`]s, so that the caller can inspect each step and stop after any. Made by
 /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The law is the same as for a [`LoadPath`], on the round cone, with slip memory: contacts stick, slide in directions that turn, open and close
-/// again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
+/// The contact law is the same as for a [`LoadPath`] on the round cone, with slip memory: contacts stick, slide in directions that turn, open and
+/// close again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
 /// A path of the engine, whose vectors have three components, for a caller whose vectors have `C` components.
@@ -206,8 +206,8 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.continue_with(legs)
     }
 
-    /// Whether another equilibrium exists just beyond the loss of this one; `None` if the path has not ended in a loss. The search has the limits on
-    /// its work (steps, combinations of states) of the path's own settings, see [`Self::beyond_with`].
+    /// Whether another equilibrium exists at loads just beyond the load at which this path lost its equilibrium; `None` if the path has not ended in
+    /// a loss. The search has the limits on its work (steps, combinations of states) of the path's own settings, see [`Self::beyond_with`].
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)
@@ -231,10 +231,11 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all integration steps so far, along which directions of sliding turn on the round cone. The estimated error of
-    /// each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated, as in the plane and on
-    /// polygonal friction cones. If events accumulate, small forces and margins are set to zero. Their sizes, relative to the largest force, are
-    /// added to the sum.
+    /// Sum of the estimated errors of all integration steps so far. Steps of integration are needed where directions of sliding turn on the round
+    /// cone. The estimated error of each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated,
+    /// as in the plane and on polygonal friction cones. If events follow each other ever more closely, small gaps and margins (distances of contact
+    /// forces from the edge of their cone) are set to zero. The largest of them, relative to the terms from which it is computed, is added to the
+    /// sum.
     ///
     /// The estimate is the larger of two ratios: error of forces to largest force of the step, and error of displacements to largest displacement.
     /// The error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
@@ -243,8 +244,9 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.step_error()
     }
 
-    /// The place where motions cease to be small by [`Settings::small_motions`], on the part of the path followed so far. Beyond it the answers are
-    /// computed for the undeformed geometry and say little about the object. `None` if all motions are small.
+    /// The first place, on the part of the path followed so far, at which a rotation, slip or opening exceeds its limit in
+    /// [`Settings::small_motions`]. Beyond it the answers are computed for the undeformed geometry and say little about the object. `None` if all
+    /// motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
@@ -284,9 +286,9 @@ impl<const C: usize> LoadPath<'_, C> {
 }
 
 impl<const C: usize> SteppedPath<'_, C> {
-    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the distance to a second path, which makes
-    /// each step at once, whereas the first path makes it in two halves. For contacts that stop, open or close, an estimate of the errors that both
-    /// paths have in common is added. The error is usually a third of the estimate.
+    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the largest difference of a contact force
+    /// between this path and a second path. This path makes each step in two halves, and the second path makes it at once. For contacts that stop,
+    /// open or close, an estimate of the errors that both paths have in common is added. The error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

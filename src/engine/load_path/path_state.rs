@@ -1,5 +1,5 @@
-//! Active sets and slip memory at a node of the path (the place of an event, or the start of a leg). The active set of a contact consists of the
-//! edges of its cone on which its force lies.
+//! Active sets and slip memory at a node of the path (the place of an event, or the start of a leg). Slip memory is the accumulated slip of each
+//! contact. The active set of a contact consists of the edges of its cone on which its force lies.
 
 use crate::numerics::IntoList;
 use nalgebra::{Matrix, SVector};
@@ -19,22 +19,25 @@ use crate::prelude::*;
 use crate::search::SearchSolution;
 
 /// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring. Rounding
-/// alone would then determine which contacts press, so no contact is treated as pressing. For a rate problem load, forces and motions are rates.
+/// alone would then determine which contacts press, so no contact is treated as pressing. If `problem` is a problem for rates, load, forces and
+/// motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     // Forces are rounding below this fraction of the force that the displacements make in the softest spring: sixteen units of rounding may add up.
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
-/// The force that the displacements make in the softest spring, N. Rounding of contact forces is proportional to it, however small they are.
+/// The least force, N, that the displacements in the equilibrium would cause in a contact's softest spring. Rounding errors of contact forces are
+/// proportional to this force, however small the contact forces are.
 pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64 {
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     least_spring_force(problem.sites, spans)
 }
 
 impl Node {
-    /// The node at the start of the path, in the equilibrium `found`. Active sets are derived from forces and gaps, since the search for an
-    /// equilibrium does not return them. The slip of sliding contacts in `found` becomes slip memory.
+    /// The node at the start of the path, in the equilibrium `found`. The active sets are the edges of friction cones that forces have reached. They
+    /// are derived from forces and gaps, since the search for an equilibrium does not return them. The slip of sliding contacts in `found` becomes
+    /// slip memory.
     pub(super) fn at_start(segment: &mut Segment<'_>, found: SearchSolution) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -53,7 +56,7 @@ impl Node {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on rates.
+        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on how fast these change.
         if let Ok(point) = node.point_at(&segment.at_rest(0.0), 0.0, None) {
             node.set_active_sets(segment, &point);
         }
@@ -65,8 +68,8 @@ impl Node {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists the twist rate
-    /// equals `pushed`. Returns an error if forces cannot balance.
+    /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists, the object
+    /// moves at the rate `pushed`. Returns an error if forces cannot balance.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,
@@ -80,8 +83,8 @@ impl Node {
         }
     }
 
-    /// Adds the slip of sliding contacts up to the load factor `factor` to their slip memory. On the round cone their states and active sets get the
-    /// direction of the present friction force.
+    /// Adds the slip of sliding contacts up to the load factor `factor` to their slip memory. On the round cone the direction of the present friction
+    /// force is stored in the state and the active set of each sliding contact.
     fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -132,8 +135,8 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact that began the piece without force has not come to the apex on this piece. A contact that slides from the apex,
-            // still without force, is at the apex.
+            // A sticking contact that began the piece without force has not come to the apex of its cone on this piece. A contact that slides from
+            // the apex, still without force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.active_sets[i].apex = true;
@@ -159,8 +162,8 @@ impl Node {
         }
     }
 
-    /// Puts sliding contacts whose normal force at `point` has almost vanished at the apex of their cones, because their friction cannot be followed
-    /// any further. Returns whether there is such a contact.
+    /// Treats each sliding contact whose normal force at `point` has almost vanished as at the apex of its cone, i.e. without force. The direction of
+    /// its friction can no longer be computed. Returns whether there is such a contact.
     pub(super) fn release_vanishing(&mut self, point: &PathPoint) -> bool {
         let mut any = false;
         for (i, line) in point.lines.iter().enumerate() {
@@ -178,8 +181,9 @@ impl Node {
         self.stopped.push(contact);
     }
 
-    /// Returns a contact that has stopped sliding at this node and that, sticking, leaves its cone along a tangent. On a straight piece it can
-    /// neither stick nor slide on, since it would slip against friction. `None` if there is no such contact, on arcs, and while the load turns.
+    /// Returns a contact that has stopped sliding at this node, and whose force would leave the friction cone along a tangent if the contact stuck.
+    /// On a straight piece such a contact can neither stick nor slide on: friction would drive its slip instead of opposing it. `None` if there is no
+    /// such contact, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,
@@ -194,9 +198,9 @@ impl Node {
     }
 
     /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a gap that is nearly
-    /// closed as closed. All events within the error of steps then happen at one place. Returns the largest distance of such a contact from the edge,
-    /// relative to the size of its force or gap. Without such contacts returns zero if contacts slide on the round cone and the load does not turn,
-    /// else `None`.
+    /// closed as closed. All events within the error of steps then happen at one place. Each gap so neglected, and each distance of a force from the
+    /// edge of its cone, is compared with the size of its terms. Returns the largest of these ratios. If no contact is so treated, returns zero if
+    /// contacts slide on the round cone and the load does not turn, else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

@@ -1,5 +1,5 @@
-//! The tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). They are full
-//! matrices, or band matrices if there are many coordinates.
+//! The tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). The matrices are full,
+//! or band matrices if there are many coordinates.
 
 use crate::numerics::Each;
 use alloc::sync::Arc;
@@ -35,14 +35,15 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order that makes the band narrow.
+/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order that makes the
+/// band narrow.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
-/// LU factors of the bordered matrix: the tangent stiffness with one more column and row.
+/// LU factors of the bordered matrix: the tangent stiffness with one column and one row added.
 #[derive(Debug, Clone)]
 pub(super) enum PathFactors {
     Whole(Bordered),
@@ -105,8 +106,9 @@ impl PathStiffness {
         }
     }
 
-    /// Solves the bordered linear system once: the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner`. The
-    /// right-hand side is zero, except for `last` in the added row. Returns the twist and the last unknown; `None` if the matrix is nearly singular.
+    /// Solves the bordered linear system once. Its matrix is the tangent stiffness with the column `cover`, the row `gradient` and the corner entry
+    /// `corner` added. The right-hand side is zero, except for `last` in the added row. Returns the twist and the last unknown; `None` if the matrix
+    /// is nearly singular.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -159,7 +161,8 @@ impl PathStiffness {
 }
 
 impl PathFactors {
-    /// The solution of the bordered system for the right-hand side `balance`, with `last` in the added row: the twist and the last unknown.
+    /// Solves the bordered system for the right-hand side `balance`, with `last` in the added row. Returns the twist and the unknown of the added
+    /// column.
     pub(super) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         match self {
             Self::Whole(bordered) => bordered.solve(balance, last),

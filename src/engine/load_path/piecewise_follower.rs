@@ -2,11 +2,12 @@
 //! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of a leg
 //! on which all contacts keep their states; a node is the place between two pieces.
 //!
-//! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event. Under a
-//! turning load they are harmonics of its angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). If a contact slides
-//! on a round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contacts
-//! are on an edge of their cone, at its apex or at a closed gap. The rates of forces and motion solve a complementarity problem for these contacts.
-//! Its solution determines the next piece; without a solution the path ends.
+//! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event, the first place
+//! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's
+//! angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). If a contact slides on a round cone, its direction of
+//! sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contact forces are on an edge or at the apex
+//! of their friction cones, or gaps have just closed. The rates of forces and motion solve a complementarity problem for these contacts. Its solution
+//! determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -53,18 +54,19 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// Number of successive pieces, up to the present place, that are no longer than the rounding error of their own length, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The load factor at which events that follow each other ever more closely were last moved to one place; NaN before that.
+    /// The load factor at which the path last treated events that follow each other ever more closely as one event; NaN before that.
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended at this factor.
     pub(super) stopped: (f64, Vec<usize>),
     /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which it last came to rest.
     pub(super) snapped: SnapCount,
-    /// Sum of the estimated relative errors of all steps so far: of integration along arcs, on which directions of sliding turn, and of gathered
-    /// events.
+    /// Sum of the estimated relative errors so far. They are the errors of integration steps along arcs, on which directions of sliding turn, and
+    /// errors made by treating close events as one.
     pub(super) step_error: f64,
     /// An event to return before all others: a contact slides at the start, and its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump.
+    /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump. A jump is a motion at
+    /// constant load to another equilibrium. `None` if no jump has failed.
     pub(super) failed_jump: Option<Problem<'g>>,
     /// The place on the path at which a motion exceeded its limit of small motions; `None` if no motion has done so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
@@ -83,8 +85,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, PiecewiseFollower::at_start)?)))
     }
 
-    /// As [`Self::follow`], but starts from `rest`, if `rest` is not `None`. `rest` is the equilibrium under the load `start` that the computation of
-    /// an onset with the same settings has found.
+    /// As [`Self::follow`], but without a search for the first equilibrium if `rest` is given. `rest` is the result of that search under the load
+    /// `start`, which the computation of an onset with the same settings has made already.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<SearchAtRest>),
@@ -228,8 +230,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The first stored piece that contains this place of the path. `None` if the path has not passed it. Also `None` between the load factor at
-    /// which the object snaps over and the slightly larger load factor at which it rests again.
+    /// The first stored piece that contains the fraction `fraction` of the leg `leg`. `None` if the path has not passed this place. Also `None`
+    /// between the load factor at which the object snaps over and the slightly larger load factor at which it rests again.
     pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&StoredPiece<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -285,21 +287,21 @@ impl<'g> PiecewiseFollower<'g> {
         }))
     }
 
-    /// Whether the residuals of an equilibrium at the present place are small, or no larger than rounding of displacements. If all forces vanish
-    /// together, the remaining forces are such rounding, and residuals relative to them mean nothing.
+    /// Whether the residuals of an equilibrium at the present place are small, or no larger than the forces that rounding of displacements causes. If
+    /// all forces vanish together, what remains of them is such rounding, and residuals relative to it mean nothing.
     pub(super) fn is_accurate(&self, state: &Equilibrium<3>) -> bool {
         let worst = state.residuals.worst();
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         worst <= ACCURATE || largest * worst.min(1.0) <= self.rounding_of_forces()
     }
 
-    /// The size up to which forces at the present place are rounding, N.
+    /// The size up to which contact forces at the present place are taken as rounding errors, N.
     fn rounding_of_forces(&self) -> f64 {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         WEIGHTLESS * self.segment.largest.max(springs)
     }
 
-    /// If all contact forces at the present place are rounding, sets them to zero: rounding would decide which contacts press.
+    /// If all contact forces at the present place are rounding, sets them to zero; otherwise rounding would decide which contacts press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
             largest(&self.node.at.forces, &SVector::norm).max(self.segment.course.at(self.factor).norm());
@@ -311,8 +313,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if it cannot be
-    /// computed because of rounding.
+    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if the
+    /// equilibrium cannot be computed because of rounding.
     pub(super) fn present_state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_stretch(run)?, self.factor)
     }

@@ -1,4 +1,5 @@
-//! A load program in progress: the legs, and loads and commands at the beginning and the end of the present leg.
+//! A load program in progress: its legs, and the loads and commands at the beginning and the end of the present leg. Along a leg, load and commands
+//! change linearly, or the load turns.
 
 use alloc::sync::Arc;
 
@@ -35,9 +36,9 @@ pub(super) struct Program {
     names: Vec<Arc<str>>,
     /// The bodies' own loads at both ends of the present leg.
     pub(super) bodies: BodyLoads,
-    /// The torques that hold the joints of the hand before the program.
+    /// The constant torques that hold the joints of the hand, in addition to its drives, before the program begins, N m or N.
     held: Vec<f64>,
-    /// The torques that hold the joints at both ends of the present leg, if a leg so far changes them.
+    /// The torques that hold the joints at both ends of the present leg; empty as long as no leg has changed them.
     pub(super) torques: HeldTorques,
 }
 
@@ -76,7 +77,8 @@ impl Program {
         Ok(())
     }
 
-    /// Begins the leg with the index `leg`, with the values at the end of the leg before it. Returns false if there is no such leg.
+    /// Begins the leg with the index `leg`. Its load, commands and torques start from their values at the end of the leg before. Returns false if
+    /// there is no such leg.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);

@@ -1,4 +1,4 @@
-//! The data of a load path that every follower (method of following it) needs: the grasp, the load program with its legs, and the caller's settings.
+//! What every method of following a load program needs: the grasp, the load program with its legs, and the caller's settings.
 
 use alloc::sync::Arc;
 
@@ -27,7 +27,7 @@ pub(crate) struct ProgramRun<'g> {
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon>,
     pub(super) program: Program,
-    /// The result of the search for the equilibrium to start from, if it was made already for another question.
+    /// The result of the search for the equilibrium from which the path starts, if the computation of an onset has made this search already.
     pub(super) rest: Option<SearchAtRest>,
 }
 
@@ -41,8 +41,8 @@ impl<'g> ProgramRun<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The static problem with the friction cone of the settings, for the load `load` and these offsets of the contacts' springs (commands minus
-    /// clearances and slips).
+    /// The static problem, whose solution is the equilibrium under the load `load`, with the friction cone of the settings and these offsets of the
+    /// contacts' springs (commands minus clearances and slips).
     pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))
@@ -67,7 +67,7 @@ impl<'g> ProgramRun<'g> {
     }
 
     /// The present leg as a segment (loads and offsets along a leg, see `segment`), with the accumulated slips `slips` at its beginning. Loads and
-    /// commands are computed from the goals of the legs, which keeps rounding errors from adding up over many legs.
+    /// commands are computed from their values at the ends of legs, so that rounding errors do not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let course = self.program.inside_course(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
@@ -76,12 +76,13 @@ impl<'g> ProgramRun<'g> {
         Segment { grasp: self.grasp, answer_for: self.answer_for(), problem, change, course, largest: 0.0 }
     }
 
-    /// The friction cone and the limits of small motions to which answers refer.
+    /// The kind of friction cone (polygonal or round) and the limits of small motions for which equilibria are computed; they are stored with each
+    /// answer.
     pub(super) fn answer_for(&self) -> AnswerFor {
         AnswerFor::of(self.grasp.space(), &self.settings)
     }
 
-    /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium in the caller's quantities, with residuals.
+    /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium for the caller: in the caller's frames, with residuals.
     pub(super) fn equilibrium(
         &self,
         problem: &Problem<'g>,
@@ -95,7 +96,7 @@ impl<'g> ProgramRun<'g> {
     }
 
     /// The loss of equilibrium at a fraction of the present leg. The contacts and drives with the indices `sites` are on the edge of their cones; the
-    /// object leaves with the motion `motion`.
+    /// object moves away with the motion `motion`.
     pub(super) fn loss(
         &self,
         fraction: f64,

@@ -50,13 +50,13 @@ impl<const C: usize> Ramp<C> {
             self.command_change = Some(vectors(change));
         }
 
-        /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, per unit of the load
-        /// factor, rad or m.
+        /// This ramp, along which the joint commands of a hand also change: one displacement for each joint and then each tendon, rad or m per unit
+        /// of the load factor.
         pub fn with_joint_commands(mut self, change: impl IntoIterator<Item = f64>) {
             self.joint_change = Some(change.into_iter().list());
         }
 
-        /// Multiplies base and direction of the load by a factor; the changes of commands are not multiplied.
+        /// Multiplies the base load and the change of the load per unit of τ by a factor; the changes of commands are not multiplied.
         ///
         /// ```
         /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -71,8 +71,8 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// This ramp with the direction of its load and all changes of commands multiplied by a factor; the base stays. A negative factor reverses the
-    /// ramp.
+    /// This ramp with the changes of load and commands per unit of τ multiplied by a factor. The base load stays the same; a negative factor reverses
+    /// the changes.
     pub(crate) fn times(&self, factor: f64) -> Self {
         let times = |change: &Vec<SVector<f64, C>>| mapped(change, &|a| a * factor);
         Self {
@@ -105,8 +105,8 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// For each contact and drive of a grasp the rate of its offset (command minus clearance), m per unit of the load factor. Returns an error if the
-    /// changes do not fit the grasp.
+    /// For each contact and drive of a grasp the rate of the offset of its spring (command minus clearance), m per unit of the load factor. Returns
+    /// an error if the changes do not fit the grasp.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;

@@ -4,7 +4,7 @@
 //! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. Thus it changes the rate `r = C s` of
 //! its own force, with the rate s of the stretch. To keep forces in balance, the rates of the twist q and of the load factor λ change as well, by δq
 //! and δλ, which affects all contacts. T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of
-//! the offsets. With φ = d·Δ / |F_t| for a change Δ of the friction forces
+//! the offsets (command minus clearance and slip) per unit of λ. With φ = d·Δ / |F_t| for a change Δ of the friction forces, J is given by
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
@@ -12,7 +12,7 @@
 //! ```
 //!
 //! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. The inverse of 1 - hJ for a step of length h has the same
-//! form. With the right-hand side g and c = Cᵀ d
+//! form. With the right-hand side g and c = Cᵀ d, the system for Δ is solved by
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -27,7 +27,7 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
-/// A sliding contact at the start of a step, with the derivatives with respect to the angle of its friction force.
+/// A sliding contact at the start of a step, with derivatives with respect to the angle of its friction force in the tangent plane.
 struct SlidingContact {
     contact: usize,
     tangent: Tangent,
@@ -45,7 +45,8 @@ struct SlidingContact {
     pull: Vector,
 }
 
-/// The matrix J of this file at the start of a step: the derivative of the rates along an arc with respect to the friction forces.
+/// The matrix J at the start of a step: the derivative of the rates along an arc with respect to the friction forces of sliding contacts. The head of
+/// this file explains it.
 pub(super) struct Relaxation<'f, 's, 'g> {
     arc: &'f Arc<'s, 'g>,
     contacts: Vec<SlidingContact>,
@@ -56,20 +57,20 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     way: Direction,
 }
 
-/// The factors of the matrix 1 - hJ for the length h = `length`, with the matrix J of [`Relaxation`].
+/// The factors of the matrix 1 - hJ of an implicit step. Here h = `length` is the arclength of the step, and J is the matrix of [`Relaxation`].
 pub(super) struct ImplicitFactors {
     length: f64,
-    /// LU factors of the matrix `[T' | -b']` of this file, with one more row transverse to the path. T' and b' are the tangent stiffness T and the
-    /// right-hand side b with the terms of the implicit step.
+    /// LU factors of the matrix `[T' | -b']` with one more row, transverse to the path. T' and b' are the tangent stiffness and the right-hand side
+    /// of the arc with terms of the implicit step, see the head of this file.
     bordered: PathFactors,
-    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas in this file, N: the size of its friction force minus a term
-    /// of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.
+    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas at the head of this file, N: the size of its friction force
+    /// minus a term of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// The matrix J of this file for the friction forces `frictions` of the sliding contacts. `way` is the direction of the path at the load factor
-    /// `factor`.
+    /// The derivative J of the rates with respect to friction forces, at the friction forces `frictions` of the sliding contacts. `way` is the
+    /// direction of the path (rates of twist and load factor) at the load factor `factor`.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],
@@ -85,8 +86,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
-            // Angle of the central difference by which the derivative of a contact's tangent stiffness is computed, rad. Two thirds of the digits of
-            // this derivative are correct.
+            // Angle, rad, by which the friction force is turned either way, to compute the derivative of a contact's tangent stiffness as a central
+            // difference. Two thirds of the digits of this derivative are correct.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
@@ -108,7 +109,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         Self { arc, contacts, stiffness, load, way }
     }
 
-    /// The factors of 1 - hJ for the step length h = `length`, with the matrix J of this file. `None` if the bordered matrix is singular.
+    /// The factors of the matrix 1 - hJ of an implicit step of arclength h = `length`, with the matrix J of [`Relaxation`]. `None` if the bordered
+    /// matrix is singular.
     pub(super) fn damped(&self, length: f64) -> Option<ImplicitFactors> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
@@ -127,8 +129,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     }
 
     /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds the right-hand side g before, and Δ after. Its entries are
-    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The works after them stay unchanged, because no rate
-    /// depends on works.
+    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The last entries are works of the step; they stay
+    /// unchanged, because no rate depends on them.
     pub(super) fn solve(&self, damped: &ImplicitFactors, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();
@@ -169,7 +171,7 @@ mod tests {
     use crate::object::Load;
     use crate::spatial::Contact;
 
-    /// Fingers round a ball, softer along one tangent than along the other; all but one finger slide, and commands change with the load factor.
+    /// Five fingers round a ball. `ratio` is the stiffness along the second tangent divided by the stiffness along the first.
     fn fingers(ratio: f64) -> Engine {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();

@@ -1,15 +1,16 @@
-//! The motion with which bodies leave while no contact carries a force. It is the motion of rigid bodies under the load, with Coulomb friction at
-//! contacts that touch.
+//! The motion with which bodies start to move if their load is not in equilibrium and no contact carries a force yet. It is the motion of rigid
+//! bodies under the load, with Coulomb friction at contacts that touch.
 //!
-//! In this case springs do not determine the motion, and the elastic trial, in which all contacts stick, turns about an arbitrary point. A rigid body
-//! that the load W drives away starts with the velocity v under contact forces r_i
+//! Springs do not determine the motion as long as they carry no force. In the elastic trial, in which all contacts stick, the object would turn about
+//! an arbitrary point. A rigid body that the load W drives away starts with the velocity v under contact forces r_i
 //!
 //! ```text
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity: unit mass, and as radius of gyration the root mean square distance of contacts from their centroid. n are
-//! normals and G_i grasp maps. Bonded links allow no displacement at their points.
+//! as if its mass matrix were the identity: unit mass, and as radius of gyration the root mean square distance of contacts from their centroid. Each
+//! r_i has a normal part r_n and a tangential part r_t, limited by the friction coefficient μ. n are normals and G_i grasp maps. Bonded links allow
+//! no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
@@ -18,12 +19,13 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Upper limit of the number of coordinates, and of touching contacts, for which the motion is computed. With more it would take too long.
+/// Upper limit of the number of coordinates of the bodies, and of touching contacts, for which the motion of rigid bodies is computed. With more, the
+/// computation would take too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object leaves if no contact presses and nothing balances the rate of the load in `rates`. `None` if no contact
-/// touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if a command changes, if the motion is zero, or with
-/// more than [`MOST_RIGID`] coordinates or touching contacts.
+/// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
+/// the rates of forces and motion. `None` if no contact touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if
+/// a command changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -75,7 +77,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // Friction within this fraction of its limit is taken as exhausted.
+        // A contact whose friction is within this fraction of its limit μ r_n is taken as sliding.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;

@@ -1,5 +1,6 @@
-//! A segment gives load and offsets along one leg of a load program, a ramp or a turn, as functions of the load factor. The load changes linearly or
-//! turns, and commands change linearly. While contacts keep their states, forces and motions are linear functions, too, or harmonics of the angle.
+//! A segment gives the load and the spring offsets of contacts (command minus clearance and slip) as functions of the load factor. It describes one
+//! leg of a load program, a ramp or a turn. The load changes linearly or turns, and commands change linearly. While contacts keep their states,
+//! forces and motions are linear functions, too, or harmonics of the load's angle.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,15 +14,15 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// The load along a leg, ramp or turn as a function of the load factor. Each contact and drive has its offset at load factor 0, the rate of this
-/// offset, and its accumulated slip.
+/// The load along a leg, ramp or turn as a function of the load factor. The offset of each contact's or drive's spring (command minus clearance and
+/// accumulated slip) changes linearly; its value at load factor 0 and its rate are stored.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) answer_for: AnswerFor,
     /// The static problem at load factor 0. Its offsets are commands minus clearances and accumulated slips.
     pub(super) problem: Problem<'g>,
-    /// For each contact and drive the rate of its offset, m per unit of the load factor; zero while the load turns.
+    /// For each contact and drive the rate of the offset of its spring, m per unit of the load factor; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) course: Trajectory<Vector>,
@@ -45,11 +46,13 @@ pub(super) struct PathPoint {
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) piece: alloc::sync::Arc<Piece>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force (N) and displacement (m) among the terms that add up to the state. Rounding errors of the state are proportional to these sizes.
+    /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
+    /// proportional to these sizes.
     pub(super) sizes: [f64; 2],
-    /// Largest rate of a force and of a displacement among the terms that add up to the rates, to which their rounding errors are proportional.
+    /// As `sizes`, for the rates of forces and displacements: the largest among the terms whose sums are these rates.
     pub(super) rate_sizes: [f64; 2],
-    /// While the load turns, the state as harmonic functions of its angle. `None` if rates are constant, or if only the present rates are known.
+    /// While the load turns, forces, stretches and twist as harmonic functions of the load's angle. `None` if rates are constant, or if only the
+    /// present rates are known.
     pub(super) turned: Option<alloc::sync::Arc<TurningState>>,
 }
 
@@ -65,7 +68,8 @@ impl PathPoint {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// A copy of this state in which all rates are multiplied by `part`.
+    /// A copy of this point in which all rates are multiplied by `part`. It converts rates per unit of the load factor to rates per unit of
+    /// arclength.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut point = self.clone();
         point.twist_rate *= part;
@@ -83,8 +87,8 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. Thus a contact that touches without force may push
-    /// the object. Returns an error if forces cannot balance the load or its rate.
+    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. Thus `pushed` says how contacts that touch without
+    /// force push the object. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -126,7 +130,7 @@ impl<'g> Segment<'g> {
         self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// The reason for a loss of equilibrium beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
+    /// The proof that no equilibrium exists beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -134,8 +138,9 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor` with its rates. The sizes for rounding errors are the sizes of the state `base` at the load factor
-    /// `since` plus the sizes of the change from `since` to `factor`, since the state itself may be a small difference of large terms.
+    /// The state `at` at the load factor `factor` with its rates. Rounding errors are estimated from the sizes of the terms of the state: those of
+    /// the state `base` at the load factor `since`, plus those of the change from `since` to `factor`. The state itself may be a small difference of
+    /// these terms.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -204,8 +209,8 @@ impl<'g> Segment<'g> {
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. Rates are taken from
-    /// `point`.
+    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. An exit is a place
+    /// where the state of the contact ends, as where its force reaches an edge of its cone. Rates are taken from `point`.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -236,7 +241,7 @@ impl<'g> Segment<'g> {
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
-    /// This segment with commands and load held constant at their values at the load factor `factor`.
+    /// This segment with commands and load held constant at their values at the load factor `factor`, so that all their rates are zero.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
         let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
@@ -255,7 +260,7 @@ impl<'g> Segment<'g> {
     }
 
     /// Adds to the accumulated slip of a contact its slip at the load factor `factor`, the twist `twist` and the contact force `force`, and subtracts
-    /// it from the contact's offset. Without tangential stiffness there is no slip memory.
+    /// it from the contact's offset. Contacts without tangential stiffness do not remember slip.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -273,14 +278,14 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may end, each with the step to it. An exit is an edge of the cone, the apex, a closing gap, or a
-    /// reversal of slip.
+    /// The exits at which a contact's present state may end, each with the step from `point` to this exit. Steps are changes of the load factor, or
+    /// arclengths along an arc. An exit is an edge of the cone, the apex, a closing gap, or a reversal of slip.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// For every contact the law for the rates of its force and motion. It follows from the contact state and from the active set, i.e. the edges of
-    /// its cone on which its force lies.
+    /// For every contact the law for the rates of its force and motion: which rates keep the contact law satisfied. It follows from the contact state
+    /// and from the active set, i.e. the edges of its cone on which its force lies.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()

@@ -1,4 +1,4 @@
-//! Derivatives of an equilibrium with respect to one datum of the grasp or of the load.
+//! Derivatives of an equilibrium with respect to one parameter of the grasp or of the load, such as a coefficient of friction or a stiffness.
 
 use nalgebra::SVector;
 
@@ -16,7 +16,7 @@ pub struct Derivative<const C: usize> {
     pub twist: Twist<C>,
     /// Derivatives of the displacements of the joints of a hand, finger by finger, rad or m per unit of the parameter; empty without a hand.
     pub joints: Vec<f64>,
-    /// Derivatives of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp.
+    /// Derivatives of the contact forces in the contact frames, N per unit of the parameter, in the order of the grasp's contacts.
     pub forces: Vec<SVector<f64, C>>,
 }
 

@@ -10,15 +10,15 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// Upper limit of the number of sliding contacts that `in_slips` follows. With more, following an [arc](super::arc) takes less time: each stage of
-/// its integration solves one equation for each coordinate, rather than for each sliding contact.
+/// Upper limit of the number of sliding contacts whose slips the module `in_slips` takes as unknowns along a growing load. With more, following an
+/// [arc](super::arc) takes less time: each stage of its integration solves one equation for each coordinate, rather than for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
 pub(super) type SlipVector = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. A state `at` is the list of the weights of these terms:
-/// 1, the load factor, and two tangential slips (m) of each sliding contact.
+/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. In all methods, the state `at` is the list of the weights
+/// of these terms: 1, the load factor, and two tangential slips (m) of each sliding contact.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
@@ -30,11 +30,12 @@ pub(super) struct Slips<'g> {
     pub(super) twists: Vec<Vector>,
     /// Indices of the sliding contacts.
     pub(super) sliding: Vec<usize>,
-    /// The largest contact force at the first slip, N.
+    /// The largest contact force, N, at the load at which the first contact begins to slide; other forces are compared with it.
     pub(super) largest: f64,
-    /// The load factor up to which the load is followed.
+    /// The load factor up to which the growing load is followed.
     pub(super) most: f64,
-    /// The unit of slip in arclength, m: arclength is measured along the curve (slips / unit, load factor).
+    /// The slip, m, that counts as much in the arclength as one unit of the load factor: arclength is measured along the curve (slips / unit, load
+    /// factor).
     pub(super) unit: f64,
     pub(super) small: SmallMotions,
     /// The limit of small motions for slips, m.
@@ -42,7 +43,7 @@ pub(super) struct Slips<'g> {
 }
 
 impl Slips<'_> {
-    /// Adds a term: contact forces and twist caused by one source, a load or a unit slip.
+    /// Adds a term: the contact forces and twist at load factor 0, their rates with respect to the load factor, or their responses to a unit slip.
     pub(super) fn push(&mut self, PieceState { forces, twist }: &PieceState) {
         self.forces.extend_from_slice(forces);
         self.twists.push(twist.clone());
@@ -58,8 +59,8 @@ impl Slips<'_> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
-    /// Writes to `rates` the rates of the state `at`, per unit of arclength, with which the margins of sliding contacts stay zero. Their inner
-    /// product with the rates `along` is positive. `None` if the rates are not unique.
+    /// Writes to `rates` the rates of the state `at`, per unit of arclength, with which the margins `μ F_n - |F_t|` of sliding contacts stay zero. Of
+    /// the two opposite senses, the one with a positive inner product with the rates `along` is taken. `None` if the rates are not unique.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
         let (directions, count) = (self.directions(at), self.sliding.len());
         let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
@@ -121,7 +122,7 @@ impl Slips<'_> {
         twist
     }
 
-    /// The rotation of the object and the slips of contacts in the state `at`, as they are compared with the limits of small motions.
+    /// The rotation of the object and the slips of contacts in the state `at`, for comparison with the limits of small motions.
     pub(super) fn motions(&self, at: &[f64]) -> Vec<CountedMotion> {
         let none = vec![SVector::zeros(); self.contacts()];
         let (offsets, forces, twist) = (&none[..], &none[..], &self.twist(at));
@@ -135,8 +136,8 @@ impl Slips<'_> {
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio, in the state `at`, of the object's rotation or a contact's slip to its limit of small motions. The last entries of the
-    /// twist are the rotation times the engine's unit of length, because it has only the coordinates of one object.
+    /// The largest ratio, in the state `at`, of the object's rotation or a contact's slip to its limit of small motions. The grasp has only one
+    /// object, so the last entries of the twist are its rotation times the engine's unit of length.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
         let space = self.grasp.space();
         let mut turned = 0.0;

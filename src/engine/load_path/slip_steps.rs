@@ -19,12 +19,13 @@ pub(super) struct SlipStep {
     /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Index of the condition that the load factor grows. Each condition is a value that must stay positive. After the first three conditions come the
-/// slip rates of sliding contacts along friction, their normal forces, and the margins `μ F_n - |F_t|` of sticking contacts.
+/// Index of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value that must stay
+/// positive. After the first three conditions come the slip rates of sliding contacts along friction and their normal forces. The last ones are the
+/// margins of sticking contacts, `μ F_n - |F_t|`.
 pub(super) const GROWS: usize = 0;
-/// Index of the condition that the load factor is below [`Slips::most`], up to which the load is followed.
+/// Index, in the list described at [`GROWS`], of the condition that the load factor is below [`Slips::most`], up to which the load is followed.
 pub(super) const GOES_ON: usize = 1;
-/// Index of the condition that all motions are small.
+/// Index, in the list described at [`GROWS`], of the condition that all motions are within the limits of small motions.
 pub(super) const SMALL: usize = 2;
 impl Slips<'_> {
     /// A step of the arclength `length` from the state `at` with the rates `rates`; `None` if rates are not unique somewhere in the step.
@@ -51,8 +52,9 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to end where the first condition becomes zero, and the index of that condition. The
-    /// whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end of the shortened step is not found.
+    /// The step `end` from the state and rates `from`, shortened to end where the first condition of the list (see [`GROWS`]) becomes zero, and the
+    /// index of that condition. Returns the whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end
+    /// of the shortened step is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -80,8 +82,8 @@ impl Slips<'_> {
     }
 
     /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of this condition.
-    /// `None` if thirty trials do not find it. Each trial ends at the root of the cubic through values and slopes at both ends of a bracket. As a
-    /// rule the first trial is close enough.
+    /// `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic. The cubic has the values and slopes of
+    /// condition `k` at both ends of a bracket. As a rule the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -93,8 +95,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the change of length is below this fraction of the step, Heun's method is more accurate than repeating the step: its error is of
-            // third order.
+            // If the change of the arclength is below this fraction of the step, Heun's method is more accurate than repeating the step: the error of
+            // Heun's method is of third order.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -141,7 +143,7 @@ impl Slips<'_> {
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The length of the difference. With a slope this accurate each Newton iteration gains six digits.
+        // The arclength over which the difference is taken. With a slope this accurate each Newton iteration gains six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -149,8 +151,9 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. It is the
-    /// least such fraction found over the contacts. For a contact for which this is not decided, one half is taken. `None` if all forces stay inside.
+    /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. The least
+    /// such fraction over the sticking contacts is returned. For a contact for which this is not decided, one half is taken. `None` if all forces
+    /// stay inside.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {

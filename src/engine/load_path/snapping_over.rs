@@ -1,17 +1,18 @@
-//! Snapping over: the equilibrium ends at a fold, a corner or an asymptote. The object moves on under nearly the same load until it rests again.
+//! Snapping over: the equilibrium of the path ends, and the object moves on under nearly the same load until it rests in another equilibrium. The
+//! path ends at a fold, a corner or an asymptote, see [`LossKind`].
 //!
 //! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is taken to
-//! be that of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. G_i are grasp
-//! maps, and R is the imbalance:
+//! be that of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. q is the twist of
+//! the object, and G_i are grasp maps. Each contact has a force F_i, a spring offset a_i and an accumulated slip s_i. R is the imbalance of forces:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
-//! contact is added to its slip memory s_i. Steps grow as long as the imbalance after them is nearly the expected imbalance D Δq/h. Once forces
-//! nearly balance, the rest of R is removed along a leg of its own, as in [`super::jump_leg`], and the path continues at the end of this leg. A
-//! motion that would exceed the limits of small motions is not made, and the equilibrium is taken as lost.
+//! contact is added to its slip memory s_i. Steps become longer as long as the imbalance after each is nearly the expected imbalance D Δq/h. Once
+//! forces nearly balance, the rest of R is removed along an additional leg, as in [`super::jump_leg`]. The path continues at the end of this leg. If
+//! the motion exceeds the limits of small motions, the equilibrium is taken as lost.
 
 use nalgebra::SVector;
 
@@ -43,7 +44,7 @@ struct MovingObject {
     left: Vector,
 }
 
-/// The state in which the object rests again after it has snapped over, with forces in balance up to a small remainder.
+/// The state in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
 pub(super) struct StateAfterSnap<'g> {
     /// The static problem with the slips after the motion. Its load is exactly what the contact forces balance, and nearly the load of the leg.
     problem: Problem<'g>,
@@ -117,10 +118,11 @@ impl<'g> StateAfterSnap<'g> {
     }
 }
 
-/// The change of the load factor that puts forces out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the
-/// rates of the contacts' offsets, and `rate` is the rate of the load.
+/// The small step of the load factor beyond a loss of equilibrium, after which the object moves to another equilibrium. This step puts forces out of
+/// balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the rates of the contacts' spring offsets, and `rate` is
+/// the rate of the load.
 ///
-/// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the change would be
+/// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the step would be
 /// zero for a grasp without any force.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
@@ -133,7 +135,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,
-    /// Load factor at which the object last came to rest after it had snapped over.
+    /// Load factor at which the object last came to rest after it had snapped over; NaN before it has snapped over.
     at: f64,
     /// The load factor at which the object last came to rest again, minus the load factor of the loss from which it had snapped over.
     step: f64,
@@ -184,7 +186,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         let Segment { grasp, change, course, .. } = &self.segment;
         let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
-        // The largest force includes the load, and the force of displacements, since contacts may carry no force at all.
+        // The largest force includes the load, and the force that the displacements would cause in the softest spring, since contacts may carry no
+        // force at all.
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
@@ -238,8 +241,8 @@ impl<'g> PiecewiseFollower<'g> {
         StateAfterSnap::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The leg along which the remaining imbalance of `rests` is removed, at the constant load factor `factor`. The second value has the changes from
-    /// the present contact states to the states of `rests`.
+    /// The follower of an additional leg, along which the remaining imbalance of `rests` is removed while the load factor stays at `factor`. The
+    /// second value lists the changes from the present contact states to those in `rests`.
     fn back_to_balance(&self, rests: StateAfterSnap<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let StateAfterSnap { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

@@ -1,4 +1,5 @@
-//! Follows a ramp or a turn of the load while nothing slides, from one closing contact to the next, until a contact stops sticking.
+//! Follows a growing or turning load while no contact slides. Where a gap closes, the path continues with this contact sticking, too. The path ends
+//! where a contact stops sticking.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -15,7 +16,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, FoundBy, SearchOutcome, SearchSolution, Settings, settle};
 
-/// A ramp or a turn being followed while nothing slides, and the load factor reached so far.
+/// A ramp or a turn of the load, followed while no contact slides, and the load factor reached so far.
 pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
     /// The caller's load as a function of the load factor.
@@ -32,7 +33,7 @@ pub(super) struct StickingPath<'a> {
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
         let mut reached: Option<ExitsReached> = None;
-        // Every iteration closes a contact that stays closed, or ends the path. In exact arithmetic there are fewer iterations than this.
+        // In every iteration an open contact closes and stays closed, or the path ends. In exact arithmetic there are fewer iterations than this.
         for _ in 0..2 * states.len() + 2 {
             let mut point = match self.segment.point_at(&states, self.factor, None, None) {
                 Ok(point) => point,
@@ -82,7 +83,7 @@ impl StickingPath<'_> {
     }
 
     /// Contacts on the edge of their cones under the base load, each with its exits. Either the step to an exit (edge, apex or closing gap) is zero
-    /// up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the contacts leave their cones.
+    /// up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the forces leave their cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -153,7 +154,7 @@ impl StickingPath<'_> {
 }
 
 /// For every contact its active set, the edges of its cone that its force has reached according to the exits in `at_edge`. Empty for contacts not
-/// listed in `at_edge`. A listed contact without exits touches without force and is at the apex.
+/// listed in `at_edge`. A listed contact without exits touches without force, so its force is at the apex of its cone.
 fn active_sets_after(
     axes: usize,
     states: &[State],

@@ -26,7 +26,7 @@ pub(super) struct StoredPiece<'g> {
     pub(super) to: f64,
     /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece.
     pub(super) problem: Problem<'g>,
-    /// The rates of the offsets of `problem`, m per unit of the fraction.
+    /// The rates of the contacts' spring offsets in `problem`, m per unit of the fraction.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The load of `problem` as a function of the fraction of the leg.
     pub(super) course: Trajectory<Vector>,
@@ -37,7 +37,7 @@ pub(super) struct StoredPiece<'g> {
     /// Torques that hold joints at both ends of the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
-    /// State at the fraction `from`, with its rates along the piece.
+    /// Forces, twist and gaps at the fraction `from` of the leg, with their rates along the piece.
     pub(super) here: PathPoint,
     /// Forces and twist at the fraction `to`.
     pub(super) there: PieceState,
@@ -61,7 +61,7 @@ pub(super) struct JumpRecord {
 /// The integration step that made a piece of the path on an arc, along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
-    /// The unit of displacement in arclength, m, see [`super::arclength`].
+    /// The displacement, m, that counts as much in the arclength as one unit of the load factor, see [`super::arclength`].
     pub(super) unit: f64,
     /// Arclength of the integration step.
     pub(super) length: f64,
@@ -78,7 +78,7 @@ impl<'g> StoredPiece<'g> {
         fraction: f64,
     ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
-        // Without any force there is no scale for a small force, and contacts keep their states.
+        // Without any force there is nothing with which a small force could be compared, so contacts keep their states.
         let nothing = forces_are_rounding(&problem, &found.forces, &found.twist);
         let found = if nothing { found } else { reported_at_rest(&problem, found) };
         Some(self.answer(grasp, answer_for, fraction, &problem, found))

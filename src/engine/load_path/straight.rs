@@ -1,5 +1,6 @@
-//! Advance along a piece on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg, and a ratio test gives
-//! the next event. While the load turns they are harmonics of its angle, and the event is a root ([`super::turning_load`]).
+//! Advance along a piece on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg. A ratio test gives the
+//! next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces and motions are harmonics of
+//! its angle, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;
@@ -74,8 +75,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step `step` to the exits `reached`, corrected with the state solved for at its end. Without the correction the step has the rounding error
-    /// of the present state, from which it is extrapolated. A correction that is too large is not made.
+    /// The step `step` (change of the load factor) to the exits `reached`, corrected with the state at its end, which is solved for directly. Without
+    /// the correction the step has the rounding error of the present state, from which it is extrapolated. A correction that is too large is not
+    /// made.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

@@ -5,21 +5,21 @@
 
 use crate::contact::ZERO_SLACK;
 
-/// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that builds up the
-/// whole load or all commands, or the leg if there is neither.
+/// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that would build
+/// up the whole load or all spring offsets at their present rates; or the leg, if there is neither.
 ///
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// An object snaps over at a distance beyond the end of its path that is proportional to the largest force. In this proportion the largest force is
-/// at least this fraction of the imbalance that a whole leg adds at its present rate.
+/// An object that snaps over is tried at a distance beyond the end of its path that is proportional to the largest force. In this rule the largest
+/// force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
 ///
-/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried beyond
-/// a later event.
+/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried at a
+/// load beyond a later event.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
 /// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
-/// remaining imbalance is removed along a leg of its own.
+/// remaining imbalance is removed along an additional leg at constant commands.
 ///
 /// If smaller, slow motions take more steps; if larger, an object that still moves is taken as at rest.
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
@@ -31,12 +31,12 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 /// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium is taken as lost.
 ///
 /// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
-/// leg, and forty more to the load at which the object is lost. Each time takes as long as a whole verdict on a load, since the search for rates of
-/// forces and motion must fail first.
+/// leg, and forty more to the load at which the object is lost. Each time takes as long as a complete search for an equilibrium under a load, since
+/// the search for rates of forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the expected imbalance by up to this fraction of the
-/// imbalance before the step.
+/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the imbalance expected from the dampers by up to
+/// this fraction of the imbalance before the step.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
@@ -58,7 +58,8 @@ pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// If close events make steps too short to advance, margins and gaps up to this fraction of the size of their terms are set to zero.
+/// If close events make steps too short to advance, gaps and margins up to this fraction of the terms whose difference they are, are set to zero. A
+/// margin is the distance of a contact force from the edge of its cone.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
@@ -76,8 +77,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// A normal force at most this fraction of the size of its terms, and decreasing, no longer determines the direction of friction of its contact. That
-/// direction has the error of the steps divided by this fraction.
+/// A decreasing normal force, at most this fraction of the terms whose sum it is, no longer determines the direction of friction of its contact. The
+/// error of that direction is the error of the steps divided by this fraction.
 ///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.
@@ -88,14 +89,14 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// A condition on an arc is taken as zero up to this fraction of the size of its terms. The fraction is the sum of rounding and of the error of the
-/// arc's steps, 1e-13.
+/// A value that must stay positive along an arc, as a gap, is taken as zero up to this fraction of the terms whose difference it is. The fraction is
+/// the sum of rounding and of the error of steps along the arc, 1e-13.
 ///
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the first slip, directions of friction turn
-/// fast. `in_slips` then gives no answer, and the grasp is followed as a load path.
+/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the load at which the first contact slides,
+/// directions of friction turn fast. `in_slips` then gives no answer, and the grasp is followed as a load path.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

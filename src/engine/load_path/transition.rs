@@ -1,4 +1,5 @@
-//! From one piece of the path to the next: the guess that all contacts keep their states, changes of states, and other continuations.
+//! From one piece of the path (on which contacts keep their states) to the next: the guess that no state changes, the changes of states, and other
+//! continuations.
 
 use nalgebra::SVector;
 
@@ -11,15 +12,15 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, combinations, search_among};
 
-/// The contact states in `rates`, the problem for the rates of forces and motion, if every contact keeps its state in `states`. `None` if the laws of
-/// the rates exclude that for some contact.
+/// Translates the contact states `states` to states in `rates`, the problem for the rates of forces and motion: the guess that every contact keeps
+/// its state. `None` if the laws of the rates exclude that for some contact.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
-/// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. If the contact slides, a
-/// state is given with the direction of slip.
+/// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. Each state is given with
+/// the direction of slip, which is `None` unless the contact slides.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -39,8 +40,8 @@ pub(super) fn change(
 }
 
 /// Number of solutions of the rate problem `rates` that differ from `found` in rates of forces, or in twist rates apart from free motions. Zero if
-/// the matrix is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None` if there are too many
-/// combinations, or with a contact at the apex of a round cone.
+/// the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None`
+/// if there are too many combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
     // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
     if rates.round {
@@ -81,11 +82,11 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form of the problem for the rates of forces and motion, which has few complementary pairs.
+/// The kinematic form (a linear complementarity problem) of the problem for the rates of forces and motion. It has few complementary pairs.
 struct FewRows {
     form: Form,
-    /// The largest component of a contact force in the elastic trial. Each component is divided by the square root of its stiffness, like slacks of
-    /// the form.
+    /// The largest component of a contact force in the elastic trial, in which all contacts stick. Each component is divided by the square root of
+    /// its stiffness, like the slacks of `form`.
     largest: f64,
     /// Whether there are so many coordinates that the elastic trial is factorised as a band matrix.
     many: bool,

@@ -35,8 +35,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Last angle of the turn, at which it ends, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weights, which then take the place of `load`. Only the scene knows these
-    /// weights. `None` if `load` itself turns.
+    /// The axis about which the bodies of a scene are tilted under their own weights. These weights then take the place of `load`. Only the scene
+    /// knows these weights. `None` if `load` itself turns.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -75,7 +75,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// The reverse of this turn, which begins at its last angle and ends at its beginning.
+    /// The same loads in reverse order: a turn that begins with the load at this turn's last angle, and ends with the load at angle zero.
     pub(crate) fn back(mut self) -> Self {
         let (sin, cos) = self.angle.sin_cos();
         let Harmonic { cosine, sine, .. } = self.load;
@@ -101,16 +101,16 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<3> {
-    /// The load, which has been checked, with moments about the centroid of the contacts. The pull of vacuums and the constant loads on bodies and
-    /// joints are added to its constant term.
+    /// The load of this turn, which has been checked, in the engine's coordinates, with moments about the centroid of the contacts. The pull of
+    /// vacuums and the constant loads on bodies and joints are added to its constant term.
     pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
 }
 
 impl<const C: usize> Turn<C> {
-    /// The load as a function of the load factor that begins with `load` and changes like this turn from its beginning. One unit of the load factor
-    /// is the whole turn.
+    /// A load as a function of the load factor. It begins with `load`, and changes from there as the load of this turn changes from angle zero on.
+    /// One unit of the load factor is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }

@@ -1,8 +1,8 @@
 //! The onset (first slip or opening) while a load turns.
 //!
-//! While everything sticks, `F(θ) = F⁰ + F^c cos θ + F^s sin θ`: three linear solves. A contact reaches the edge of its cone at the first angle at
-//! which its margin becomes negative. The margin is a trigonometric polynomial of the angle: of degree one for each facet, of degree two on the round
-//! cone.
+//! While all contacts stick, the force of each is `F(θ) = F⁰ + F^c cos θ + F^s sin θ` at the angle θ of the load: three linear solves. A contact
+//! reaches the edge of its cone at the first angle at which its margin becomes negative. The margin is a trigonometric polynomial of the angle: of
+//! degree one for each facet, of degree two on the round cone.
 
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
@@ -18,10 +18,10 @@ use crate::search::{Settings, settle_at_rest};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that everything sticks up to the last angle of the turn.
+    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that all contacts stick up to the last angle of the turn.
     pub onset: Onset<C>,
     /// Contacts and drives that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, a change of
-    /// the last digits of the data may turn such a touch into the onset.
+    /// the last digits of the given grasp or load may turn such a touch into the onset.
     pub touches: Vec<EdgeTouch>,
 }
 

@@ -32,8 +32,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Tries one step along the arc, which ends early if an event comes first; a refused step only changes the next length. Returns whether the leg
-    /// is complete. The error is the end of the path.
+    /// Tries one step along the arc. The step ends early if an event comes first. If its error is too large, the step is refused: the path stays
+    /// where it is, and the next step is shorter. Returns whether the leg is complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         // An object that snaps over may come to rest under the load at the end of the leg.
         if self.factor >= 1.0 {
@@ -67,7 +67,7 @@ impl<'g> PiecewiseFollower<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = run.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further in these states.
+        // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further with the present contact states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -97,8 +97,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.finish_step(run, &point, &end)
     }
 
-    /// The step `end` from `point`, shortened to end where the first watched condition is just met. That condition may be violated only within the
-    /// step, and hold again at its end. `None` if the end of the shortened step is not found.
+    /// The step `end` from `point`, shortened to end where the value of the first violated condition is just zero. The head of this file lists the
+    /// conditions. The violated condition may hold again at the end of the step. `None` if the end of the shortened step is not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -128,14 +128,14 @@ impl<'g> PiecewiseFollower<'g> {
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether the path has advanced since close events were last moved to one place, so that this may be done again. True if it was not done on this
-    /// leg.
+    /// Whether close events may now be treated as one event. This requires that the path has advanced since the last such treatment, or that there
+    /// was none on this leg.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a condition could be
-    /// violated and yet hold again at the end.
+    /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a contact could violate
+    /// the condition of its state, and yet satisfy it again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.course {
             // In one step the load turns by at most this angle, rad.
@@ -144,7 +144,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Arclength, at most `length`, and integration rule of a step for which the integration of the relaxing directions of friction is stable.
+    /// Arclength, at most `length`, and integration rule of a step with which the integration is stable. Stability depends on how fast friction
+    /// forces relax, i.e. turn towards the directions of slip.
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
@@ -160,9 +161,10 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether the rates of the load factor and of all contact forces are zero within rounding while the object moves. The load factor then tends to a
-    /// limit that it never reaches. Rounding in the rate of a sliding contact's force is proportional to the rate at which its friction turns towards
-    /// its slip, and so is the tolerance. Contacts that do not slide take up the rounding of all others, so their tolerance is the largest one.
+    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then tends
+    /// to a limit that it never reaches (an asymptote). Rounding in the rate of a sliding contact's force is proportional to the rate at which its
+    /// friction turns towards its slip, and so is the tolerance for this force. Contacts that do not slide take up the rounding of all others, so
+    /// their tolerance is the largest one.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -255,7 +257,7 @@ impl<'g> PiecewiseFollower<'g> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg a slip rate of this leg does not matter any more.
+                // At the end of a leg it does not matter that a slip rate is zero: rates on the next leg are different.
                 _ if leg_done => {}
                 // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
@@ -264,7 +266,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         for (i, state) in self.node.states.iter().enumerate() {
             let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
-            // Along the tangent the normal force may keep a remainder, in which directions of friction are blurred.
+            // After a straight step along the tangent the normal force may keep a remainder, too small to determine the direction of friction.
             let is_gone = end.rule == Rule::Straight
                 && way_to_nothing((&point.lines[i], state)).is_some_and(|way| way <= end.length);
             if state.slides() && (is_gone || ActiveSet::is_weightless(force, size)) {
@@ -290,7 +292,8 @@ impl<'g> PiecewiseFollower<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Those of `contacts` whose slip rate is zero already at `point`, the beginning of the step, so that they do not slip in the step.
+    /// Those of `contacts` that do not slip at all in a step: their slip rate is zero already at `point`, the beginning of the step. `contacts` are
+    /// the contacts whose slip rate is zero at the end of the step.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -302,7 +305,7 @@ impl<'g> PiecewiseFollower<'g> {
         contacts.iter().copied().filter(met).list()
     }
 
-    /// The loss of the kind `kind` at the present place, the end of an arc; the object leaves with the twist rate of `point`.
+    /// The loss of equilibrium of the kind `kind` at the present place, the end of an arc. The object moves away with the twist rate of `point`.
     fn loss_at_end(&self, run: &ProgramRun<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();
@@ -310,11 +313,11 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// Arclength along the tangent to the place where the normal force of a sliding contact vanishes that is almost zero and decreases; `None` for any
-/// other contact.
+/// For a sliding contact whose normal force is almost zero and decreases, the arclength along the tangent to the place where this force vanishes.
+/// `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A falling normal force below this fraction of the size of its terms is followed to zero along the tangent.
+    // A falling normal force below this fraction of the terms whose sum it is, is followed to zero along the tangent.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }

@@ -1,5 +1,5 @@
-//! The state of a path under a load that turns, by three linear solves. The solutions also give forces, stretches and twist from this state on as
-//! harmonic functions of the load's angle.
+//! The state of a path under a load that turns, by three linear solves: one for each of the load's constant, cosine and sine terms. As long as
+//! contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
 
 use alloc::sync::Arc;
 
@@ -23,7 +23,8 @@ impl Segment<'_> {
     }
 
     /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from this load factor on as harmonic functions of the
-    /// load's angle. Returns an error if forces cannot balance the load. `near` is as for [`Self::point_at`].
+    /// load's angle. Returns an error if forces cannot balance the load. If no spring resists some motion, the twist is the solution nearest to
+    /// `near`.
     pub(super) fn point_on_turn(
         &self,
         piece: &Arc<Piece>,
@@ -70,7 +71,8 @@ impl Segment<'_> {
     }
 
     /// Forces, spring stretches and twist as harmonic functions of the load's angle, from the solutions `parts` under the three terms of the load.
-    /// The offsets of the springs are in the solution for the constant term. `angle` is the angle per unit of the load factor, rad.
+    /// The solution for the constant term includes the forces due to spring offsets (command minus clearance and slip). `angle` is the angle per unit
+    /// of the load factor, rad.
     pub(super) fn harmonics(
         &self,
         load: &Harmonic<Vector>,

@@ -1,5 +1,5 @@
-//! Forces, stretches and twist under a load that turns while contacts keep their states: harmonics of its angle. The first exit, where the present
-//! state of a contact ends, is a root of a trigonometric polynomial.
+//! Forces, stretches and twist under a load that turns while contacts keep their states: harmonic functions of the load's angle. The first exit,
+//! where the present state of a contact ends, is a root of a trigonometric polynomial.
 
 use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// Forces, stretches and twist as harmonic functions of the angle by which the load has turned from a place on the path. Contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState {
-    /// For every contact and drive `[force, stretch]` as harmonic functions of the angle.
+    /// For every contact and drive `[force, stretch]` as harmonic functions of the angle: its force, N, and the stretch of its springs, m.
     pub(super) waves: Vec<[Wave; 2]>,
     pub(super) twist: Harmonic<Vector>,
     pub(super) load: Harmonic<Vector>,

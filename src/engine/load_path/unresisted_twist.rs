@@ -7,8 +7,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{Piece, PieceState};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, whose component along motions that do not change the balance of forces is replaced by that of `pushed`.
-    /// Unchanged if `pushed` is `None`.
+    /// The rates `rate` of forces and twist, in which the object moves at the twist rate `pushed` along all motions that leave forces in balance.
+    /// Returns `rate` unchanged if `pushed` is `None`. `pushed` comes from the solution of the rate problem, in which contacts that touch without
+    /// force may push.
     pub(super) fn pushed_along(
         &self,
         piece: &Piece,
@@ -24,7 +25,8 @@ impl Segment<'_> {
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 
-    /// A state or a rate, shifted along free and neutral motions of `piece` until its twist is nearest to `near`. Forces stay in balance.
+    /// A state or a rate, shifted along free and neutral motions of `piece` until its twist is nearest to `near`. Free motions stretch no spring;
+    /// along neutral motions contact forces change but stay in balance.
     pub(super) fn nearest(
         &self,
         piece: &Piece,

@@ -1,4 +1,5 @@
-//! The conditions that must hold along an arc, on which directions of sliding turn. Each is a value that must stay positive.
+//! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive, such
+//! as the gap of an open contact. Where one becomes zero, the piece ends.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -12,7 +13,7 @@ use crate::prelude::*;
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
-    /// The rate of the load factor is positive.
+    /// The load factor grows along the arc: its rate per unit of arclength is positive.
     Growth,
     /// The load factor is below 1: the end of the leg is not reached.
     Leg,
@@ -46,8 +47,8 @@ impl ConditionValue {
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value decreases along the arc by more than rounding, or has an unknown rate. A constant value does not decrease. Therefore
-    /// contacts that do not move stay on the edge of their cones while others slide.
+    /// Whether the value decreases along the arc by more than rounding, or has an unknown rate. A constant value, such as a margin that stays zero,
+    /// does not decrease. Therefore contacts that do not move stay on the edge of their cones while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
@@ -58,13 +59,13 @@ impl ConditionValue {
     }
 }
 
-/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` of the size of its terms, and still decreases.
+/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` of the terms whose sum it is, and still decreases.
 pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the size of its terms. The direction of
-/// its friction was then not accurate enough to end the step where the normal force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the terms whose sum it is. The direction
+/// of friction was then not accurate enough to end the last step where the normal force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
@@ -95,7 +96,7 @@ pub(super) fn watch(
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero at this
     // point may grow, so the value is not taken as constant.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
-    // The change of a value over the rest of the leg is compared with rounding. As the rest at least a hundredth of the leg is taken.
+    // The change of a value over the rest of the leg is compared with rounding. The rest is taken as at least a hundredth of the leg.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&point.lines[contact], segment.problem.local(contact));

@@ -125,8 +125,8 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes `changes` of points at an event as changes of whole contacts, given the equilibrium `state` before it. They are in the order of the
-/// first change of each contact.
+/// The changes `changes` of contact points at an event, summed up as changes of whole contacts. `state` is the equilibrium before the event. The
+/// contacts are in the order in which they first occur in `changes`.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],
@@ -150,7 +150,7 @@ pub(crate) fn whole_changes<const C: usize>(
     all
 }
 
-/// Numbers of points of one fingertip in each state before and after an event, and of points that reverse their direction.
+/// Numbers of points of one fingertip in each state before and after an event, and of points that reverse their direction of sliding.
 struct PadAtEvent {
     before: PadCount,
     after: PadCount,

@@ -1,4 +1,5 @@
-//! Detects contacts that violate the condition of their state within a step although the condition holds again at its end.
+//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The condition
+//! is a force inside the friction cone or, for an open contact, a gap that is not negative.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic through the values
 //! and rates at both ends, up to an error `s²(1 - s)² g`. A margin `μ F_n - |F_t|` is concave in the force. Hence on a piece of the cubic it is at
@@ -17,20 +18,21 @@ use crate::numerics::{Each, least};
 /// The four Bézier points of a piece of the cubic.
 type BezierPoints = [SVector<f64, 3>; 4];
 
-/// The cubic of a contact force or a gap along a step; its margin must stay positive.
+/// A contact force or a gap as a cubic polynomial along a step. Its margin must stay positive: the gap itself, the normal force, or `μ F_n - |F_t|`.
 pub(super) struct BoundedCubic {
     points: BezierPoints,
-    /// The cone of a force, which defines the margin; `None` if the margin is the first component (a normal force or a gap).
+    /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
+    /// normal force or a gap.
     cone: Option<Coulomb>,
-    /// The factor g of the bound `s²(1 - s)² g` on the error of the margin at the fraction s of the step, in N or m.
+    /// The factor g, N or m, of a bound on the error that the cubic makes in the margin: `s²(1 - s)² g` at the fraction s of the step.
     bend: f64,
     /// The condition is taken as satisfied if its margin is at least minus this number, in N or m.
     nothing: f64,
 }
 
-/// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. It is
-/// the least such fraction found over the contacts. If the step is too long for a decision about a contact, one half is taken for it. `None` if all
-/// conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
+/// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. Returns
+/// the least such fraction over the contacts. If the step is too long for a decision about a contact, one half is taken for this contact. `None` if
+/// all conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -67,8 +69,8 @@ fn along(value: f64) -> SVector<f64, 3> {
 }
 
 impl BoundedCubic {
-    /// The cubic with the values a, b and the changes per step da, db at both ends of a step. `size` is the size of the terms of the margin, and
-    /// `step_error` the allowed relative error of a step.
+    /// The cubic with the values a, b and the changes per step da, db at both ends of a step. `size` is the size of the terms whose difference the
+    /// margin is, N or m, and `step_error` the allowed relative error of a step.
     pub(super) fn new(
         ([a, b], [da, db]): ([SVector<f64, 3>; 2], [SVector<f64, 3>; 2]),
         cone: Option<Coulomb>,
@@ -77,7 +79,7 @@ impl BoundedCubic {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
         // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding of margins, relative to the size of their terms: a smaller violation is ignored.
+        // The rounding error of a margin, relative to the terms whose difference it is: a smaller violation is ignored.
         let rounded = 2e-13;
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
@@ -116,7 +118,7 @@ impl BoundedCubic {
         Some(0.5)
     }
 
-    /// Bound on the error of the margin of the cubic at the fraction `part` of the step.
+    /// Bound, N or m, on the error that the cubic makes in the margin at the fraction `part` of the step.
     fn margin_error(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square

@@ -1,4 +1,5 @@
-//! Legs of a load program in serialised form: a field `…_by` or `…_to` for each quantity that changes.
+//! Legs of a load program in serialised form. Each quantity that changes along the leg has a field `…_by`, its change, or `…_to`, its value at the
+//! end.
 
 use alloc::collections::BTreeMap;
 
@@ -62,7 +63,8 @@ struct WrittenLeg<const C: usize> {
 }
 
 impl<T: Clone> LegGoal<T> {
-    /// The goal of the quantity `name` from its fields `…_by` and `…_to`, [`LegGoal::Stay`] if neither is given, and an error if both are given.
+    /// The change of the quantity `name` along a leg, from its fields `…_by` (change) and `…_to` (value at the end): [`LegGoal::Stay`] if neither is
+    /// given, and an error if both are given.
     fn read(by: Option<T>, to: Option<T>, name: &str) -> Result<Self, String> {
         match (by, to) {
             (None, None) => Ok(Self::Stay),

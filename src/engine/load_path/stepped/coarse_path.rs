@@ -1,5 +1,5 @@
-//! A second path with the same steps, each made at once and not in two halves. The distance between both paths, in contact forces, measures the error
-//! that all steps so far have left.
+//! A second path with the same steps, each made at once and not in two halves. The distance between both paths is the largest difference of a contact
+//! force. It measures the present error of the path due to all steps so far.
 //!
 //! The error of a step in two halves is a third of its difference from the step made at once. But errors do not simply add up. Friction forces turn
 //! towards the directions of slip, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path
@@ -9,18 +9,18 @@
 //! distance = error of the second - error of the first = 3 times the error of the first
 //! ```
 //!
-//! The distance is returned as the estimated error of the path. If directions of slip settle within a step, the distance is about as large as the
-//! error, not three times as large.
+//! The distance is returned as the estimated error of the path. If directions of slip reach their final values within a step, the distance is about
+//! as large as the error, not three times as large.
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The second path, of steps that are made at once and not in two halves.
+/// The second path, whose steps are made at once, and its distance from the first path, whose steps are made in two halves.
 #[derive(Debug, Clone)]
 pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
-    /// The second path is sometimes restarted near the first. This field is the sum, over all restarts, of the distance between both paths just
-    /// before the restart, divided by the largest contact force there.
+    /// The second path is sometimes restarted near the first. `lost` is the sum, over all restarts, of the distance between both paths just before
+    /// the restart. Each distance is divided by the largest contact force of the step.
     lost: f64,
     /// Estimated error of the path: the largest value so far of the distance between both paths, divided by the largest contact force of the step,
     /// plus `lost`.

@@ -53,12 +53,12 @@ impl SteppedState {
     }
 }
 
-/// The static problem at the end of a step along the present leg; each step writes the offsets of the contact springs and the load at its end into
-/// the problem.
+/// The static problem at the end of a step along the present leg. Each step writes the spring offsets and the load at its end into this problem.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
-    /// Two lists: for each contact the command minus clearance at the beginning of the leg, m, and its change over the whole leg.
+    /// Two lists with an entry for each contact, m: the command minus clearance at the beginning of the leg, and the change of this value over the
+    /// whole leg.
     offsets: [Vec<SVector<f64, 3>>; 2],
     pub(super) course: Trajectory<Vector>,
     /// Stretches (spring deformations) of the contacts at the beginning of a step, m.
@@ -111,8 +111,8 @@ impl<'g> StepProblem<'g> {
 }
 
 /// Writes to `to` the equilibrium at the end of a step that begins at `from`. The slips of `from` are subtracted from the offsets of `problem`.
-/// `before` are the stretches before the step. Newton's method starts at the twist `near`. `None` if Newton's method does not converge, or if a
-/// contact would have to pull although it cannot.
+/// `before` are the stretches (spring deformations) at the beginning of the step, m. Newton's method starts at the twist `near`. `None` if Newton's
+/// method does not converge, or if a contact would have to pull although it cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,

@@ -1,4 +1,4 @@
-//! State of the step control along a leg: the length of the next step, and the speeds of the object.
+//! What the step control keeps from step to step along a leg: the length of the next step, and the speeds of the object (see [`Speeds`]).
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,16 +6,17 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// State of the step control of a path followed in steps, along one leg of the load program.
+/// What the step control of a path followed in steps keeps from step to step, along one leg.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
     /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
     pub(super) rate: Option<Vector>,
-    /// Growing speeds of the object along the leg, each with the fraction of the leg at which it occurred.
+    /// Speeds of the object, each more than twice the speed before, with the fractions of the leg at which they occurred. They show whether the speed
+    /// grows without bound.
     pub(super) speeds: Speeds,
     /// Largest change of a contact force in the last step, divided by the largest change that the object's motion would cause if all contacts stuck.
     pub(super) changed: f64,
-    /// Length of the next step, as a fraction of the leg, before it is limited to `longest`.
+    /// Proposed length of the next step, as a fraction of the leg; it is not yet limited to `longest`.
     pub(super) step: f64,
     /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of a load that turns. Over a step of a full revolution the load
     /// would seem unchanged.

@@ -1,7 +1,7 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded, the object's speed dq/dδ grows without bound, as a power of the load's distance δ from this limit. With the
-//! displacement q and some p > 0:
+//! If no equilibrium exists beyond some load, the speed may grow without bound towards this load. It grows as a power of the distance δ of the load
+//! from this limit. With the displacement q and some p > 0:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
@@ -12,8 +12,8 @@
 
 use crate::prelude::*;
 
-/// Pairs of a fraction of the leg (section of the load program) and the object's speed there, in the unit of [`Speeds::note`]. Each speed is more
-/// than twice the speed before.
+/// Pairs of a fraction of the leg and the speed of the object at this fraction, N per unit of the fraction (see `note`). Each speed is more than
+/// twice the speed before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
@@ -38,7 +38,7 @@ impl Speeds {
         let Some([near, fast]) = before.next() else { return false };
         // Speeds are compared at two fractions of the leg whose distances from the end of the path differ at least by this factor.
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
-        // If the speed grows without bound, the last record is within this fraction of the leg from the end.
+        // If the speed grows without bound, the last recorded speed is within this fraction of the leg from the end of the path.
         let to_the_end = 1e-8;
         // If the speed grows by more than this factor between both fractions, the path does not end at a corner, where the speed is bounded.
         let runs = 8.0;

@@ -1,4 +1,4 @@
-//! Step control: tries steps that are as long as the allowed error permits.
+//! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits.
 
 use super::one_step::SteppedState;
 use super::step_doubling::StepDoubling;
@@ -18,7 +18,7 @@ use crate::search::Doubt;
 struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
     largest: f64,
-    /// The largest error of a contact force that the step at once and its two halves may have in common, as a fraction of the largest force.
+    /// The largest error of a contact force that the step at once and its two halves may have in common, divided by the largest contact force.
     unseen: f64,
     /// The largest change of a contact force, N, that the object's motion in the step would cause if all contacts stuck.
     force_change: f64,
@@ -66,8 +66,7 @@ impl<'g> SteppedFollower<'g> {
         Ok(Advance::Reached(self.accept_step(run, &twice)))
     }
 
-    /// The error of the contact forces in a step divided by the error allowed there: the largest such ratio over all contacts. Up to 1 the step is
-    /// accepted.
+    /// The error of a step in contact forces, divided by the allowed error: the largest such ratio over all contacts.
     fn part_of_what_is_allowed(&self, twice: &DoubledStepSizes) -> f64 {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;

@@ -1,4 +1,4 @@
-//! The follower (the part of a path that advances) that follows a load program in steps: its fields, and its start.
+//! The follower of a load program in steps, i.e. the part of a [`SteppedPath`] that advances: what it stores, and its start.
 
 use nalgebra::SVector;
 
@@ -37,9 +37,11 @@ pub(crate) struct SteppedFollower<'g> {
     pub(super) error: f64,
     /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error.
     pub(super) coarse: CoarsePath,
-    /// The largest error of a contact force that both paths may have in common in a step so far, divided by the largest contact force of that step.
+    /// The largest error of a contact force that this path and the second path may have in common in one of the steps so far. It is divided by the
+    /// largest contact force of that step.
     pub(super) unseen: f64,
-    /// Sum over all steps so far of the largest change of a contact force in the step, divided by the largest contact force at its ends.
+    /// Length of the path so far, measured by contact forces. Each step adds the largest change of a contact force in the step, divided by the
+    /// largest contact force at either end of the step.
     pub(super) way: f64,
 }
 

@@ -1,21 +1,22 @@
-//! Errors of contact forces that a step made at once and its two halves share, so that their difference does not reveal them.
+//! Errors of contact forces that a step made at once shares with the same step made in two halves. The difference between the two does not reveal
+//! these errors.
 //!
-//! Along a step of length h the twist deviates from a straight line by up to `off`. Let sticking springs have the stiffness K and the stretch v. At
-//! the end of the step their force differs by `K v'' h² = 8 K Gᵀ off` from the value extrapolated with the rate at its beginning. A contact slides on
-//! its cone along p. The rate at which the motion drives its force out of the cone is `a = p·K v_t' - μ k_n v_n'`. Here k_n is the normal stiffness,
-//! and v_t' and v_n' are the rates of the tangential and normal stretch. At the fraction s of the step this rate is a + c s, with `c = a' h` < 0:
+//! Along a step of length h the twist deviates from a straight line by up to `off`. Let a contact with the grasp map G have springs of stiffness K
+//! and stretch v, and k_n the normal stiffness. Over the step the rate of the spring force, times h, changes by `K v'' h² = 8 K Gᵀ off`. Let the
+//! contact slide along the unit vector p with the coefficient of friction μ. At the beginning the motion would drive its force out of the cone at the
+//! rate `a = (p·K v_t' - μ k_n v_n') h` per step. At the fraction s of the step this rate is a + c s, with `c = a' h` < 0:
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
 //! and so errs by the force a² / 2|c| if that place is nearer than half a straight part, 1/4 of the step
 //! ```
 //!
-//! This is at most c / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the distance by
+//! This is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the distance by
 //! which a sticking contact may have been outside its cone within the step, and for the error of the force of an opening or closing contact.
 //!
-//! If a contact begins to slide, the line of twists has a bend, and the twist then deviates by up to `2 off`. Of this deviation, sliding contacts
-//! lose the part along their slips and keep the part across, as if they had stuck. Thus only the rotation of their forces on the cones makes a
-//! difference.
+//! If a contact begins to slide, the twist as a function of the load factor has a bend, and deviates by up to `2 off`. Sliding contacts do not feel
+//! the part of this deviation along their slips. They feel the part across, as if they stuck. Thus only the rotation of their friction forces on the
+//! cones makes an error.
 
 use nalgebra::SVector;
 
@@ -24,8 +25,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It is the error that the difference from the step
-    /// made at once does not show. `at` are the states at the beginning, middle and end.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers only errors that the difference from the
+    /// step made at once does not show. `at` are the states at the beginning, middle and end of the step.
     pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
@@ -46,8 +47,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the line of twists has a bend in a half of the step, the twist deviates by up to twice the deviation in the middle. A friction force
-            // turns no farther than the direction of slip.
+            // If the twist as a function of the load factor has a bend in a half of the step, it deviates by up to twice the deviation in the middle
+            // of the step. A friction force turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
