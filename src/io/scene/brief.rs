@@ -143,7 +143,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// Adds the contact with the least friction margin to a short answer.
+    /// Adds to a short answer the contact with the least friction margin `μ F_n - |F_t|`, N.
     fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
@@ -221,7 +221,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     Brief { factor, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// Short answer to `need`: the least or largest amount of the sought quantity.
+/// Short answer to `need`: the least or largest value of the sought quantity, such as squeeze, friction or load.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",

@@ -111,7 +111,8 @@ impl Fingertip<3> {
         patch.contacts_inside(&self.contact.clone().suction(suction))
     }
 
-    /// The patch, and the force of its vacuum, N; `None` for a point. Refuses a planar patch in space, and a spatial patch in the plane.
+    /// The patch of points over which the contact is spread, and the force of its vacuum, N; `None` for a point contact. Refuses a planar patch in
+    /// space, and a spatial patch in the plane.
     pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<3>, f64)>, Error> {
         let space = self.contact.space;
         if let Some(cup) = &self.cup {

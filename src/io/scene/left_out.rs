@@ -102,7 +102,7 @@ impl Setup<3> {
         Ok(questions)
     }
 
-    /// This setup, in which links without a given stiffness have a trial stiffness.
+    /// This setup, in which links without a given stiffness have the stiffnesses of the trial with the number `trial`.
     fn with_links(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
@@ -114,7 +114,7 @@ impl Setup<3> {
         setup
     }
 
-    /// This setup, in which contacts without a given stiffness have trial springs.
+    /// This setup, in which contacts without a given stiffness have the springs of the trial with the number `trial`.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().list();
@@ -134,7 +134,7 @@ impl Setup<3> {
         setup
     }
 
-    /// The numbers of an answer that are compared between trials with different stiffnesses.
+    /// The numbers of the answer to `question` that are compared between trials with different stiffnesses.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);

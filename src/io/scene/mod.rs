@@ -171,7 +171,7 @@
 //! | field | with | asks for |
 //! |---|---|---|
 //! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, at which load a contact first slips, and at which load equilibrium is lost |
-//! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
+//! | `need` | `quantity`, loads, `together_with` | the least squeeze or friction that the grasp needs, or the largest load, arm or angle that it holds, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under the load |
 //! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from a quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |

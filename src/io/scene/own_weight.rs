@@ -87,7 +87,7 @@ impl Setup<3> {
         })
     }
 
-    /// The turning weight of all bodies; `None` if the turn has a load of its own, or if the bodies have no weight.
+    /// The turn with the weight of all bodies as its load. `None` if `turn` has a load of its own, or if the bodies have no weight.
     fn own_turn(&self, turn: &Turn<3>) -> Result<Option<Turn<3>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {

@@ -75,12 +75,13 @@ pub enum PathOutcome<const C: usize> {
     },
 }
 
-/// The energies of one leg, and the error of their balance.
+/// The energies of one leg of a load program, and the error of their balance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BalancedEnergy {
-    /// The energies, J. The field `turnover` is zero here, since `residual` is already divided by it.
+    /// The energies, J. The field `turnover`, the sum of the magnitudes of all contributions, is zero here, since `residual` is already divided by
+    /// this sum.
     #[serde(flatten)]
     pub energy: LegEnergy,
     /// The error of the energy balance, divided by the sum of the magnitudes of all contributions; zero in exact arithmetic.

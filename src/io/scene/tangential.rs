@@ -5,7 +5,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::inside;
 
-/// Relative change of a number beyond which an answer depends on the stiffness.
+/// Relative change of a number of an answer beyond which the answer counts as dependent on the tangential stiffness.
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
@@ -31,7 +31,7 @@ impl Setup<3> {
         self.questions_that_depend(&trials, &Grasp::clone, &|_| false, DEPENDS)
     }
 
-    /// This setup with the tangential stiffness of the contacts whose index `is_meant` selects multiplied by `times`.
+    /// This setup, in which the tangential stiffness of some contacts is multiplied by `times`. `is_meant` selects these contacts by their index.
     #[cfg_attr(
         not(feature = "mesh"),
         allow(clippy::unnecessary_wraps, reason = "a pad on a mesh can be faulty")

@@ -7,8 +7,8 @@ pub(super) const OTHERWISE_PRESSED: f64 = 0.02;
 
 /// Relative difference up to which two answers count as equal; a stiffness that the scene does not give then does not matter.
 ///
-/// With a smaller value, the integration error of sliding arcs counts as a difference. With a larger value, answers that depend on the stiffness get
-/// no warning.
+/// With a smaller value, the error of integrating load paths on which slip directions turn counts as a difference. With a larger value, answers that
+/// depend on the stiffness get no warning.
 pub(super) const SAME_ANSWER: f64 = 1e-6;
 
 /// Largest factor and divisor, in trials, of the default of a stiffness that the scene does not give; each direction of each contact has another

@@ -143,7 +143,7 @@ impl Page {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
 
-    /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
+    /// Sets the load of the last answer. This load is drawn if the answer has no equilibrium.
     pub fn under<const C: usize>(self, load: Wrench<C>) -> Self {
         self.with_last(|frame| frame.load = Some(load.into_inside()))
     }
