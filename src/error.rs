@@ -173,10 +173,10 @@ pub enum Error {
     /// A first slip is sought, but neither the load nor a command changes along the ramp; or the load that is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
-    /// The legs of a load cycle do not return to the load or the commands at its beginning.
+    /// The legs (sections) of a load cycle do not return to the load or the commands with which the cycle begins.
     #[error("cycle: the {what} at its end is {off} away from that at its beginning, must be the same")]
     NotClosed {
-        /// The quantity that differs: the load or the commands.
+        /// The quantity that differs between beginning and end of the cycle: the load or the commands.
         what: &'static str,
         /// The largest difference of this quantity, in its own unit.
         off: f64,

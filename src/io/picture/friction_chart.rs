@@ -24,7 +24,7 @@ pub(super) struct DrawnProgram<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// The position on the horizontal axis, from the index of a leg and the fraction of it.
+    /// The position on the horizontal axis of a point of the load path, from the index of a leg and the fraction of this leg.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 

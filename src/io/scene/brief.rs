@@ -40,9 +40,9 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the amount of the sought quantity, for
-    /// `improve` the reserve if that is its goal, for `compare` and `shakedown` the multiple of the loads up to which the answer holds, for
-    /// `identify` the value of the first unknown.
+    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the value of the sought quantity, such as a
+    /// factor on the clamping forces. For `improve` the least friction margin, N, if a large margin is the goal. For `compare` and `shakedown` the
+    /// multiple of the loads up to which the answer holds. For `identify` the value of the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle at first slip under a turning load, or the angle that `need` seeks, rad.

@@ -90,7 +90,7 @@ impl<const C: usize> Fingertip<C> {
         /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
         pub fn along(mut self, surface: Surface<C>) { self.surface = Some(surface); }
 
-        /// This contact of a finger, on another link than the last or moved by a given Jacobian.
+        /// Sets the joints that move this contact of a finger, for a contact on another link than the last, or moved by a given Jacobian.
         pub fn moved_by(mut self, moved_by: MovedBy) { self.moved_by = moved_by; }
     }
 }

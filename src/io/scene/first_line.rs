@@ -119,7 +119,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// Names the contacts that slide, or says that everything sticks.
+/// Names the contacts that slide in this equilibrium, or says that everything sticks.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     let (mut slide, mut in_part) = (Vec::new(), Vec::new());
     for contact in state.whole_contacts() {

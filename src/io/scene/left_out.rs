@@ -183,7 +183,7 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// This grasp without limits on rotation and slip; all motions then count as small.
+/// A copy of this grasp without limits on rotation and slip; all motions then count as small.
 fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }

@@ -56,7 +56,8 @@ impl Setup<3> {
         body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
     }
 
-    /// This setup without gravity, for loads that contain the weight. Such loads act on every body in proportion to its mass.
+    /// This setup without gravity, for questions whose loads contain the weight of the bodies. In the returned setup loads act on every body in
+    /// proportion to the mass of the body.
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }

@@ -23,7 +23,8 @@ impl<const C: usize> Setup<C> {
 impl Setup<3> {
     /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
-        // If all contacts change alike, they share a load as before; one contact that is stiffer than the others takes more of it.
+        // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
+        // others takes more of this load.
         let mut trials = vec![self.with_tangential(0.1, &|_| true)?, self.with_tangential(10.0, &|_| true)?];
         for contact in 0..self.entries().count() {
             trials.push(self.with_tangential(10.0, &|i| i == contact)?);

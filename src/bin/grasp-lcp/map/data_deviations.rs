@@ -1,4 +1,5 @@
-//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations that are kept in reserve.
+//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations by which they may deviate before a contact
+//! slides.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;

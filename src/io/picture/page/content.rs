@@ -104,7 +104,7 @@ impl Page {
         self
     }
 
-    /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
+    /// Adds a closed line on something that does not move, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).list());
         self
@@ -163,7 +163,7 @@ impl Page {
         self
     }
 
-    /// This page with the last answer changed, if there is one.
+    /// This page, in which `change` has changed the last answer, if the page has an answer.
     fn with_last(mut self, change: impl FnOnce(&mut Frame)) -> Self {
         if let Some(frame) = self.frames.last_mut() {
             change(frame);
