@@ -258,7 +258,7 @@ pub enum Error {
         "{what}: {field} {fault} {value}, must be symmetric, with no eigenvalue below zero (a compliance: all above)"
     )]
     Matrix {
-        /// The finger, by number.
+        /// The finger whose matrix is at fault, by number.
         what: String,
         /// Name of the matrix at fault.
         field: &'static str,

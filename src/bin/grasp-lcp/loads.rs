@@ -44,7 +44,7 @@ impl OptionVectors {
         ArmMotion::still().gravity(self.gravity)
     }
 
-    /// The weight of a mass.
+    /// The weight of a mass (kg) as a force, N.
     pub(crate) fn weight_of(self, mass: f64) -> Result<[f64; 3], Failure> {
         Ok(Payload::new(mass, [0.0; 3]).load(&self.still())?.resultant())
     }

@@ -200,7 +200,7 @@ fn shared<const C: usize>(
 /// Whether two curves coincide on paper. If so, the caller draws the second curve dashed, which keeps both visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
-        // A difference of at most 4e-3 is invisible.
+        // A difference of two fractions of friction of at most 4e-3 is invisible on paper.
         (false, false) => (p.1 - q.1).abs() <= 4e-3,
         (none, neither) => none == neither,
     };

@@ -104,7 +104,7 @@ impl Labels {
         let mut plates = Vec::new();
         for away in [8.0, 14.0, 22.0, 32.0] {
             for (x, y) in sides {
-                // At a corner the distance is split between both directions.
+                // A name that lies diagonally from its point is displaced by 0.6 of the distance in each of the two directions.
                 let away = if x * y == 0.0 { away } else { 0.6 * away };
                 let middle = (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away));
                 plates.push((self.inside(middle, (wide, high)), (wide, high)));

@@ -51,7 +51,7 @@ impl MovedOutlines {
         Some(Self { from: moved(points, &|(point, _)| point), to, closed })
     }
 
-    /// The points that the picture must contain.
+    /// The points of the object after the motion, which the picture must contain.
     pub(super) fn points(&self) -> &[Vector2<f64>] {
         &self.to
     }

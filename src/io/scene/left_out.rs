@@ -188,7 +188,8 @@ fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
-/// A number in [0, 1): fractional parts of multiples of the golden ratio fill the interval evenly, without repeating.
+/// A number in [0, 1) for each `number`, from which trial stiffnesses are chosen. Fractional parts of multiples of the golden ratio fill this
+/// interval evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

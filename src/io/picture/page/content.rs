@@ -110,7 +110,7 @@ impl Page {
         self
     }
 
-    /// Adds an equilibrium of the grasp; `label` is written on its button. The first answer is shown initially.
+    /// Adds an equilibrium of the grasp as an answer; `label` is written on the button that selects this answer. The first answer is shown initially.
     pub fn frame<const C: usize>(self, label: impl Into<String>, state: &Equilibrium<C>) -> Self {
         self.with(Frame::new(label.into(), Ok(state.to_inside())))
     }
@@ -148,8 +148,8 @@ impl Page {
         self.with_last(|frame| frame.load = Some(load.into_inside()))
     }
 
-    /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on its button. If no equilibrium exists, or none was found,
-    /// the page says so and draws no forces.
+    /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on the button that selects the answer. If no equilibrium
+    /// exists, or none was found, the page says so and draws no forces.
     pub fn outcome<const C: usize>(self, label: impl Into<String>, outcome: &Outcome<C>) -> Self {
         let shown = match outcome {
             Outcome::Equilibrium(state) => Ok(state.as_ref().to_inside()),
