@@ -28,8 +28,8 @@ impl Setup<3> {
         for question in &self.questions {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
             let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
-            // With `need` of an arm, the load acts at several arms. A load that presses on no contact at its given arm may jam the object at a longer
-            // arm.
+            // A question `need` for a lever arm tries the load at several arms. A load that presses on no contact at its given arm may jam the object
+            // at a longer arm.
             let is_arm = matches!(question, Question::Need(asked) if asked.quantity == Quantity::Arm);
             if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
