@@ -43,7 +43,7 @@ struct AllBodies {
 }
 
 impl AllBodies {
-    /// The total mass of all bodies and their common centre of mass; `None` unless the loads of questions act on all bodies, and the bodies have a
+    /// The total mass of all bodies and their common centre of mass. `None` unless the loads of questions act on all bodies, and the bodies have a
     /// mass.
     fn of(setup: &Map<String, Value>, axes: usize) -> Option<Self> {
         let bodies = setup.get("bodies")?.as_array()?;

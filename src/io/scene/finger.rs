@@ -138,7 +138,7 @@ impl FingerSetup<3> {
 }
 
 /// Jacobian of a point of a finger's link: the velocity `v + ω × r` of this point for unit velocity of each joint. Rows 0 to 2 of `twists` are the
-/// velocities v of the contact, rows 3 to 5 the angular velocities ω; `arm` is r, from the contact to the point.
+/// velocities v of the contact, rows 3 to 5 the angular velocities ω of the link. The vector r, m, from the contact to the point is `arm`.
 fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
     matrix_of(3, twists.ncols(), &|a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);

@@ -11,7 +11,7 @@ use grasp_lcp::scene::{Answer, Question, Setup};
 /// factor at first slip, and the factor at which equilibrium is lost.
 const CHART_END: f64 = 1.25;
 
-/// The chart of the fraction of its friction limit that each contact uses along the load path of a question; `None` for a question without a load
+/// The chart of the fraction of its friction limit that each contact uses along the load path of a question. `None` for a question without a load
 /// path.
 pub(super) fn chart(
     setup: &Setup<3>,
