@@ -16,10 +16,10 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether the scene has a question in which nothing presses on any contact: no finger command, no base load, and no applied load. An applied
-    /// load presses if it pushes the object onto a contact, as a weight does, or if it jams the object. A question `solve` with a load, a `need` of
-    /// an arm and an `identify` of forces under the base load are skipped. Without questions the function returns whether no command presses; without
-    /// contacts it returns false.
+    /// Whether the scene has a question in which nothing presses on any contact: no command of a finger or joint, no load at rest (base load or load
+    /// at the start), and no applied load. An applied load presses if it pushes the object onto a contact, as a weight does, or if it jams the
+    /// object. A question `solve` with a load, a `need` of an arm and an `identify` of forces under the base load are skipped. Without questions the
+    /// function returns whether no command presses; without contacts it returns false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no command that presses.
         if grasp.presses() || self.entries().next().is_none() {
@@ -46,7 +46,7 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact, even if no finger command presses, as a weight presses an object onto a table.
+    /// Whether a load presses an object onto a contact, even if no command presses, as a weight presses an object onto a table.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
