@@ -12,7 +12,7 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
-/// The end of the message of [`Error::Part`]: the `allowed` parts, or that no part has a load, command or force of its own.
+/// The end of the message of [`Error::Part`]: the names of the `allowed` parts, or the words that no part has a load, command or force of its own.
 fn one_of(allowed: &str) -> String {
     match allowed {
         "" => "and no other part has: what presses by overlap is the squeeze".to_owned(),
@@ -25,7 +25,7 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// An error if the number of a contact is not below `count`, the number of contacts.
+/// Returns an error if `contact`, the index of a contact from 0, is not below `count`, the number of contacts.
 pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
     if contact < count {
         return Ok(());
@@ -148,10 +148,10 @@ pub enum Error {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// A number of an observed slip, of an unknown to be identified or of a known sum is out of range.
+    /// A number of an observed slip, of an unknown to be identified or of a known sum of unknowns is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Identify {
-        /// The slip, unknown or known sum, with its number from 0.
+        /// The observed slip, the unknown or the known sum of unknowns, with its number in its list from 0.
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
@@ -166,17 +166,17 @@ pub enum Error {
         /// The message of the panic.
         fault: String,
     },
-    /// Commands or joint torques change on a leg of a load path whose load turns. They must stay constant, since only then do the angles of events
-    /// have closed forms.
+    /// Commands or joint torques change on a leg of a load program along which the load turns. They must stay constant, since only then do the angles
+    /// of events have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// The load and commands of the ramp do not change, although its first slip is sought; or the load that is to grow in proportion is zero.
+    /// A first slip is sought, but neither the load nor a command changes along the ramp; or the load that is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
-    /// The legs of a load cycle do not return to the load or the commands at its beginning.
+    /// The legs (sections) of a load cycle do not return to the load or the commands with which the cycle begins.
     #[error("cycle: the {what} at its end is {off} away from that at its beginning, must be the same")]
     NotClosed {
-        /// The quantity that differs: the load or the commands.
+        /// The quantity that differs between beginning and end of the cycle: the load or the commands.
         what: &'static str,
         /// The largest difference of this quantity, in its own unit.
         off: f64,
@@ -227,7 +227,7 @@ pub enum Error {
         /// Names of the parts with a load, command or force.
         allowed: String,
     },
-    /// One datum of a link between bodies is out of range.
+    /// One number of a link between bodies is out of range.
     #[error("{kind} {name:?}: {field} is {value}, must be {allowed}")]
     Link {
         /// Kind of the link: "hinge", "cable", …
@@ -258,7 +258,7 @@ pub enum Error {
         "{what}: {field} {fault} {value}, must be symmetric, with no eigenvalue below zero (a compliance: all above)"
     )]
     Matrix {
-        /// The finger, by number.
+        /// The finger whose matrix is at fault, by number.
         what: String,
         /// Name of the matrix at fault.
         field: &'static str,
@@ -325,7 +325,7 @@ pub enum Error {
     },
 }
 
-/// The data of a contact, as error messages name them.
+/// The quantities that describe a contact, as error messages name them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Field {
@@ -347,21 +347,22 @@ pub enum Field {
     KineticFriction,
     /// Commanded finger displacement, in the contact frame, m.
     Command,
-    /// Change of the commanded finger displacement along a ramp or a leg, in the contact frame, m. For a leg given by its end, the command at that
-    /// end.
+    /// Change of the commanded finger displacement along a ramp or along a leg of a load program, in the contact frame, m. For a leg that is given by
+    /// its end, the command at that end.
     CommandChange,
     /// Normal force with which the finger is commanded to press, N.
     Press,
-    /// [`Contact::force`](crate::grasp::Contact::force), N.
+    /// Constant normal force with which the finger presses, N; see [`Contact::force`](crate::grasp::Contact::force).
     Force,
-    /// [`Contact::suction`](crate::grasp::Contact::suction), N.
+    /// Constant force with which a vacuum pulls the object onto the contact, N; see [`Contact::suction`](crate::grasp::Contact::suction).
     Suction,
     /// Initial clearance between finger and object along the normal, m.
     Clearance,
 }
 
 impl Field {
-    /// The words between a datum and its value in an error message. For a tangent "of length", since its value is its length; else "is".
+    /// The words between the name and the value of a quantity in an error message. For a tangent "of length", since the error gives the tangent's
+    /// length; else "is".
     pub(crate) fn is(self) -> &'static str {
         if self == Self::Tangent { "of length" } else { "is" }
     }

@@ -23,7 +23,7 @@ macro_rules! names {
         pub type Twist = crate::grasp::Twist<$axes>;
         /// A body that an arm carries, and its load; see [`crate::grasp::Payload`].
         pub type Payload = crate::grasp::Payload<$axes>;
-        /// Motion of the arm at an instant; see [`crate::grasp::ArmMotion`].
+        /// Gravity, and the acceleration and rotation at an instant of the arm that carries the body; see [`crate::grasp::ArmMotion`].
         pub type ArmMotion = crate::grasp::ArmMotion<$axes>;
         /// One body of several; see [`crate::grasp::Body`].
         pub type Body = crate::grasp::Body<$axes>;
@@ -31,9 +31,10 @@ macro_rules! names {
         pub type Bodies = crate::grasp::Bodies<$axes>;
         /// A link between bodies, or to the ground; see [`crate::grasp::Link`].
         pub type Link = crate::grasp::Link<$axes>;
-        /// The verdict on a load that is applied from rest; see [`crate::hold::Verdict`].
+        /// Whether a grasp holds a load that grows from zero in addition to a base load; see [`crate::hold::Verdict`].
         pub type Verdict = crate::hold::Verdict<$axes>;
-        /// A question for the amount of squeeze, friction, load, arm or angle that is needed to hold its loads; see [`crate::need::Need`].
+        /// A question for the least squeeze or friction, or the largest load, arm or angle, with which the grasp holds the loads of the question; see
+        /// [`crate::need::Need`].
         pub type Need = crate::need::Need<$axes>;
         /// The answer to a question for an equilibrium; see [`crate::equilibrium::Outcome`].
         pub type Outcome = crate::equilibrium::Outcome<$axes>;
@@ -47,13 +48,13 @@ macro_rules! names {
         pub type ContactAnswer = crate::equilibrium::ContactAnswer<$axes>;
         /// State of a contact; see [`crate::equilibrium::ContactState`].
         pub type ContactState = crate::equilibrium::ContactState<$axes>;
-        /// Equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
+        /// Contact forces as the sum of equilibrating and interaction forces; see [`crate::equilibrium::Decomposition`].
         pub type Decomposition = crate::equilibrium::Decomposition<$axes>;
         /// A load and commands that change in proportion to a load factor; see [`crate::load_path::Ramp`].
         pub type Ramp = crate::load_path::Ramp<$axes>;
         /// Whether contact forces could balance any load; see [`crate::statics::Closure`].
         pub type Closure = crate::statics::Closure<$axes>;
-        /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
+        /// The set of loads, one at a time, under which all contacts must stick; see [`crate::squeeze::Loads`].
         pub type Loads = crate::squeeze::Loads<$axes>;
         /// The least squeeze with which a grasp holds a set of loads; see [`crate::squeeze::LeastSqueeze`].
         pub type LeastSqueeze = crate::squeeze::LeastSqueeze<$axes>;
@@ -65,7 +66,7 @@ macro_rules! names {
         pub type TurnOnset = crate::load_path::TurnOnset<$axes>;
         /// The load factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
         pub type Onset = crate::load_path::Onset<$axes>;
-        /// Reusable memory for a sequence of onset questions; see [`crate::ask::OnsetWorkspace`].
+        /// Reusable memory for a sequence of questions for the load at first slip; see [`crate::ask::OnsetWorkspace`].
         pub type OnsetWorkspace = crate::ask::OnsetWorkspace<$axes>;
         /// The event at which the first contact stops sticking; see [`crate::load_path::OnsetEvent`].
         pub type OnsetEvent = crate::load_path::OnsetEvent<$axes>;
@@ -73,19 +74,20 @@ macro_rules! names {
         pub type DepartingContact = crate::load_path::DepartingContact<$axes>;
         /// How a contact stops sticking; see [`crate::load_path::Departure`].
         pub type Departure = crate::load_path::Departure<$axes>;
-        /// The behaviour just beyond the onset; see [`crate::load_path::Beyond`].
+        /// The behaviour just beyond a first slip or beyond the end of a load path: whether an equilibrium exists there; see
+        /// [`crate::load_path::Beyond`].
         pub type Beyond = crate::load_path::Beyond<$axes>;
         /// The continuation of an equilibrium beyond an event; see [`crate::load_path::Continuation`].
         pub type Continuation = crate::load_path::Continuation<$axes>;
-        /// One leg of a load program; see [`crate::load_path::Leg`].
+        /// One leg of a load program, a section along which load and commands change in proportion, or the load turns; see [`crate::load_path::Leg`].
         pub type Leg = crate::load_path::Leg<$axes>;
-        /// An event on a load path; see [`crate::load_path::Event`].
+        /// An event on a load path: a load at which a contact or drive changes state; see [`crate::load_path::Event`].
         pub type Event = crate::load_path::Event<$axes>;
         /// A contact whose state changes at an event; see [`crate::load_path::ContactChange`].
         pub type ContactChange = crate::load_path::ContactChange<$axes>;
         /// The change of a contact's state at an event; see [`crate::load_path::Change`].
         pub type Change = crate::load_path::Change<$axes>;
-        /// A jump on a load path at constant load; see [`crate::load_path::Jump`].
+        /// A sudden change of equilibrium at constant load on a load path; see [`crate::load_path::Jump`].
         pub type Jump = crate::load_path::Jump<$axes>;
         /// The end of a load path; see [`crate::load_path::PathEnd`].
         pub type PathEnd = crate::load_path::PathEnd<$axes>;
@@ -93,7 +95,7 @@ macro_rules! names {
         pub type LoadPath<'g> = crate::load_path::LoadPath<'g, $axes>;
         /// A few contacts prepared for screening grasps by their first slips; see [`crate::screening::Fingers`].
         pub type Fingers<const N: usize> = crate::screening::Fingers<$axes, N>;
-        /// Many grasps prepared for screening by their first slips; see [`crate::screening::Batch`].
+        /// Many grasps of `N` contacts each, prepared for screening by their first slips; see [`crate::screening::Batch`].
         pub type Batch<const N: usize> = crate::screening::Batch<$axes, N>;
         /// A load for screening grasps by their first slips; see [`crate::screening::Pull`].
         pub type Pull = crate::screening::Pull<$axes>;

@@ -9,7 +9,7 @@
 //! the friction force of the elastic trial, in which everything sticks. Newton's method continues from this proposal to the round cone, and the
 //! answer names the cone and the change of forces ([`Cone::Round`](crate::equilibrium::Cone::Round),
 //! [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the proposal more expensive, and the answer no
-//! better. An onset needs no facets at all: one quadratic equation per contact.
+//! better. The load at first slip needs no facets at all: it follows from one quadratic equation per contact.
 //!
 //! # Where facets are used
 //!
@@ -25,8 +25,8 @@
 //! | 16 | 1.9 % | | |
 //! | 64 | 0.12 % | | |
 //!
-//! An inscribed polygon is safe for an onset from rest: a contact that sticks on it sticks on the round cone. A circumscribed polygon is safe for a
-//! proof that nothing holds. Once a contact slides, neither polygon gives a bound.
+//! An inscribed polygon is safe for the load at first slip: a contact force inside this polygon lies inside the round cone, too. A circumscribed
+//! polygon is safe for a proof that no equilibrium exists. Once a contact slides, neither polygon gives a bound.
 //!
 //! ```
 //! use grasp_lcp::load_path::Ramp;

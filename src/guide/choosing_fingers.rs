@@ -1,8 +1,9 @@
 //! Choosing fingers: places and clamping forces for which the first slip comes as late as possible, or most friction is left.
 //!
-//! The scenes are in `examples/scenes/improve`, and the commands are run there. A contact that may move has a `surface`, on which it lies; its normal
-//! follows. `at_most` (or `--at-most`) is the largest force in newtons that fingers may press with; without it fingers keep their commands. The loads
-//! of a question grow from zero, each alone; or a force of given size grows, whose direction may be any.
+//! The scenes are in `examples/scenes/improve`, and the commands are run there. A contact that may move has a `surface`, on which it lies and which
+//! determines the normal. `at_most` (or `--at-most`) is the largest force in newtons that fingers may press with; without it fingers keep their
+//! commands. The loads of a question grow from zero, one at a time. A question may also have a force of given size in any direction, which grows from
+//! zero, too.
 //!
 //! # Two jaws hold a box whose weight hangs aside. Where should they be?
 //!
@@ -35,24 +36,26 @@
 //! # The load is known. Where is most friction left?
 //!
 //! A late first slip is the goal for a load that may become larger than expected. If the load is known but disturbances are not, `--reserve`
-//! (`"goal": "reserve"` in scenes) maximises the friction left while the load acts in full: the least
-//! [margin](crate::equilibrium::ContactAnswer::margin) of all contacts, N.
+//! (`"goal": "reserve"` in scenes) maximises the least [margin](crate::equilibrium::ContactAnswer::margin) of all contacts under the full load. The
+//! margin is the distance of a contact force from the edge of its friction cone, N.
 //!
 //! ```text
 //! $ grasp-lcp improve pinch.json --force 0,-4 --at 0.01,0 --at-most 10 --reserve
 //! RESERVE of 3 N instead of 1.33333 N: left moves 2 mm along its edge and right 2 mm along its edge; both press with 9.94109 N. Nothing nearby is better to first order, as left and right have least, within the greatest command of left and the greatest command of right
 //! ```
 //!
-//! Each jaw again carries half of the weight, and keeps a reserve of `μ N - W / 2`. Here one jaw is higher by `W e / N`, 4 mm, so that the couple
-//! balances the weight of 4 N. With the 10 mm of the first question this weight would turn the box, and the jaws would carry unequal parts of it.
+//! Each jaw again carries half of the weight W, and keeps a margin of `μ N - W / 2`, where N is the normal force. Here one jaw is higher by `W e /
+//! N`, 4 mm, so that the couple balances the weight of 4 N. With the 10 mm of the first question this weight would turn the box, and the jaws would
+//! carry unequal parts of it.
 //!
 //! # Guarantees of the answer
 //!
-//! "Nothing nearby is better to first order" is proved by multipliers: weighted with them, the gradients of the first events and of active bounds
-//! cancel up to a millionth. [`Improved::residual`](crate::improve::Improved::residual) is the remainder of this sum. No small step therefore gains
-//! in proportion to its length. Distant places may still be better. The search therefore starts from several places (`starts`) on the surfaces and
-//! returns the best answer. Each first event and each active bound has a multiplier ([`ActiveConstraint`](crate::improve::ActiveConstraint)): the
-//! gain in first slip or reserve for one more newton of force, or one more metre of edge.
+//! "Nothing nearby is better to first order" is proved by multipliers. The sum of the gradients of the first slips and of the active bounds, weighted
+//! with these multipliers, is zero up to a millionth. [`Improved::residual`](crate::improve::Improved::residual) is what remains of this sum. No
+//! small move of the fingers therefore gains in proportion to its length. Distant places may still be better. The search therefore starts from
+//! several places (`starts`) on the surfaces and returns the best answer. Each first slip and each active bound has a multiplier
+//! ([`ActiveConstraint`](crate::improve::ActiveConstraint)). The multiplier of a bound is the gain in first slip or margin for one more newton of
+//! force, or one more metre of edge.
 //!
 //! In space two point contacts balance no moment about the line that joins them. They hold a load only if it has no such moment, which a move of one
 //! contact would change: they cannot move, and the answer says so. Three or four fingers can move. From an edge of a polyline, or a triangle of a

@@ -1,8 +1,8 @@
-//! A watch in a control loop, with an operating system and without one.
+//! Monitoring of measured contact forces in a control loop, with an operating system and without one.
 //!
-//! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now and the load to come. It returns the margin
-//! of the forces, the load at which the first contact slides, and the extra squeeze (clamping force) that prevents it. It allocates nothing, and the
-//! number of its operations does not depend on the data.
+//! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now, and the load to come. It returns the
+//! margin, i.e. the distance of the forces from the edges of their friction cones, N. It also returns the load at which the first contact slides, and
+//! the extra squeeze (clamping force) that prevents this slip. It allocates nothing, and the number of its operations does not depend on the data.
 //!
 //! # One tick
 //!

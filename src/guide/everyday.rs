@@ -84,8 +84,9 @@
 //! TAKES 7 times the load, 7 N, and holds, and nothing slides. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip)
 //! ```
 //!
-//! The program asks the opposite: it gives the greatest pull that the book withstands, and any greater pull gets it out. Its neighbours press at four
-//! places, with 5 N each and friction 0.35. Friction holds up to 4 · 0.35 · 5 N = 7 N, which is 7 times the pull of 1 N in the scene.
+//! The program answers the opposite question: it gives the greatest pull that the book withstands, and any greater pull gets the book out. The
+//! neighbours of the book press at four places, with 5 N each and a coefficient of friction of 0.35. Friction holds up to 4 · 0.35 · 5 N = 7 N, which
+//! is 7 times the pull of 1 N in the scene.
 //!
 //! # Do my soft jaws carry a plate by its rim?
 //!

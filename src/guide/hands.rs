@@ -1,9 +1,9 @@
-//! Hands: the effect of joints, their description, and the guarantees of theory.
+//! Hands with joints: what joints change, how they are described, and what theory guarantees.
 //!
 //! Consider a finger with joint displacements φ, Jacobian `J` of its contact (m/rad) and joint stiffness `K_θ` (N m/rad: gears, tendons, the gain of
 //! the position controller). At the contact it gives way by its **compliance** `C = J K_θ⁻¹ Jᵀ` (m/N). The off-diagonal part c_nt couples
 //! displacements that springs along the axes of the contact would separate: pushing a tilted finger also shifts its tip sideways. A load along the
-//! object then squeezes one side harder and releases the other. This changes the load at which a contact slides.
+//! object then raises the normal force of one finger and lowers that of the other. This changes the load at which a contact slides.
 //!
 //! ```
 //! use grasp_lcp::planar::Contact;

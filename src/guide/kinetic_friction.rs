@@ -1,7 +1,7 @@
 //! Friction that is lower once a contact slides: is the object caught, or does it fall at the first slip?
 //!
 //! Most tables have two coefficients. A scene has the second one as `kinetic_friction` in addition to `friction`, Rust as
-//! [`kinetic`](crate::grasp::Contact::kinetic). Without it a contact slides with its friction at rest.
+//! [`kinetic`](crate::grasp::Contact::kinetic). Without a second coefficient a contact slides with the same friction as it sticks with.
 //!
 //! # A box on a plastic foot and a rubber foot is pulled
 //!
@@ -24,20 +24,20 @@
 //!
 //! # Contents of the answer
 //!
-//! Contacts that begin to slide lose `(μ_s - μ_k) F_n` at once. The others take over this force at the same load; a contact that reaches its static
-//! limit in this process begins to slide, too. In the end either all forces balance again, or nothing holds.
-//! [`Event::jump`](crate::load_path::Event::jump) has the state after the jump, the slips of the contacts and the lost energy.
+//! Contacts that begin to slide lose the force `(μ_s - μ_k) F_n` at once. Other contacts take over this force at the same load; a contact that
+//! reaches its static limit in this process begins to slide, too. In the end either all forces balance again, or the object is lost.
+//! [`Event::jump`](crate::load_path::Event::jump) has this jump: the equilibrium after it, the slips of the contacts and the energy lost.
 //! [`Loss::jumped`](crate::load_path::Loss::jumped) has the contacts that slipped before the object was lost. A contact that continues to slide as
-//! the load grows keeps its kinetic friction. A contact that comes to rest regains its static friction: when it sticks, when the load reverses, and
-//! during a pause, i.e. a leg along which nothing changes.
+//! the load grows keeps its kinetic friction. A contact regains its static friction when it sticks, when the load reverses, and during a pause. A
+//! pause is a leg (section) of a load program along which nothing changes.
 //!
-//! Under a load that repeats ([`shake`](crate::ask::Grasp::shake)) contacts may jump again and again. It may take several cycles until everything
-//! repeats, *in every 4 cycles*. Slips and motions are then given for all of these cycles together. For 255 random grasps
-//! (`GRASP_LCP_SAMPLES=15 cargo test --test shake what_jumps`) 254 verdicts agree with cycles followed one by one. One is undecided: its forces still
-//! change after 1000 cycles.
+//! Under a load that repeats ([`shake`](crate::ask::Grasp::shake)) contacts may jump again and again. The motion may repeat only after several
+//! cycles; the answer then says, for example, *in every 4 cycles*. Slips and motions are then given for all of these cycles together. For 255 random
+//! grasps (`GRASP_LCP_SAMPLES=15 cargo test --test shake what_jumps`) 254 verdicts agree with cycles followed one by one. One is undecided: its
+//! forces still change after 1000 cycles.
 //!
 //! The first slip is the same with and without kinetic friction, because it depends on static friction alone. The same holds for all questions about
-//! rest, such as onsets, screening, reserves and statics.
+//! sticking contacts: the load at first slip, also in screening and with uncertain data, and force closure.
 //!
 //! # Limitations
 //!

@@ -1,8 +1,8 @@
 //! Loads that repeat: a load that is held when applied once may make the object walk out when applied a thousand times.
 //!
-//! The scenes are in `examples/scenes/repeat`, and the commands are run there. Loads are applied and removed in turn, in addition to the load at
-//! rest, cycle after cycle. The verdict is for all time, see [`shake`](crate::shake). A program of legs, including turns, is a cycle too if it
-//! returns to its start: a scene then has `legs` in place of `loads`.
+//! The scenes are in `examples/scenes/repeat`, and the commands are run there. Loads are applied and removed in turn, in addition to the load at rest
+//! (the constant base load), cycle after cycle. The verdict holds for any number of cycles, see [`shake`](crate::shake). A load program of several
+//! legs (sections) is a cycle, too, if it returns to its start. A leg may also turn the load. A scene then has `legs` in place of `loads`.
 //!
 //! | verdict | meaning |
 //! |---|---|
@@ -19,9 +19,9 @@
 //! WALKS: the object moves 0.01 mm along +x in every cycle, left foot and right foot slide. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
-//! A pull of 3.5 N acts on a block of 10 N with a friction of 0.5: applied once, 5 N would be held. But rocking moves weight from one foot to the
-//! other: one presses with 3 N, the other with 7 N. The loaded foot takes over the friction that the unloaded foot cannot hold. In every cycle the block walks by
-//! `2 (Q - μ (P - 2 m)) / k = 2 (3.5 - 0.5 (10 - 4)) / 10⁵` metres. Up to 3 N it rests.
+//! A pull of 3.5 N acts on a block of 10 N with a coefficient of friction of 0.5. Applied once, a pull of 5 N would be held. But rocking moves weight
+//! from one foot to the other: one presses with 3 N, the other with 7 N. The loaded foot takes over the friction that the unloaded foot cannot hold.
+//! In every cycle the block walks by `2 (Q - μ (P - 2 m)) / k = 2 (3.5 - 0.5 (10 - 4)) / 10⁵` metres. Up to a pull of 3 N the block comes to rest.
 //!
 //! # A hammer jerks along its handle. Does it creep out of the hand?
 //!
@@ -44,11 +44,11 @@
 //! SLIDES TO AND FRO: lower left slides by up to 0.0180734 mm in every cycle, which takes 0.000513745 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
-//! It does not, but the locator wears: 0.5 mJ per tooth.
+//! The part does not creep out, but the locator wears: friction takes 0.5 mJ in every cycle, one tooth of the cutter.
 //!
 //! # Does a parcel survive being shaken with 2 g?
 //!
-//! The mass and the size of the acceleration suffice: it acts back and forth along every axis in turn.
+//! The command needs only the mass and the size of the acceleration, which acts back and forth along every axis in turn.
 //!
 //! ```text
 //! $ grasp-lcp shake ../box.json --mass 0.2 --acceleration 19.6
@@ -60,8 +60,8 @@
 //! # How hard must it press to survive any number of cycles?
 //!
 //! [`Need::to_rest`](crate::need::Need::to_rest) seeks the least squeeze or friction, or the greatest load, with which the object comes to rest; on
-//! the command line `--repeats`, in a scene `"demand": "rests"`. With `--may-slide` in addition (`"stays"`) the object only must not walk. The
-//! hammer:
+//! the command line `--repeats`, in a scene `"demand": "rests"`. With `--may-slide` in addition (`"stays"`) contacts may slide in every cycle, but
+//! the object must not walk. For the hammer:
 //!
 //! ```text
 //! $ grasp-lcp need tool.json squeeze --base 0,-5.886 --at=-0.05,0 --force 35,0 --repeats
@@ -70,9 +70,9 @@
 //!
 //! # Could it come to rest at all?
 //!
-//! [`Statics::shakedown`](crate::ask::Statics::shakedown) gives an upper bound without following cycles: with loads beyond its factor the grasp never
-//! comes to rest, in whichever order they come. With smaller loads the grasp comes to rest if slips do not change the normal forces; otherwise the
-//! order of the loads decides whether it does. In a scene the question is `shakedown`.
+//! [`Statics::shakedown`](crate::ask::Statics::shakedown) gives an upper bound without following cycles, the shakedown factor. With loads multiplied
+//! by more than this factor the grasp never comes to rest, whatever the order of the loads. With smaller loads the grasp comes to rest if slips do
+//! not change the normal forces; otherwise the order of the loads decides whether it does. In a scene the question is `shakedown`.
 //!
 //! ```text
 //! $ grasp-lcp shake ../box.json --mass 0.2 --acceleration 19.6 --any-order

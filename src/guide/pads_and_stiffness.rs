@@ -3,7 +3,8 @@
 //! # Which answers depend on it
 //!
 //! If fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. If all
-//! springs become ten times as stiff, forces, first slip and loss stay the same, and displacements are a tenth.
+//! springs become ten times as stiff, contact forces and the loads at first slip and at loss of equilibrium stay the same. Displacements become a
+//! tenth.
 //!
 //! | answer | depends on |
 //! |---|---|

@@ -25,8 +25,8 @@
 //! # Ok::<(), grasp_lcp::lcp::LcpError>(())
 //! ```
 //!
-//! The check computes all sums without rounding. Computed data usually are infeasible only up to rounding.
-//! [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for an M and q that differ from the given ones by rounding, and
+//! The check computes all sums without rounding. A matrix M and a vector q that were computed with rounding usually are infeasible only up to
+//! rounding. [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for an M and q that differ from the given ones by rounding, and
 //! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) says how large every z would have to be.
 //!
 //! [`NoBasis`](crate::lcp::Outcome::NoBasis): it is proved for each of the 2ⁿ complementary bases that no solution belongs to it, thus no solution
@@ -37,8 +37,8 @@
 //!
 //! # On a grasp
 //!
-//! A free motion is detected before any path is followed. After a ray [`Grasp::solve`](crate::ask::Grasp::solve) tries another [form](crate::forms),
-//! then a proof on the scene itself, in this order:
+//! A free motion is detected before any path is followed. After a ray [`Grasp::solve`](crate::ask::Grasp::solve) tries another
+//! [formulation](crate::forms) of the problem. It then searches for a proof on the grasp itself, in this order:
 //!
 //! | [`Proof`](crate::equilibrium::Proof) | its motion | meaning | remedy |
 //! |---|---|---|---|

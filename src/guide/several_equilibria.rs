@@ -1,8 +1,8 @@
 //! Several equilibria under one load, and which of them is real.
 //!
-//! Coulomb's law is not the condition of a minimum. If friction is large enough to hold a body against its springs, the same load may have an
-//! equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of non-uniqueness and
-//! non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with numbers, springs
+//! Coulomb's law is not the condition of a minimum. If friction is large enough to hold a body against the springs that support it, the same load may
+//! have an equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of non-uniqueness
+//! and non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with numbers, springs
 //! hold a body above a floor. Pulled along the floor the body is lifted by its springs, since their stiffness
 //!
 //! ```text
@@ -48,8 +48,8 @@
 //!
 //! # Which one is returned
 //!
-//! [`Grasp::solve`](crate::ask::Grasp::solve) returns the first equilibrium that the ladder of [`FoundBy`](crate::equilibrium::FoundBy) finds, in this
-//! order:
+//! [`Grasp::solve`](crate::ask::Grasp::solve) returns the first equilibrium that the methods of [`FoundBy`](crate::equilibrium::FoundBy) find, in
+//! this order:
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
@@ -58,9 +58,9 @@
 //! * the end of a path of Lemke's method;
 //! * the first of all combinations of contact states.
 //!
-//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the step that found the equilibrium. The order is the same for every number of
-//! threads, but it is a convention, not physics. Relaxation makes the result continuous: for nearly equal loads, squeezes or coefficients it ends in nearly
-//! equal states, as long as the relaxed state is stable.
+//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the method that found the equilibrium. The order is the same for every number
+//! of threads, but it is a convention, not physics. Relaxation by viscous slip makes the returned equilibrium continuous: for nearly equal loads,
+//! clamping forces or coefficients of friction it ends in nearly equal equilibria, as long as these are stable.
 //!
 //! # Which one is real
 //!

@@ -38,7 +38,7 @@
 //! | unknown | meaning | prerequisite |
 //! |---|---|---|
 //! | `friction` | a coefficient, of all contacts or of some | the normal forces: from clamping forces, or from a weight |
-//! | `carried` | load of a support at rest, N | friction, or the sum of the loads from a scale |
+//! | `carried` | normal force of a support before the object is pushed, N | friction, or the sum of the loads from a scale |
 //! | `squeeze` | factor of the given clamping forces | friction |
 //! | `stiffness` | factor of the given tangential stiffness | friction; only first slips determine it |
 //!

@@ -4,8 +4,8 @@
 //! touches the object: a ring of points that presses with V less the pull on the object. A [`SuctionCup`](crate::grasp::SuctionCup) consists of this
 //! force and this ring. In scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
 //!
-//! The vacuum is not a load of the question: the load in an answer is the weight and whatever else was asked. Unlike the force of a finger, the
-//! vacuum needs no support on the other side of the object, because it pulls on cup and object alike.
+//! The vacuum is not a load of the question: the load in an answer is the weight and any other load that the question states. Unlike the force of a
+//! finger, the vacuum needs no support on the other side of the object, because it pulls on cup and object alike.
 //!
 //! | load | load at which the first point of the lip slides or opens | how |
 //! |---|---|---|
@@ -18,7 +18,7 @@
 //! may last until the lip is open all around. When the lip is open all around, [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go,
 //! and a load path ends. If an equilibrium is computed under a larger load, its [`open_cups`](crate::equilibrium::Equilibrium::open_cups) list the
 //! cup: the vacuum is gone, and this equilibrium does not hold. [`SuctionCup`](crate::grasp::SuctionCup) lists the behaviour in other questions. A
-//! load of several kinds at once has no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for it.
+//! load that combines hang, shear, peel or spin has no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for it.
 //! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze returns the required vacuum.
 //!
 //! ```

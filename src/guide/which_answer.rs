@@ -1,4 +1,4 @@
-//! Trust in answers: which numbers to use, and when.
+//! How far answers can be trusted: which numbers of an answer to use, and when.
 //!
 //! # Three outcomes
 //!
@@ -15,31 +15,35 @@
 //!
 //! # The quality of an equilibrium
 //!
-//! * [`residuals`](crate::equilibrium::Equilibrium::residuals): violations of equilibrium, springs, cones and gaps, recomputed from contacts,
-//!   commands and load; about 1e-16. They show that the answer solves the question, not that the question is known accurately.
-//! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance to the exact solution for these states, N and m. In comparisons with exact
-//!   arithmetic the true distance is at most ten times the estimate. The condition is the relative change of the forces divided by the relative
-//!   change of the data. If a sensor is known to 1 % and the condition is 50, no digit of a force is reliable, however small the residual.
-//! * [`distinct`](crate::ask::Grasp::distinct): whether the state of a contact is distinct from the neighbouring states. Exactly at the onset of
-//!   sliding, sticking and sliding have the same forces. The state then depends on rounding, and the flag says so.
-//! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. If friction is known to 10 %, a contact with a margin below 10 %
-//!   of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
-//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are determined; the twist is one of
-//!   many possible twists.
+//! * [`residuals`](crate::equilibrium::Equilibrium::residuals): how far the answer violates force balance and the laws of springs, friction cones and
+//!   gaps, recomputed from contacts, commands and load; about 1e-16. They show that the answer solves the question, not that the numbers of the
+//!   question are accurate.
+//! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance of forces (N) and displacements (m) to the exact solution for the contact
+//!   states of the answer. In comparisons with exact arithmetic the true distance is at most ten times the estimate. The condition is the relative
+//!   change of the forces divided by the relative change of the numbers of the question. If a sensor is known to 1 % and the condition is 50, no
+//!   digit of a force is reliable, however small the residual.
+//! * [`distinct`](crate::ask::Grasp::distinct): whether rounding errors are too small to change the state of a contact. Exactly at the onset of
+//!   sliding, a sticking and a sliding contact have the same forces. The state then depends on rounding, and `distinct` says so.
+//! * [`margin`](crate::equilibrium::ContactAnswer::margin): the distance of a contact force from the edge of its friction cone, `μ F_n - |F_t|`, N.
+//!   If friction is known to 10 %, a contact with a margin below 10 % of `μ F_n` may slide.
+//!   [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) computes the load at first slip for samples of friction, stiffness and squeeze
+//!   (clamping force).
+//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions of the object that nothing resists. The forces are determined; the
+//!   twist is one of many possible twists.
 //! * [`rule`](crate::equilibrium::Equilibrium::rule): the method that found the equilibrium. With any other rule than
-//!   [`EverythingSticks`](crate::equilibrium::FoundBy::EverythingSticks) it may be one of several: see
+//!   [`EverythingSticks`](crate::equilibrium::FoundBy::EverythingSticks) the equilibrium may be one of several: see
 //!   [`several_equilibria`](super::several_equilibria).
 //!
 //! # Questions and methods
 //!
 //! | question | method | why no other method |
 //! |---|---|---|
-//! | Does it hold this load without sliding? | [`Grasp::onset`](crate::ask::Grasp::onset): a factor above 1 | `solve` also finds equilibria with sliding |
-//! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | the onset is often not the limit: other contacts take over |
-//! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
-//! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the rest of the answer |
+//! | Does it hold this load without sliding? | [`Grasp::onset`](crate::ask::Grasp::onset): the load factor at first slip is above 1 | `solve` also finds equilibria with sliding |
+//! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | after the first slip other contacts often take over the load, and the grasp still holds |
+//! | Where does the object come to rest after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
+//! | Which of a million grasps? | [`screening`](crate::screening) | the same load or angle at first slip, or the same least squeeze, without the rest of the answer |
 //! | How do the onsets of a million grasps change with all their data? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they hold on one side only |
-//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | margin, first slip and extra squeeze, without an allocation |
+//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | distance to the friction limit (N), load at first slip and extra squeeze, without an allocation |
 //! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond the load factor of this answer, the quadratic program returns forces that do not balance the load |
 //!
 //! ```

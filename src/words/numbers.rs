@@ -16,13 +16,13 @@ const DEFAULT_DIGITS: usize = 6;
 /// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
-/// Factor of the unit of lengths, i.e. of its index in [`UNITS`], in a formatter's precision.
+/// Factor by which the index in [`UNITS`] of the unit of lengths is multiplied in a formatter's precision, which also holds the number of digits.
 const PER_UNIT: usize = 1 << 12;
 
 /// The units of lengths, in the order of their index in a formatter's precision.
 const UNITS: [Unit; 4] = [Unit::Metre, Unit::Centimetre, Unit::Millimetre, Unit::Inch];
 
-/// Format of numbers: significant digits, without trailing zeros, and without a minus sign before zero; and the unit of lengths.
+/// Format of numbers: the number of significant digits and the unit of lengths. Trailing zeros, and a minus sign before zero, are not written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[must_use]
 pub struct Words {
@@ -119,7 +119,7 @@ impl Words {
         format!("({})", mapped(components, &clean).join(", "))
     }
 
-    /// The number, or zero if it is so small beside `largest` that it is due to rounding.
+    /// The number `x`; zero if `x` is so small in comparison with `largest` that it is due to rounding.
     #[must_use]
     pub fn beside(self, x: f64, largest: f64) -> f64 {
         // Components below this fraction of the largest are taken for rounding errors. With more than six digits the limit is stricter.
@@ -134,7 +134,7 @@ impl Words {
         if in_mm { self.in_unit(Unit::Millimetre).reach(metres) } else { self.reach(metres) }
     }
 
-    /// A length in the unit of lengths, without a change to mm for short lengths: "0.05 m".
+    /// A length in the unit of lengths, for example "0.05 m". Unlike [`Self::length`], it is not written in mm if it is short.
     pub(crate) fn reach(self, metres: f64) -> String {
         format!("{} {}", self.number(self.unit.of_metres(metres)), self.unit)
     }

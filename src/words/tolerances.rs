@@ -1,6 +1,7 @@
 //! Limits of sentences: the relative difference up to which numbers count as equal, and the length of lists.
 
-/// Relative difference up to which a sentence treats two forces, amounts or lengths as equal. Six digits do not show it.
+/// Relative difference up to which a sentence treats two forces, lengths or values of a sought quantity as equal. Six digits do not show such a
+/// difference.
 ///
 /// If this limit is smaller, a sentence prints two numbers with the same digits. If it is larger, a sentence hides a difference that its digits would
 /// show.

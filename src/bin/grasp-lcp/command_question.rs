@@ -251,14 +251,14 @@ impl OptionVectors {
         Ok(Some(Question::Improve(Box::new(question))))
     }
 
-    /// The wrench of a force that acts at a point; `option` is the option that an error names. Without a point the force is through the origin, and
-    /// its point of action on this line counts as not known.
+    /// The wrench of a force that acts at a point; `option` is the option that an error names. Without a point the force acts along a line through
+    /// the origin, and the point on this line at which it acts counts as not known.
     pub(crate) fn push(self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         let force = force.along_axes(self.axes, option)?;
         Ok(if at.is_some() { Wrench::force_at(force, self.point(at)?) } else { Wrench::force(force) })
     }
 
-    /// The constant load; zero if left out.
+    /// The constant load of the option `--base`: a force, N, that acts at the point `at`, as a wrench about the origin. Zero without this option.
     pub(crate) fn base(self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
     }
@@ -279,7 +279,8 @@ impl OptionVectors {
         Ok(Some(Question::Follow { start, legs, in_steps: None }))
     }
 
-    /// A weight, N, that acts at a point while the grasp is tilted: in the plane from x to y, in space about an axis.
+    /// The turning load of a tilted grasp: `weight`, N, acts at the point `at`. In the plane the grasp is tilted from x to y, unless `axis` is
+    /// 0,0,-1; in space about `axis`.
     pub(crate) fn turn(
         self,
         weight: [f64; 3],

@@ -102,7 +102,7 @@ impl Report<'_> {
             closed.peek().is_some() && closed.all(slides)
         });
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
-        // A patch that carries less than this force (N) opens instead of sliding.
+        // The patch of a soft fingertip that carries less than this force (N) opens instead of sliding.
         let weightless = 1e-9 * state.largest_force();
         let does = |pad: &PadAnswer<3>| {
             let presses = size(&pad.wrench.components()[..3]) > weightless;

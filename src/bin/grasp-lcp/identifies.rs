@@ -41,7 +41,7 @@ pub(crate) struct Identifies {
     pub(crate) unit: Unit,
 }
 
-/// One unknown: its kind, and the names of the contacts for which it is sought; all contacts if the list is empty.
+/// One unknown to be estimated: its kind, such as friction, and the names of the contacts for which it is sought; all contacts if the list is empty.
 #[derive(Debug, Clone)]
 pub(crate) struct UnknownGiven {
     kind: UnknownKind,

@@ -19,12 +19,12 @@ pub(crate) struct OptionVectors {
 }
 
 impl OptionVectors {
-    /// The options of a scene with this number of axes, with gravity down along the last axis.
+    /// The conversion of options for a scene with this number of axes, with gravity down along the last axis.
     pub(crate) fn in_space(axes: usize) -> Self {
         Self { axes, gravity: std::array::from_fn(|a| if a + 1 == axes { -9.81 } else { 0.0 }) }
     }
 
-    /// The options of a scene, whose gravity, if it has one, also pulls at the masses of the command line.
+    /// The conversion of options for a scene. If the scene has a gravity, it also pulls at the masses of the command line.
     pub(crate) fn of(setup: &Setup<3>) -> Self {
         let own = Self::in_space(setup.axes());
         Self { gravity: setup.gravity.map_or(own.gravity, Into::into), ..own }
@@ -44,7 +44,7 @@ impl OptionVectors {
         ArmMotion::still().gravity(self.gravity)
     }
 
-    /// The weight of a mass.
+    /// The weight of a mass (kg) as a force, N.
     pub(crate) fn weight_of(self, mass: f64) -> Result<[f64; 3], Failure> {
         Ok(Payload::new(mass, [0.0; 3]).load(&self.still())?.resultant())
     }

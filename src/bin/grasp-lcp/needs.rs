@@ -147,7 +147,7 @@ fn to_and_fro(need_arguments: &NeedArguments) -> Option<&Numbers> {
     need_arguments.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }
 
-/// Refuses options that have no meaning for this quantity.
+/// Refuses options that have no meaning for the sought quantity, such as an axis if friction is sought.
 fn refuse_others(need_arguments: &NeedArguments, sought: SoughtQuantity) -> Result<(), Failure> {
     let of_its_own = [
         (need_arguments.along.is_some(), SoughtQuantity::Arm, "--along", "an arm"),

@@ -85,7 +85,7 @@ pub(crate) fn newtons(text: &str) -> Result<f64, String> {
     within(text, 0.0..=LARGEST_NUMBER, "a number of N, from 0 on, such as 4.9")
 }
 
-/// Parses a fraction, in percent.
+/// Parses a standard deviation or a reduction, in percent.
 pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
 }
@@ -95,7 +95,7 @@ pub(crate) fn times(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=1e6, "how many times, above 0, at most 1e6, such as 2")
 }
 
-/// Parses a number of standard deviations in reserve.
+/// Parses the number of standard deviations by which uncertain data may deviate before a contact slides under the force of a map.
 pub(crate) fn deviations(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=8.0, "a number of standard deviations, above 0, at most 8")
 }

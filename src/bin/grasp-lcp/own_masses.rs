@@ -8,13 +8,14 @@ use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 use grasp_lcp::scene::Setup;
 
-/// The weight of all bodies, N, and their centre of mass, m, for a turn.
+/// The total weight of all bodies, N, and their common centre of mass, m, for a question in which the grasp is tilted.
 pub(crate) struct TurnedWeight {
     pub(crate) weight: [f64; 3],
     pub(crate) at: Numbers,
 }
 
-/// If the scene's gravity acts on bodies with masses, removes it and returns their total weight, which the caller turns as a load. `None` otherwise.
+/// If the scene's gravity acts on bodies with masses, removes the gravity and returns the total weight of the bodies, which the caller turns as a
+/// load. `None` otherwise.
 pub(crate) fn tilted(setup: &mut Setup<3>) -> Option<TurnedWeight> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;

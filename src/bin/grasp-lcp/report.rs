@@ -29,12 +29,12 @@ pub(crate) fn print(
     Report { out, style, sentence }.details(question, answer)
 }
 
-/// Loads with the names of the bodies on which they act.
+/// Each load with the name of the body on which the load acts.
 fn named(loads: &BTreeMap<String, Wrench<3>>) -> impl Iterator<Item = (&str, &Wrench<3>)> {
     loads.iter().map(|(body, load)| (body.as_str(), load))
 }
 
-/// The output, and the form of the answers.
+/// Prints answers to `out` in one form: number of digits and unit of lengths.
 pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
     pub(crate) style: Style,
@@ -68,7 +68,7 @@ impl Report<'_> {
         table(self.out, self.style, state, &self.sentence)
     }
 
-    /// Prints the new place of each contact that may move.
+    /// For the answer to `improve`, prints the new place of each contact that may move along a surface.
     fn improved(&mut self, improved: &Improved<3>) -> io::Result<()> {
         let words = self.style.words;
         let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
@@ -149,7 +149,7 @@ impl Report<'_> {
         state.map_or(Ok(()), |state| self.table(state))
     }
 
-    /// Prints the load factor or angle of an onset, the contacts that stop sticking, and the equilibrium at the onset.
+    /// Prints the load factor or angle at first slip, the contacts that stop sticking there, and the equilibrium at first slip.
     fn onset<At>(
         &mut self,
         onset: &OnsetAnswer<3, At>,
@@ -186,7 +186,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Prints the contacts, joints and tendons that change their state at an onset, and the directions in which contacts slide.
+    /// Prints the contacts, joints and tendons that change their state at first slip, and the directions in which contacts then slide.
     fn leaving<At>(&mut self, event: &OnsetAt<3, At>) -> io::Result<()> {
         let digits = self.style.precision();
         if self.style.points {

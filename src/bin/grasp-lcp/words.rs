@@ -5,7 +5,7 @@ use grasp_lcp::words::Words;
 /// The text for answers of a kind that this program does not know, since a later version of the library may add kinds.
 pub(crate) const NO_WORDS: &str = "an answer for which this program has no words yet; --json prints it";
 
-/// The form of answers.
+/// The form of answers: digits and unit of lengths, and how vectors and soft fingertips are printed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
     pub(crate) words: Words,

@@ -65,7 +65,7 @@ impl EqualScales {
         for (axis, size) in [(0, wide), (1, high)] {
             let [low, up] = [-0.5, 0.5].each(|side| (self.middle[axis] + side * size / self.scale) / step);
             let first = whole_above(low);
-            // The limit of twenty numbers guards against rounding of the bounds.
+            // An axis never has more than twenty numbers, even if its ends are affected by rounding errors.
             let numbers = (0..20).map(|k| first + f64::from(k)).take_while(|k| *k <= whole_below(up));
             for number in numbers.map(|k| k * step) {
                 let (x, y) = self

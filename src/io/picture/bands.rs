@@ -77,7 +77,8 @@ impl Bands {
         self.levels.len() - 1
     }
 
-    /// The number that is interpolated linearly between directions: the value itself, or its logarithm if levels are spaced in ratios.
+    /// The number that is interpolated linearly between directions of the map: `value` itself, or the logarithm of `value` if levels are spaced in
+    /// ratios.
     pub(super) fn measure(&self, value: f64) -> f64 {
         if self.step.is_some() { value } else { value.ln() }
     }

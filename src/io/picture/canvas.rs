@@ -51,7 +51,7 @@ fn numbers(start: f64, end: f64, logarithmic: bool) -> Vec<(f64, String)> {
     let step = if logarithmic { step.ceil().max(1.0) } else { round_up(step) };
     let (first, last) = (whole_above(start / step), whole_below(end / step));
     let mut all = Vec::new();
-    // The limit of twenty numbers guards against rounding of the bounds.
+    // An axis never has more than twenty numbers, even if its ends are affected by rounding errors.
     for k in (0..20).map(|k| first + f64::from(k)) {
         if k <= last {
             let number = k * step;

@@ -27,7 +27,7 @@ pub(super) fn draw_series(paper: &mut Sheet, canvas: &Canvas, series: &ChartSeri
     }
 }
 
-/// Draws the points of one unbroken piece of a series, and the line through them.
+/// Draws consecutive finite points of a series, and the line through these points.
 fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
     match stroke {
         Stroke::Line | Stroke::Marked | Stroke::Directed => paper.line(places, color, 2.0),

@@ -9,7 +9,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 /// Largest slope of a drawn cone, whose edges then deviate from the tangent plane by less than a pixel. An infinite slope could not be drawn.
 pub(super) const STEEPEST_CONE: f64 = 1e3;
 
-/// The slope of the cone of a contact in pictures.
+/// The slope of the friction cone of a contact in pictures: the coefficient of friction, limited to [`STEEPEST_CONE`].
 pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.friction_coefficient().min(STEEPEST_CONE)
 }

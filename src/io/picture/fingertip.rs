@@ -60,7 +60,7 @@ impl ContactPoints {
     pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant {
         let answers = &state.contacts[self.range.clone()];
         let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
-        // For a single point the share is exactly one, without rounding.
+        // The share of a point in the normal force of the fingertip. For a single point it is exactly one, without rounding.
         let share = |answer: &ContactAnswer<3>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
             true if self.label.link.is_none() => answer.normal_force().max(0.0) / pressed,

@@ -7,8 +7,8 @@ use nalgebra::SVector;
 /// A contact that carries a force: its point, m, its unit normal, and its normal force, N.
 pub(super) type PushedContact = (SVector<f64, 3>, SVector<f64, 3>, f64);
 
-/// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). The scale is as large as the picture allows. No arrow of a
-/// force reaches the opposite side of the object, unless the object is thin.
+/// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). With this scale the arrow of the largest force is long
+/// enough to be visible. No arrow reaches the opposite side of the object, unless the object is thin.
 pub(super) fn metres_per_newton(pushes: &[PushedContact], size: f64, largest: f64) -> f64 {
     let inwards = |(at, normal, force): &PushedContact| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);

@@ -24,7 +24,7 @@ pub(super) struct DrawnProgram<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// The position on the horizontal axis, from the index of a leg and the fraction of it.
+    /// The position on the horizontal axis of a point of the load path, from the index of a leg and the fraction of this leg.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
@@ -58,13 +58,13 @@ impl<const C: usize> DrawnProgram<'_, C> {
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// The end of the path: the index of its last leg, and the fraction up to which this leg was followed.
+    /// The end of the load path: the index of the last leg, and the fraction up to which this leg was followed.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
-    /// Equilibria along the path, each with its position on the horizontal axis.
+    /// Equilibria along the load path, for the curves of the chart, each with its position on the horizontal axis.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
         let on_leg = |leg: usize| {
@@ -79,7 +79,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
             fractions.into_iter().map(move |fraction| (leg, fraction))
         };
         let on_the_way = (0..=last).flat_map(on_leg);
-        // A jump at an event adds the state after the jump at the same position.
+        // A jump at an event, i.e. a sudden change of equilibrium at constant load, adds the equilibrium after the jump at the same position.
         let after = |leg: usize, part: f64| {
             let here = events.iter().find(|event| (event.leg, event.fraction) == (leg, part))?;
             Some(here.jump.as_ref()?.state.clone())
@@ -200,7 +200,7 @@ fn shared<const C: usize>(
 /// Whether two curves coincide on paper. If so, the caller draws the second curve dashed, which keeps both visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
-        // A difference of at most 4e-3 is invisible.
+        // A difference of two fractions of friction of at most 4e-3 is invisible on paper.
         (false, false) => (p.1 - q.1).abs() <= 4e-3,
         (none, neither) => none == neither,
     };

@@ -61,7 +61,7 @@ impl Labels {
     }
 
     /// The best place of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins a
-    /// name to a point that is not near. `None` if the paper is full.
+    /// name to a point that is not near. `None` if no free place is left on the paper.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;
@@ -104,7 +104,7 @@ impl Labels {
         let mut plates = Vec::new();
         for away in [8.0, 14.0, 22.0, 32.0] {
             for (x, y) in sides {
-                // At a corner the distance is split between both directions.
+                // A name that lies diagonally from its point is displaced by 0.6 of the distance in each of the two directions.
                 let away = if x * y == 0.0 { away } else { 0.6 * away };
                 let middle = (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away));
                 plates.push((self.inside(middle, (wide, high)), (wide, high)));

@@ -16,7 +16,7 @@ const ARROW_HEAD: (f64, f64) = (4.5, 1.6);
 /// Pixels to the right and downwards, and depth towards the eye in pixels.
 pub(super) type EyePoint = Vector3<f64>;
 
-/// One stroke of a painting.
+/// The shape of one stroke of a painting: a line, an area or a dot.
 enum Shape {
     Line { places: Vec<Place>, ink: Rgb, width: f64 },
     Dashes { ends: [Place; 2], ink: Rgb, width: f64 },

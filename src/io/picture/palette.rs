@@ -56,7 +56,7 @@ pub(super) const PINK: Rgb = PALETTE[3];
 pub(super) const SKY: Rgb = Rgb(58, 143, 200);
 /// Colour of slips.
 pub(super) const BROWN: Rgb = Rgb(122, 54, 0);
-/// Colour of fixtures, i.e. of lines at rest.
+/// Colour of fixtures, i.e. of lines on things that do not move.
 pub(super) const FIXTURE: Rgb = Rgb(204, 204, 204);
 /// Colour of the faces of a solid object.
 pub(super) const FACE: Rgb = Rgb(238, 239, 241);

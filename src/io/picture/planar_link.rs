@@ -12,7 +12,7 @@ use crate::words::LinkKind;
 /// A link with the places of its ends.
 pub(super) struct PlanarLink {
     kind: LinkKind,
-    /// Both ends, m; for a hinge they coincide.
+    /// Both ends of the link, m; for a hinge the two ends coincide.
     pub(super) ends: [Vector2<f64>; 2],
 }
 

@@ -81,12 +81,12 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws the forces of an equilibrium and its load.
+    /// Draws the contact forces and the load of an equilibrium.
     pub fn state<const C: usize>(self, state: &'a Equilibrium<C>) -> Self {
         self.maybe_state(Some(state))
     }
 
-    /// Draws the forces of an equilibrium and its load, if there is one.
+    /// Draws the contact forces and the load of an equilibrium; draws neither if `state` is `None`.
     pub fn maybe_state<const C: usize>(mut self, state: Option<&'a Equilibrium<C>>) -> Self {
         self.state = state.map(inside);
         self

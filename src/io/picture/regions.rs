@@ -24,7 +24,8 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         }
     }
     edges.sort_unstable();
-    // Each edge that is traversed more often in one direction than in the other, in this direction.
+    // The edges that polygons traverse more often in one direction than in the other, each in the more frequent direction. These edges surround the
+    // region.
     let mut onward: Vec<(Pixel, Pixel, i32)> = Vec::new();
     for same in edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let (a, b, _) = same[0];

@@ -2,12 +2,12 @@
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The largest whole number not above x; if x is just below a whole number, that whole number.
+/// The largest whole number not above x. If x is below a whole number by a rounding error only, this whole number.
 pub(super) fn whole_below(x: f64) -> f64 {
     (x + NEGLIGIBLE).floor()
 }
 
-/// The least whole number not below x; if x is just above a whole number, that whole number.
+/// The least whole number not below x. If x is above a whole number by a rounding error only, this whole number.
 pub(super) fn whole_above(x: f64) -> f64 {
     (x - NEGLIGIBLE).ceil()
 }

@@ -58,7 +58,7 @@ pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> Strin
 }
 
 impl Sheet {
-    /// Writing into a string cannot fail.
+    /// Appends one SVG element as a line of text. Writing into a string cannot fail.
     fn put(&mut self, element: fmt::Arguments) {
         let _ = writeln!(self.svg, "{element}");
     }
@@ -75,7 +75,7 @@ impl Sheet {
 
     fn stroke(&mut self, places: &[Place], ink: Ink, width: f64, dashes: &str) {
         let points = points(places);
-        // A single place is no line.
+        // A line needs at least two places, which are separated by a space in `points`.
         if points.contains(' ') {
             let (ink, width) = (paint("stroke", ink), fine(width));
             self.put(format_args!(

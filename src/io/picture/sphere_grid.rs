@@ -44,7 +44,7 @@ impl SphereGrid {
         2 + (2 * self.rings - 1) * self.around
     }
 
-    /// Index in [`Self::directions`] of the k-th direction of a ring.
+    /// Index in [`Self::directions`] of the direction with the index `k` on a ring.
     pub(super) fn index(&self, ring: usize, k: usize) -> usize {
         match ring {
             0 => 0,

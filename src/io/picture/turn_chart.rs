@@ -69,7 +69,8 @@ pub fn chart_of_load<const C: usize>(
         .chart(title)
 }
 
-/// A chart of `|F_t| / (μ F_n)` of each contact along a program of legs, leg by leg from the load `start`.
+/// A chart of `|F_t| / (μ F_n)` of each contact along a load program that begins with the load `start`. The horizontal axis counts the legs, i.e. the
+/// sections of the program.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_program;

@@ -20,7 +20,8 @@ pub(super) struct MovedOutlines {
 }
 
 impl MovedOutlines {
-    /// Moves the outlines, or without outlines the contact points, in a scene of size `size` (m); `None` if nothing moves.
+    /// Displaces the outlines along the motion by which the object is lost, or without outlines the contact points. `size` is the size of the grasp,
+    /// m. `None` if nothing moves.
     pub(super) fn new(
         motion: &Motion<3>,
         outlines: &[Vec<Vector2<f64>>],
@@ -50,7 +51,7 @@ impl MovedOutlines {
         Some(Self { from: moved(points, &|(point, _)| point), to, closed })
     }
 
-    /// The points that the picture must contain.
+    /// The points of the object after the motion, which the picture must contain.
     pub(super) fn points(&self) -> &[Vector2<f64>] {
         &self.to
     }

@@ -1,4 +1,4 @@
-//! Translates the questions of a scene for its grasp, and answers them.
+//! Translates the questions of a scene into calls of methods of the scene's [`Grasp`], and answers them.
 
 use super::answer::Answer;
 use super::labels::SceneNames;
@@ -126,8 +126,8 @@ impl Setup<3> {
         tried(&self.questions, &|question| self.answer_in(&grasp, question, words))
     }
 
-    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp): it remembers its state at rest
-    /// from one question to the next.
+    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp). From one question to the
+    /// next it keeps the factorised equations of the state in which all contacts stick.
     ///
     /// # Errors
     /// As for [`Self::answers`].

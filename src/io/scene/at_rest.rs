@@ -1,4 +1,5 @@
-//! Warnings about contacts and links that, in the equilibrium at rest, press or pull with no force or with another force than the scene states.
+//! Warnings about contacts and links that press or pull with no force, or with another force than the scene states, in the equilibrium at rest. At
+//! rest means without load, or under the base load of a question.
 
 use super::link::LinkSetup;
 use super::question::Question;
@@ -15,9 +16,10 @@ use crate::need::Quantity;
 use crate::numerics::summed;
 
 impl Setup<3> {
-    /// Whether the scene has a question in which nothing presses on any contact: no command, no load at rest, and no applied load. An applied load
-    /// presses if it pushes the object onto a contact, as a weight does, or if it jams the object. A `solve` with a load, a `need` of an arm and an
-    /// `identify` of forces at rest are skipped. Without questions the result depends on the commands alone; without contacts it is false.
+    /// Whether the scene has a question in which nothing presses on any contact: no command of a finger or joint, no load at rest (base load or load
+    /// at the start), and no applied load. An applied load presses if it pushes the object onto a contact, as a weight does, or if it jams the
+    /// object. A question `solve` with a load, a `need` of an arm and an `identify` of forces under the base load are skipped. Without questions the
+    /// function returns whether no command presses; without contacts it returns false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
         // A grasp that has links but no contacts needs no command that presses.
         if grasp.presses() || self.entries().next().is_none() {
@@ -26,8 +28,8 @@ impl Setup<3> {
         for question in &self.questions {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
             let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
-            // With `need` of an arm, the load acts at several arms. A load that presses on no contact at its given arm may jam the object at a longer
-            // arm.
+            // A question `need` for a lever arm tries the load at several arms. A load that presses on no contact at its given arm may jam the object
+            // at a longer arm.
             let is_arm = matches!(question, Question::Need(asked) if asked.quantity == Quantity::Arm);
             if is_solved || is_sought || is_arm || at_rest(question) != Wrench::ZERO {
                 continue;
@@ -44,7 +46,7 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact without any command that presses, as a weight presses it onto a table.
+    /// Whether a load presses an object onto a contact, even if no command presses, as a weight presses an object onto a table.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
@@ -139,7 +141,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }
 
-/// The load at rest of a question, to which its other loads are then added; zero for `solve`.
+/// The load at rest of a question, i.e. the base load or the load at the start, to which the question adds other loads; zero for `solve`.
 fn at_rest(question: &Question<3>) -> Wrench<3> {
     match question {
         Question::Hold { base, .. }

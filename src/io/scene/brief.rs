@@ -40,9 +40,9 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the amount of the sought quantity, for
-    /// `improve` the reserve if that is its goal, for `compare` and `shakedown` the multiple of the loads up to which the answer holds, for
-    /// `identify` the value of the first unknown.
+    /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the value of the sought quantity, such as a
+    /// factor on the clamping forces. For `improve` the least friction margin, N, if a large margin is the goal. For `compare` and `shakedown` the
+    /// multiple of the loads up to which the answer holds. For `identify` the value of the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle at first slip under a turning load, or the angle that `need` seeks, rad.
@@ -143,7 +143,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// Adds the contact with the least friction margin to a short answer.
+    /// Adds to a short answer the contact with the least friction margin `μ F_n - |F_t|`, N.
     fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
@@ -221,7 +221,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     Brief { factor, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// Short answer to `need`: the least or largest amount of the sought quantity.
+/// Short answer to `need`: the least or largest value of the sought quantity, such as squeeze, friction or load.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",

@@ -32,7 +32,7 @@ fn weigh(value: &mut Value, gravity: &Value) -> bool {
     }
 }
 
-/// The mass of all bodies together and its centre, in the unit of the scene's text.
+/// The total mass of all bodies, kg, and their common centre of mass, in the unit of lengths of the scene's text.
 struct AllBodies {
     mass: f64,
     centre: Vec<f64>,
@@ -43,7 +43,8 @@ struct AllBodies {
 }
 
 impl AllBodies {
-    /// The total mass and its centre; `None` unless the loads of questions act on all bodies, and the bodies have a mass.
+    /// The total mass of all bodies and their common centre of mass. `None` unless the loads of questions act on all bodies, and the bodies have a
+    /// mass.
     fn of(setup: &Map<String, Value>, axes: usize) -> Option<Self> {
         let bodies = setup.get("bodies")?.as_array()?;
         let share = setup.get("shared_by_mass").and_then(Value::as_bool).unwrap_or(false);

@@ -30,7 +30,7 @@ pub struct CompareAnswer<const C: usize> {
 }
 
 impl SceneNames<'_> {
-    /// The comparison under `base + load`, and the multiple of `load` up to which the equilibrium is the minimum of energy.
+    /// The answer to `compare`: equilibrium and minimum of energy under `base + load`, and the multiple of `load` up to which both agree.
     pub(super) fn compared(
         &self,
         base: &Wrench<3>,

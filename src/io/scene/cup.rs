@@ -45,7 +45,7 @@ impl Cup {
         Self { radius, points: twelve(), pressure: None, force: Some(force) }
     }
 
-    /// This cup as a part of the grasp.
+    /// This cup of a scene, converted to a [`SuctionCup`] of a grasp.
     ///
     /// # Errors
     /// [`Error::Fingertip`] for a number out of range, for a cup in the plane, and unless exactly one of pressure and force is given.

@@ -129,7 +129,7 @@ impl Fault {
         Self { kind: FaultKind::Scene, message, field: None, at: None }
     }
 
-    /// The fault of the library that a scene has caused, with the message of the failure.
+    /// The fault for a scene that made this library fail, with the message of the failure.
     pub(crate) fn internal(fault: &str) -> Self {
         let message =
             format!("internal: this scene made the library fail, which is a fault of the library ({fault})");

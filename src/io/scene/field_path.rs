@@ -37,9 +37,9 @@ pub(super) fn faulty_field(
     Some(path).filter(|path| !path.is_empty())
 }
 
-/// A list or an object that is still open.
+/// A JSON list or object whose closing bracket is not yet read.
 struct Open {
-    /// The length of the path of this list or object.
+    /// The length in bytes of the path of this list or object, such as `planar.contacts[1]`.
     path: usize,
     /// The number of the present element of a list; `None` for an object.
     element: Option<usize>,

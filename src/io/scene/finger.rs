@@ -95,7 +95,7 @@ impl<const C: usize> FingerSetup<C> {
         self
     }
 
-    /// Refuses a finger without contacts, which would be ignored silently.
+    /// Returns an error for a finger without contacts, since such a finger would be ignored silently.
     fn checked(self) -> Result<Self, String> {
         if self.contacts.is_empty() {
             return Err("contacts: none given, must be at least one a finger".to_owned());
@@ -105,8 +105,8 @@ impl<const C: usize> FingerSetup<C> {
 }
 
 impl FingerSetup<3> {
-    /// This finger for the hand of the grasp, each soft fingertip divided into its point contacts. `first` is the index of its first contact in the
-    /// scene.
+    /// This finger as a part of the hand that holds the object, each soft fingertip divided into its point contacts. `first` is the index in the
+    /// scene of the finger's first contact.
     pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<3>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());
@@ -137,8 +137,8 @@ impl FingerSetup<3> {
     }
 }
 
-/// Jacobian of a point of a link, `v + ω × r` for each joint. Rows 0 to 2 of `twists` are the velocities v of the contact, rows 3 to 5 the
-/// angular velocities ω; `arm` is r, from the contact to the point.
+/// Jacobian of a point of a finger's link: the velocity `v + ω × r` of this point for unit velocity of each joint. Rows 0 to 2 of `twists` are the
+/// velocities v of the contact, rows 3 to 5 the angular velocities ω of the link. The vector r, m, from the contact to the point is `arm`.
 fn moved_at(twists: &DMatrix<f64>, arm: &SVector<f64, 3>) -> DMatrix<f64> {
     matrix_of(3, twists.ncols(), &|a, j| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);

@@ -90,7 +90,7 @@ impl<const C: usize> Fingertip<C> {
         /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
         pub fn along(mut self, surface: Surface<C>) { self.surface = Some(surface); }
 
-        /// This contact of a finger, on another link than the last or moved by a given Jacobian.
+        /// Sets the joints that move this contact of a finger, for a contact on another link than the last, or moved by a given Jacobian.
         pub fn moved_by(mut self, moved_by: MovedBy) { self.moved_by = moved_by; }
     }
 }
@@ -111,7 +111,8 @@ impl Fingertip<3> {
         patch.contacts_inside(&self.contact.clone().suction(suction))
     }
 
-    /// The patch, and the force of its vacuum, N; `None` for a point. Refuses a planar patch in space, and a spatial patch in the plane.
+    /// The patch of points over which the contact is spread, and the force of its vacuum, N; `None` for a point contact. Refuses a planar patch in
+    /// space, and a spatial patch in the plane.
     pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<3>, f64)>, Error> {
         let space = self.contact.space;
         if let Some(cup) = &self.cup {

@@ -110,7 +110,8 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let Some(held) = &answer.from_rest else { return sentence };
     let from_rest = format!("put on from rest: {:.digits$}", held.verdict);
     match &answer.outcome {
-        // As the load grows, equilibrium is lost: the load is not held. Whether another equilibrium exists under the whole load is undecided.
+        // Equilibrium is lost while the load grows from zero; the load is therefore not held. Whether another equilibrium exists under the whole load
+        // is undecided.
         Outcome::Undecided(doubt) if held.verdict.holds() == Some(false) => {
             format!("{from_rest}. Whether another equilibrium exists elsewhere is undecided: {doubt}")
         }
@@ -118,7 +119,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// Names the contacts that slide, or says that everything sticks.
+/// Names the contacts that slide in this equilibrium, or says that everything sticks.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     let (mut slide, mut in_part) = (Vec::new(), Vec::new());
     for contact in state.whole_contacts() {
@@ -168,7 +169,7 @@ fn first_slip<const C: usize, At>(
     }
 }
 
-/// The kind of an onset, and the changes of contact states and drives: "FIRST SLIP", "left and right slide".
+/// The kind of an onset in words, and the contacts and drives that change their state: "FIRST SLIP", "left and right slide".
 fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {

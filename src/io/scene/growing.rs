@@ -12,7 +12,7 @@ use crate::grasp::Wrench;
 /// Name of a question, its base load, its growing load, and the loads on other bodies that grow in proportion to the growing load.
 type GrowingLoads<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
-/// The loads of a question that grow in proportion to each other; `None` for a kind of question that has no such loads.
+/// The base load of a question, and the loads that grow in proportion to each other; `None` for a kind of question that has no such loads.
 fn growing(asked: &Question<3>) -> Option<GrowingLoads<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),

@@ -102,7 +102,7 @@ impl Setup<3> {
         Ok(questions)
     }
 
-    /// This setup, in which links without a given stiffness have a trial stiffness.
+    /// This setup, in which links without a given stiffness have the stiffnesses of the trial with the number `trial`.
     fn with_links(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
@@ -114,7 +114,7 @@ impl Setup<3> {
         setup
     }
 
-    /// This setup, in which contacts without a given stiffness have trial springs.
+    /// This setup, in which contacts without a given stiffness have the springs of the trial with the number `trial`.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().list();
@@ -134,7 +134,7 @@ impl Setup<3> {
         setup
     }
 
-    /// The numbers of an answer that are compared between trials with different stiffnesses.
+    /// The numbers of the answer to `question` that are compared between trials with different stiffnesses.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
@@ -183,12 +183,13 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// This grasp without limits on rotation and slip; all motions then count as small.
+/// A copy of this grasp without limits on rotation and slip; all motions then count as small.
 fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
-/// A number in [0, 1): fractional parts of multiples of the golden ratio fill the interval evenly, without repeating.
+/// A number in [0, 1) for each `number`, from which trial stiffnesses are chosen. Fractional parts of multiples of the golden ratio fill this
+/// interval evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

@@ -104,10 +104,11 @@ fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     }
 }
 
-/// The unit of lengths, and the kinds of joints. The command of a prismatic joint is a length, the command of a revolute joint an angle.
+/// Converts the lengths of a scene's text to m, with the unit of lengths and the kinds of joints. The command of a prismatic joint is a length, the
+/// command of a revolute joint an angle.
 struct Lengths {
     unit: Unit,
-    /// For each joint of all fingers, whether it is prismatic.
+    /// For each joint of all fingers, whether the joint is prismatic, i.e. has a length as its command.
     is_prismatic: Vec<bool>,
 }
 

@@ -35,7 +35,7 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// The load in the plane or in space; `None` if no mass is given.
+    /// The load of the carried body on the grasp, i.e. weight and inertia, in the plane or in space; `None` if no mass is given.
     pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
         let Some(mass) = self.mass else {
             let others = [

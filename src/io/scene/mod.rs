@@ -171,7 +171,7 @@
 //! | field | with | asks for |
 //! |---|---|---|
 //! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, at which load a contact first slips, and at which load equilibrium is lost |
-//! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`Need`](crate::need::Need) |
+//! | `need` | `quantity`, loads, `together_with` | the least squeeze or friction that the grasp needs, or the largest load, arm or angle that it holds, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under the load |
 //! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from a quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
@@ -186,11 +186,12 @@
 //! then be left out.
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for each contact of the scene (m, in its contact frame),
-//! which holds for all points of a soft fingertip. A leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or
-//! `joints_to`, `torques_by` or `torques_to`, or one of each, or a `turn` alone: the load then changes as the turn does, from its value at the start
-//! of the leg. All that a leg does not mention stays constant. With several bodies `body_loads_by` or `body_loads_to` have loads on bodies by name,
-//! which change independently of the load. `joint_change` and `joints_by` have one number for each joint and then each tendon. `torques_by` has one
-//! number for each joint: the change of its constant torque or force, N m or N. Slides of contacts with a `force` come last.
+//! which holds for all points of a soft fingertip. A leg, i.e. a section of a load program, has `load_by` or `load_to` (a wrench), `commands_by` or
+//! `commands_to` (rows), `joints_by` or `joints_to`, `torques_by` or `torques_to`, or one of each, or a `turn` alone: the load then changes as the
+//! turn does, from its value at the start of the leg. All that a leg does not mention stays constant. With several bodies `body_loads_by` or
+//! `body_loads_to` have loads on bodies by name, which change independently of the load. `joint_change` and `joints_by` have one number for each
+//! joint and then each tendon. `torques_by` has one number for each joint: the change of its constant torque or force, N m or N. Slides of contacts
+//! with a `force` come last.
 //!
 //! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
 //! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:

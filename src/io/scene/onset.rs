@@ -69,12 +69,12 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     pub at: At,
     /// The load at first slip.
     pub load: Wrench<C>,
-    /// The contacts that stop sticking at this load, all at once.
+    /// The contacts that stop sticking at this load, all at the same time.
     pub leaving: Vec<DepartingContact<C>>,
     /// The joints and tendons that change their state at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
-    /// The behaviour beyond first slip; rates are per unit of the load factor, or per radian.
+    /// The behaviour just beyond first slip. Rates of change of forces and motions are per unit of the load factor, or per radian of the turn.
     pub beyond: Beyond<C>,
     /// The equilibrium at first slip.
     pub state: Equilibrium<C>,

@@ -56,7 +56,8 @@ impl Setup<3> {
         body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
     }
 
-    /// This setup without gravity, for loads that contain the weight. Such loads act on every body in proportion to its mass.
+    /// This setup without gravity, for questions whose loads contain the weight of the bodies. In the returned setup loads act on every body in
+    /// proportion to the mass of the body.
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
@@ -87,7 +88,7 @@ impl Setup<3> {
         })
     }
 
-    /// The turning weight of all bodies; `None` if the turn has a load of its own, or if the bodies have no weight.
+    /// The turn with the weight of all bodies as its load. `None` if `turn` has a load of its own, or if the bodies have no weight.
     fn own_turn(&self, turn: &Turn<3>) -> Result<Option<Turn<3>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {

@@ -27,9 +27,9 @@ pub struct PathAnswer<const C: usize> {
     /// grasp, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
-    /// The energies of each leg that the path has reached; empty for a path in steps.
+    /// The energies of each leg (section) of the load program that the path has reached; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
-    /// Sum of the estimated errors of the steps along sliding arcs, each relative in the sense of
+    /// Sum of the estimated errors of the steps along pieces of the path on which slip directions turn, each relative in the sense of
     /// [`Settings::step_error`](crate::Settings::step_error); 0 if slip directions never turn. For a path in steps, see [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
@@ -41,7 +41,7 @@ pub struct PathAnswer<const C: usize> {
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum PathOutcome<const C: usize> {
-    /// All legs were followed to their end.
+    /// All legs (sections) of the load program were followed to their end.
     Completed {
         /// The equilibrium at the end. It is left out if rounding errors are too large for it, or if no leg was given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -63,9 +63,9 @@ pub enum PathOutcome<const C: usize> {
         /// The outcome at the start: no equilibrium, or undecided.
         start: Box<Outcome<C>>,
     },
-    /// The path could not be followed further; up to this leg and fraction it is valid.
+    /// The path could not be followed further. The path is valid up to this leg and this fraction of the leg.
     Undecided {
-        /// The leg, counted from 0.
+        /// The leg of the load program up to which the path was followed, counted from 0.
         leg: usize,
         /// Fraction of the leg that was followed.
         #[serde(with = "AsComputed::<f64>")]
@@ -75,12 +75,13 @@ pub enum PathOutcome<const C: usize> {
     },
 }
 
-/// The energies of one leg, and the error of their balance.
+/// The energies of one leg of a load program, and the error of their balance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BalancedEnergy {
-    /// The energies, J. The field `turnover` is zero here, since `residual` is already divided by it.
+    /// The energies, J. The field `turnover`, the sum of the magnitudes of all contributions, is zero here, since `residual` is already divided by
+    /// this sum.
     #[serde(flatten)]
     pub energy: LegEnergy,
     /// The error of the energy balance, divided by the sum of the magnitudes of all contributions; zero in exact arithmetic.

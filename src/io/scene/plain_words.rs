@@ -115,7 +115,7 @@ fn alike<'a>(name: &str, allowed: &'a str) -> Option<&'a str> {
     (near.0 <= 1 + name.len() / 5).then_some(near.1)
 }
 
-/// The edit distance of two names: the number of letters to insert, remove or change.
+/// The edit distance of two names: the least number of letters to insert, remove or change that turns `a` into `b`.
 fn slips(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().list(), b.chars().list());
     let mut row: Vec<usize> = (0..=b.len()).list();

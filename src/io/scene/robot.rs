@@ -76,7 +76,7 @@ impl RobotSetup<3> {
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
     }
 
-    /// Returns the contacts on links that no joint moves, and fingers with all other contacts.
+    /// Reads the robot, and returns its contacts on links that no joint moves, and fingers with all other contacts.
     fn spread(self, folder: &Path) -> Result<(Vec<Fingertip<3>>, Vec<FingerSetup<3>>), Error> {
         let robot = self.read_from(folder)?;
         let (mut links, mut entries) = (Vec::new(), Vec::new());

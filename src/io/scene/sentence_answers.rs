@@ -19,12 +19,12 @@ use crate::words::Words;
 pub struct HoldAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict. In the text its fields are fields of this answer itself.
+    /// Whether and up to which load factor the grasp holds. In the text the fields of `verdict` are fields of this answer itself.
     #[serde(flatten)]
     pub verdict: Verdict<C>,
 }
 
-/// The amount of a quantity that the grasp needs; see [`Needed`].
+/// The least squeeze or friction that the grasp needs, or the largest load, arm or angle that it holds; see [`Needed`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -51,7 +51,7 @@ pub struct HoldAnswer<const C: usize> {
 pub struct NeedAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The needed amount. In the text its fields are fields of this answer itself.
+    /// The value of the sought quantity, such as a squeeze. In the text the fields of `needed` are fields of this answer itself.
     #[serde(flatten)]
     pub needed: Needed,
 }
@@ -100,7 +100,7 @@ impl NeedAnswer {
 pub struct ImproveAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The better finger places. In the text their fields are fields of this answer itself.
+    /// The better finger places. In the text the fields of `improved` are fields of this answer itself.
     #[serde(flatten)]
     pub improved: Improved<C>,
 }
@@ -140,7 +140,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates. In the text their fields are fields of this answer itself.
+    /// The estimates of the unknowns. In the text the fields of `identified` are fields of this answer itself.
     #[serde(flatten)]
     pub identified: Identified,
 }
@@ -176,7 +176,7 @@ impl IdentifyAnswer {
 pub struct ShakeAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// The verdict on the repeated load. In the text its fields are fields of this answer itself.
+    /// Whether slip ceases, alternates or accumulates as the load repeats. In the text the fields of `shaken` are fields of this answer itself.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
 }
@@ -210,7 +210,8 @@ pub struct ShakedownAnswer<const C: usize> {
     /// Whether slipping ceases under these loads. Left out if this depends on the order of the loads, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
-    /// The shakedown factor and the slips; left out if no factor could be computed.
+    /// The shakedown factor, i.e. the multiple of the loads beyond which the grasp never comes to rest, and the slips with which no contact slides at
+    /// this multiple. Left out if no factor could be computed.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub found: Option<Shakedown<C>>,
 }

@@ -109,7 +109,7 @@ impl Setup<3> {
         let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
-            // The load of an onset is its direction times the load factor; the size of the direction therefore has no meaning.
+            // The load of a question `onset` is its field `direction` times the load factor; the size of this vector therefore has no meaning.
             if !matches!(question, Question::Onset { .. }) {
                 for load in applied_loads(question) {
                     heaviest = heaviest.max(force(&load).norm());
@@ -149,8 +149,8 @@ impl Setup<3> {
         (centre, spread(&points))
     }
 
-    /// A warning if several contacts all press away from their common centre. With an outline or with bodies no warning is given, since outline and
-    /// bodies show whether contacts are in a hole.
+    /// A warning if several contacts all press away from their common centre. With an outline or with bodies no warning is given, since they show
+    /// whether the contacts are fingers in a hole.
     fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
@@ -195,7 +195,8 @@ impl Setup<3> {
     }
 }
 
-/// A warning about a load that acts farther away than 1 m and than a hundred times the size of the grasp, m.
+/// A warning about a load that acts at `distance`, m, from a grasp of the size `size`, m. `None` unless the distance exceeds both 1 m and a hundred
+/// times the size.
 pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     let what = "a load acts at a distance of".to_owned();
     let is_far = size > 0.0 && distance > 1.0 && distance > 100.0 * size;

@@ -5,7 +5,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::inside;
 
-/// Relative change of a number beyond which an answer depends on the stiffness.
+/// Relative change of a number of an answer beyond which the answer counts as dependent on the tangential stiffness.
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
@@ -23,7 +23,8 @@ impl<const C: usize> Setup<C> {
 impl Setup<3> {
     /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
-        // If all contacts change alike, they share a load as before; one contact that is stiffer than the others takes more of it.
+        // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
+        // others takes more of this load.
         let mut trials = vec![self.with_tangential(0.1, &|_| true)?, self.with_tangential(10.0, &|_| true)?];
         for contact in 0..self.entries().count() {
             trials.push(self.with_tangential(10.0, &|i| i == contact)?);
@@ -31,7 +32,7 @@ impl Setup<3> {
         self.questions_that_depend(&trials, &Grasp::clone, &|_| false, DEPENDS)
     }
 
-    /// This setup with the tangential stiffness of the contacts whose index `is_meant` selects multiplied by `times`.
+    /// This setup, in which the tangential stiffness of some contacts is multiplied by `times`. `is_meant` selects these contacts by their index.
     #[cfg_attr(
         not(feature = "mesh"),
         allow(clippy::unnecessary_wraps, reason = "a pad on a mesh can be faulty")

@@ -5,14 +5,15 @@
 /// With a smaller value, a scene with rounded forces gets a warning. With a larger value, a wrong `pressed_with` gets no warning.
 pub(super) const OTHERWISE_PRESSED: f64 = 0.02;
 
-/// Relative difference up to which two answers count as equal; a stiffness that the scene does not give then does not matter.
+/// Relative difference up to which two answers with different trial stiffnesses count as equal. A stiffness that the scene does not give has no
+/// effect if the answers are equal.
 ///
-/// With a smaller value, the integration error of sliding arcs counts as a difference. With a larger value, answers that depend on the stiffness get
-/// no warning.
+/// With a smaller value, the error of integrating load paths on which slip directions turn counts as a difference. With a larger value, answers that
+/// depend on the stiffness get no warning.
 pub(super) const SAME_ANSWER: f64 = 1e-6;
 
-/// Largest factor and divisor, in trials, of the default of a stiffness that the scene does not give; each direction of each contact has another
-/// factor.
+/// Trial values of a stiffness that the scene does not give lie between the default divided by this factor and the default times this factor. Each
+/// direction of each contact has its own trial value.
 ///
 /// With a smaller value, answers that depend on the stiffness hardly differ between the trials. With a larger value, trials have springs that nobody
 /// builds.

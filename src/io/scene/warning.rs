@@ -31,8 +31,8 @@ pub enum Warning {
     NothingPresses,
     /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact against the object.
     NoGravity,
-    /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of its spring before the object
-    /// moves.
+    /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of the contact's springs before
+    /// the object moves.
     PressesOtherwise {
         /// Index of the contact in the scene, from 0.
         contact: usize,

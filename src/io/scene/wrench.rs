@@ -1,7 +1,7 @@
 //! Wrenches and twists in the text of a scene: linear and angular part by name.
 //!
-//! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
-//! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
+//! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space. Parts that are left out are zero.
+//! `"at": [0.1, 0]` lets the force act at a point other than the origin; the moment of this force about the origin is added.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};

@@ -7,10 +7,12 @@ use grasp_lcp::scene::OnsetAnswer;
 use crate::failure::Failure;
 use grasp_lcp::scene::{Answer, Question, Setup};
 
-/// The end of a chart, as a multiple of the largest load factor of interest: 1 (the load itself), the factor at first slip, or the factor at loss.
+/// The right end of the load factor axis, as a multiple of the largest load factor of interest. Factors of interest are 1 (the load itself), the
+/// factor at first slip, and the factor at which equilibrium is lost.
 const CHART_END: f64 = 1.25;
 
-/// The chart of the friction that each contact uses along the load path of a question; `None` for a question without a load path.
+/// The chart of the fraction of its friction limit that each contact uses along the load path of a question. `None` for a question without a load
+/// path.
 pub(super) fn chart(
     setup: &Setup<3>,
     grasp: &Grasp<3>,
@@ -23,7 +25,7 @@ pub(super) fn chart(
             let (ramp, verdict) = (question.ramp()?, &answer.verdict);
             let first_slip = verdict.first_slip.as_ref().map(|first| first.factor);
             let marks = [first_slip, verdict.lost.as_ref().map(|lost| lost.factor)];
-            // A first slip or loss beyond five times the load does not extend the chart, since it would shrink the part of interest.
+            // A first slip or loss of equilibrium beyond five times the load does not extend the chart. The part of interest would become too small.
             let farthest = marks.into_iter().flatten().filter(|factor| *factor <= 5.0).fold(1.0, f64::max);
             let chart = chart_of_load(grasp, &ramp, CHART_END * farthest, title)?;
             let reaches = verdict.held_to >= 1.0;
@@ -47,8 +49,8 @@ pub(super) fn chart(
     })
 }
 
-/// Charts of a repeated load: slips cycle by cycle from rest, and the loops of friction against slip in the last cycle. No charts for any other
-/// question.
+/// Charts of a repeated load: slips of contacts in each cycle from the base load on, and the loops of friction force against slip in the last cycle.
+/// No charts for any other question.
 pub(super) fn cycles(
     setup: &Setup<3>,
     grasp: &Grasp<3>,

@@ -1,4 +1,4 @@
-//! The states of a grasp that a picture shows for an answer.
+//! The equilibria that pictures show for an answer; the grasp alone if the answer has no equilibrium.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
@@ -15,29 +15,30 @@ use crate::failure::Failure;
 use crate::words::NO_WORDS;
 use grasp_lcp::scene::{Answer, Question, Setup};
 
-/// One state of a grasp that a picture shows, with its label and its sentences.
+/// The content of one picture: an equilibrium or the grasp alone, with the label and the sentences that the picture shows.
 pub(super) struct ShownState {
     pub(super) label: String,
     pub(super) says: Vec<String>,
-    /// The grasp to draw, if it is not the grasp of the scene: the grasp with the needed amount of a quantity, or with improved finger places.
+    /// The grasp to draw, if it is not the grasp of the scene: a grasp with the needed squeeze, friction or other quantity, or with improved finger
+    /// places.
     pub(super) grasp: Option<Grasp<3>>,
     pub(super) what: PictureContent,
 }
 
 /// The content of a picture: an equilibrium, or the grasp alone.
 pub(super) enum PictureContent {
-    /// An equilibrium; if the object is lost at this state, also its motion.
+    /// An equilibrium; if the object is lost at this equilibrium, also the motion of the object.
     State { state: Box<Equilibrium<3>>, leaving: Option<Motion<3>> },
     /// The grasp without an equilibrium, and the load if it is known.
     Nothing { load: Option<Wrench<3>> },
 }
 
-/// The states that illustrate the answer to one question; for a load program one for each event and one for its end.
+/// The equilibria that illustrate the answer to one question. A load program has one for each event, such as a slip, and one for its end.
 pub(super) struct ShownAnswers(pub(super) Vec<ShownState>);
 
 impl ShownAnswers {
-    /// The states that are saved as pictures of their own: the index of each, and the end of its file name. For a load program this is the last
-    /// state, for other questions the first. Improved fingers also have a picture of the grasp before the improvement.
+    /// The equilibria that are saved as pictures of their own: the index of each, and the end of the picture's file name. For a load program this is
+    /// the last equilibrium, for other questions the first. Improved fingers also have a picture of the grasp before the improvement.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
         let begins = |shown: &ShownState, with| shown.label.starts_with(with);
         let key = self.0.first().map(|first| if begins(first, EVENT_LABEL) { self.0.len() - 1 } else { 0 });
@@ -46,12 +47,12 @@ impl ShownAnswers {
     }
 }
 
-/// The beginning of labels of events.
+/// The beginning of the label of an event along a load program, such as "leg 0 at 0.5: left slides"; a leg is a section of the program.
 const EVENT_LABEL: &str = "leg ";
-/// The label of a grasp before its improvement.
+/// The beginning of the label of a grasp before its finger places are improved.
 const BEFORE_LABEL: &str = "before";
 
-/// The states that illustrate an answer. The state that [`ShownAnswers::keys`] lists first is shown with the first line of the answer.
+/// The equilibria that illustrate an answer. The equilibrium that [`ShownAnswers::keys`] lists first is shown with the first line of the answer.
 pub(super) fn shown(
     setup: &Setup<3>,
     grasp: &Grasp<3>,
@@ -114,7 +115,7 @@ fn state(label: impl Into<String>, state: Equilibrium<3>, leaving: Option<Motion
     ShownState { label: label.into(), says: Vec::new(), grasp: None, what }
 }
 
-/// The equilibrium under a load, or the grasp and the load alone.
+/// The equilibrium under a load; if none was found, the grasp and the load alone.
 fn under(outcome: Outcome<3>, load: Wrench<3>) -> ShownState {
     match outcome {
         Outcome::Equilibrium(found) => state("under the load", *found, None),
@@ -139,8 +140,8 @@ fn shaken(shaken: Shaken<3>) -> ShownState {
     }
 }
 
-/// The grasp with the needed amount of the sought quantity, in its equilibrium under the most demanding load of the question. Without such an amount,
-/// the given grasp and the load alone.
+/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze, in equilibrium under the most demanding load of the
+/// question. If no value was found, the given grasp and the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),
@@ -154,8 +155,8 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownStat
     })
 }
 
-/// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the friction reserve is the goal, under the full
-/// load; without such a load it is shown at rest.
+/// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the largest margin to the friction limit is the goal,
+/// under the full load. Without such a load it is shown under the base load.
 fn improved(
     grasp: &Grasp<3>,
     asked: &Improve<3>,
@@ -183,8 +184,8 @@ fn improved(
     Ok(vec![ShownState { grasp: Some(other), ..after }, before])
 }
 
-/// The equilibrium under the load. If no such equilibrium was found, the states that the load reaches as it grows from rest: the equilibrium under
-/// the whole load, or at the loss of the object.
+/// The equilibrium under the load. If none was found, the load grows from zero along a load path. The equilibrium shown is then the one under the
+/// whole load, or the one at which the object is lost.
 fn solved(
     grasp: &Grasp<3>,
     load: &Wrench<3>,
@@ -206,7 +207,8 @@ fn solved(
     Ok(vec![shown])
 }
 
-/// The grasp at first slip. If nothing slides, the end of the load path along `leg`; if there is no path, the grasp alone under the load `start`.
+/// The equilibrium at first slip, or at the start if a contact slides there. If nothing slides, the equilibrium at the end of the load path along
+/// `leg`, a section of a load program. If the load path has no start, the grasp alone under the load `start`.
 fn first_slip<At>(
     grasp: &Grasp<3>,
     onset: OnsetAnswer<3, At>,
@@ -236,7 +238,8 @@ fn first_slip<At>(
         .map_or_else(|| nothing(&label, Some(*start)), |found| state(label.clone(), found, leaving)))
 }
 
-/// The equilibria at the events of a load program, then the equilibrium at its end. If the end has no equilibrium, the grasp alone.
+/// The equilibria at the events of a load program, then the equilibrium at its end. If the end has no equilibrium, the grasp alone under the load
+/// `start`.
 fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<ShownState> {
     let mut states: Vec<_> = path.events.into_iter().map(|event| changed(event, words)).collect();
     let (found, leaving, (leg, fraction), how) = match path.end {

@@ -9,7 +9,7 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
 
-/// The constant load in addition to the force: the base load of the scene's first question `onset`, or zero.
+/// The constant load that acts in addition to the force of the map: the base load of the scene's first question `onset`, or zero.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let asked = setup.questions.iter().find_map(|question| match question {
         Question::Onset { base, .. } => Some(*base),
@@ -18,7 +18,7 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     asked.unwrap_or(Wrench::ZERO)
 }
 
-/// First slip in one direction.
+/// The first slip under a force that grows in one direction of the map.
 pub(crate) struct FirstSlipForce {
     /// The force at first slip, or at which the grasp gives way, N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) factor: f64,
@@ -50,7 +50,7 @@ pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }
 
-/// The first slip along a ramp.
+/// The first slip while the load grows along a ramp, i.e. from a base load in a fixed direction.
 pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<FirstSlipForce, Error> {
     Ok(match grasp.onset(ramp)? {
         Onset::At(event) => {

@@ -1,4 +1,5 @@
-//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations that are kept in reserve.
+//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations by which they may deviate before a contact
+//! slides.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;
@@ -36,7 +37,8 @@ impl DataDeviations {
         Uncertainty::seeded(0).with_friction(friction).with_stiffness(stiffness).with_squeeze(squeeze)
     }
 
-    /// The number of standard deviations in reserve, and the standard deviations of the data, in words for tables and pictures.
+    /// For tables and pictures, in words: the standard deviations of friction, stiffness and squeeze, and the number of standard deviations by which
+    /// these data may deviate before a contact slides.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);
@@ -48,7 +50,8 @@ impl DataDeviations {
         ]
     }
 
-    /// The number of standard deviations in reserve, and the relative standard deviations of the data, in JSON.
+    /// In JSON: the relative standard deviations of friction, stiffness and squeeze, and the number of standard deviations by which these data may
+    /// deviate before a contact slides.
     pub(super) fn written(&self) -> serde_json::Value {
         let [friction, stiffness, squeeze] = self.parts();
         serde_json::json!({ "friction": friction, "stiffness": stiffness, "squeeze": squeeze, "sigmas": self.sigmas })

@@ -20,7 +20,7 @@ pub(crate) enum LimitEnd {
     GivesWay,
     /// The motions of the path cease to be small.
     TooFar,
-    /// The load is held up to the end of the path.
+    /// An equilibrium exists along the whole path, up to the largest force to which paths are followed.
     Held,
     /// Rounding errors stopped the path, or the path has no start.
     Unknown,
@@ -52,7 +52,7 @@ impl LimitEnd {
     }
 }
 
-/// The end of a load path: the force, and how the path ends.
+/// The end of a load path: the force that is reached, and the reason why the path ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LimitForce {
     /// The force at the end, N; infinite if the whole path is held, NaN if the end is not known.
@@ -99,7 +99,7 @@ pub(crate) fn last<const C: usize>(
 }
 
 impl LimitForce {
-    /// The force at the end as text, for a table of paths that were followed up to `most`, N.
+    /// The force at the end of the load path as text, N. Load paths are followed up to the force `most`, N.
     pub(crate) fn words(&self, most: f64) -> String {
         let number = |x: f64| Words::default().number(x);
         match self.end {
@@ -110,7 +110,7 @@ impl LimitForce {
     }
 }
 
-/// For each kind of end that occurs, its name and the number of paths that end in this way, as text.
+/// As text, the number of load paths for each way in which paths end, such as a limit load or a snap.
 pub(crate) fn count(lasts: &[LimitForce]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

@@ -16,9 +16,9 @@ use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// Number of directions in the picture; every 60th is in the table.
+/// Number of force directions in the picture; every 60th direction is in the table.
 const MAP_DIRECTIONS: u32 = 1440;
-/// The reserve is computed for every fourth direction.
+/// The force that allows for uncertain friction, stiffness and squeeze is computed in every fourth direction only, to save time.
 const RESERVE_EVERY: usize = 4;
 
 pub(crate) fn map(

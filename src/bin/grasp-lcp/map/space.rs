@@ -17,7 +17,7 @@ use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// Rings of the grid of load paths, and directions on each ring.
+/// The grid of force directions in which load paths are followed: number of rings from a pole to the equator, and number of directions on each ring.
 const PATH_GRID: (usize, usize) = (16, 42);
 /// Time limit of a sweep over load paths.
 const MOST_PATH_TIME: Duration = Duration::from_secs(120);
@@ -35,8 +35,8 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp([0.0, 0.0, -1.0]))?;
     let quick = ask::quick(&grasp);
 
-    // Load paths take a thousand times as long as onsets; their grid is therefore coarser. Onsets of grasps with many contacts have this coarse grid,
-    // too.
+    // A load path takes a thousand times as long as a first slip; the grid of load paths is therefore coarser. First slips of grasps with many
+    // contacts use this coarse grid, too.
     let (rings, around) = if grasp.len() > MOST_NAMED_POINTS { PATH_GRID } else { (45, 120) };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
@@ -113,7 +113,8 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // Enumerating contact states takes most of the time. The enumeration is used only in directions whose end is unknown without it.
+    // Enumerating combinations of contact states takes most of the time. It is used only in directions in which the end of the load path is unknown
+    // without it.
     Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
@@ -121,7 +122,7 @@ fn load_paths(
     })?)
 }
 
-/// Prints the force up to which load paths were followed, and the number of paths by kind of end.
+/// Prints the force up to which load paths were followed, and how many paths end in each way, such as at a limit load.
 fn print_paths(grasp: &Grasp, lasts: Option<&[LimitForce]>, (ways, most): (usize, f64)) {
     match lasts {
         Some(lasts) => println!(
@@ -146,7 +147,7 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    /// Draws the force at first slip.
+    /// Draws and saves the map of the force at first slip in every direction.
     fn of_onsets(
         &self,
         grid: SphereGrid,
@@ -161,7 +162,8 @@ impl Drawing<'_> {
         self.save("_map.svg", map, weak)
     }
 
-    /// Draws the force that keeps the given number of standard deviations in reserve.
+    /// Draws and saves the map of the force `held`, N, in every direction. Under this force uncertain data may deviate by the given number of
+    /// standard deviations before a contact slides.
     fn of_reserves(&self, grid: SphereGrid, held: Vec<f64>) -> Result<(), Failure> {
         let sigmas = self.data_deviations.sigmas;
         let title = format!("{}: onset of sliding with {sigmas}σ in reserve", self.title);
@@ -170,7 +172,7 @@ impl Drawing<'_> {
         self.save("_map_robust.svg", map, &self.data_deviations.words().join(" "))
     }
 
-    /// Draws the force at the end of load paths.
+    /// Draws and saves the map of the force at which the load path in each direction ends; paths were followed up to `most`, N.
     fn of_limits(&self, grid: SphereGrid, lasts: &[LimitForce], most: f64) -> Result<(), Failure> {
         let held = lasts.iter().map(|last| last.factor).collect();
         let title = format!("{}: what is held on the load path", self.title);

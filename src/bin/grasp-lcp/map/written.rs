@@ -13,9 +13,9 @@ pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) data_deviations: &'a DataDeviations,
     pub(super) onsets: Vec<([f64; C], &'a FirstSlipForce)>,
-    /// For each direction, the force, N, that keeps the given number of standard deviations in reserve.
+    /// For each direction, the force, N, under which uncertain data may deviate by the given number of standard deviations before a contact slides.
     pub(super) reserves: Vec<([f64; C], f64)>,
-    /// For each direction, the end of the load path.
+    /// For each direction, the force at the end of the load path, and how the path ends.
     pub(super) paths: Vec<([f64; C], &'a LimitForce)>,
     pub(super) most: f64,
     pub(super) weakest: Option<([f64; C], f64)>,

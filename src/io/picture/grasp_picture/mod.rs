@@ -152,7 +152,7 @@ impl<'a> Picture<'a> {
         for words in sentences {
             says.extend(lines(words, paper.letters));
         }
-        // Line heights of the title and of sentences.
+        // Line heights of the title and of the sentences below the title, pixels.
         let line_heights = (24.0, 20.0);
         let more = line_heights.0 * title.len().saturating_sub(1) as f64 + line_heights.1 * says.len() as f64;
         let window = Window { top: window.top + more, ..window };

@@ -104,13 +104,13 @@ impl Page {
         self
     }
 
-    /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
+    /// Adds a closed line on something that does not move, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).list());
         self
     }
 
-    /// Adds an equilibrium of the grasp; `label` is written on its button. The first answer is shown initially.
+    /// Adds an equilibrium of the grasp as an answer; `label` is written on the button that selects this answer. The first answer is shown initially.
     pub fn frame<const C: usize>(self, label: impl Into<String>, state: &Equilibrium<C>) -> Self {
         self.with(Frame::new(label.into(), Ok(state.to_inside())))
     }
@@ -143,13 +143,13 @@ impl Page {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
 
-    /// Sets the load of the last answer. It is drawn if the answer has no equilibrium.
+    /// Sets the load of the last answer. This load is drawn if the answer has no equilibrium.
     pub fn under<const C: usize>(self, load: Wrench<C>) -> Self {
         self.with_last(|frame| frame.load = Some(load.into_inside()))
     }
 
-    /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on its button. If no equilibrium exists, or none was found,
-    /// the page says so and draws no forces.
+    /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on the button that selects the answer. If no equilibrium
+    /// exists, or none was found, the page says so and draws no forces.
     pub fn outcome<const C: usize>(self, label: impl Into<String>, outcome: &Outcome<C>) -> Self {
         let shown = match outcome {
             Outcome::Equilibrium(state) => Ok(state.as_ref().to_inside()),
@@ -163,7 +163,7 @@ impl Page {
         self
     }
 
-    /// This page with the last answer changed, if there is one.
+    /// This page, in which `change` has changed the last answer, if the page has an answer.
     fn with_last(mut self, change: impl FnOnce(&mut Frame)) -> Self {
         if let Some(frame) = self.frames.last_mut() {
             change(frame);

@@ -1,4 +1,5 @@
-//! JSON data in the HTML of a page: marks of the grasp and of its answers, and the scales with which the JavaScript of the page draws them.
+//! JSON data in the HTML of a page: graphical marks of the grasp and of its answers, and the scales with which the page's JavaScript draws these
+//! marks.
 
 use super::drawing::Drawing;
 use super::eye::View;

@@ -68,7 +68,7 @@ pub(super) struct Eye {
     up: Vector3<f64>,
     /// Unit vector towards the eye.
     towards: Vector3<f64>,
-    /// The point in the middle of the window.
+    /// The point of space, m, that is drawn in the middle of the window.
     target: Vector3<f64>,
     window: Window,
     /// Pixels per metre.

@@ -37,7 +37,7 @@ impl MarkLayer {
     }
 }
 
-/// One mark of a picture.
+/// One graphical mark of a picture, such as a line, an arrow or a name.
 pub(super) struct Mark {
     pub(super) shape: MarkShape,
     /// The layer by which the mark is shown or hidden; a mark without a layer is always shown.

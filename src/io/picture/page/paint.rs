@@ -10,7 +10,7 @@ use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{BLACK, CONTOUR, FACE, Rgb};
 use nalgebra::Vector3;
 
-/// The painting of these marks, without names.
+/// The strokes of these marks, projected onto paper, without names.
 pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     let mut painting = Painting::default();
     let shade = shades(eye, marks);

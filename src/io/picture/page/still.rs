@@ -128,7 +128,7 @@ fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
         paper.line(&[(x, y), (x + end.x, y + end.y)], GREY, 1.5);
         // An axis along the line of sight is a point; its name is written opposite to the other axes.
         let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
-        // The distance of the letters from the ends of the axes.
+        // The distance of the letters x, y and z from the ends of the axes, pixels.
         let off = 11.0;
         let way = way.normalize() * off;
         let mut place = end + way;
