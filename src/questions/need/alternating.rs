@@ -6,8 +6,6 @@ use super::search::TrialFunctions;
 use super::threshold::{Threshold, WidthSchedule};
 use super::trial::Trial;
 use crate::error::Error;
-#[cfg(not(feature = "std"))]
-use crate::prelude::*;
 
 /// Number of amounts tried beyond the last one for which an equilibrium at rest is found without the enumeration.
 ///
