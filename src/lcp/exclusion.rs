@@ -35,7 +35,7 @@ struct ExclusionTest<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
-    /// The matrix M with rows and columns balanced; `q` is balanced likewise.
+    /// The matrix M with balanced rows and columns; the right-hand side `q` is balanced by the same factors.
     m: DMatrix<f64>,
     q: DVector<f64>,
 }

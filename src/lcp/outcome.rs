@@ -81,7 +81,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots replaced by `made`, the number on all paths. A solution is returned unchanged.
+    /// This outcome with the number of pivots replaced by `made`, the number of pivots on all paths. A solution is returned unchanged.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}

@@ -150,8 +150,8 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable. The error is the reason why no path starts at this
-    /// solution.
+    /// Prepares the dictionary of the solution at τ = 0, with the parameter τ as the entering variable. The error is the reason why no path starts at
+    /// this solution.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -183,7 +183,7 @@ impl<'a> Parametric<'a> {
         self.end.as_ref()
     }
 
-    /// Rates of z and τ per unit increase of the entering variable, in the caller's units: dz and dτ.
+    /// Rates of the unknowns z and of the parameter τ per unit increase of the entering variable, in the caller's units.
     fn rates(&self) -> (DVector<f64>, f64) {
         let path = &self.workspace.path;
         let mut rate = Vec::new();
@@ -196,7 +196,8 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece of the path up to the breakpoint at its end. The error is the reason why there is no further breakpoint.
+    /// Follows one piece of the path, on which the basis does not change, up to the breakpoint at the end of the piece. The error is the reason why
+    /// there is no further breakpoint.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);

@@ -9,8 +9,8 @@ use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
 impl LemkePath {
-    /// Drift of the basic values: the largest violation of w = q + M z + d z₀, relative to the terms of its row plus [`DRIFT_FLOOR`] times the
-    /// largest q_i.
+    /// Drift of the basic values, which rounding causes from pivot to pivot: the largest violation of w = q + M z + d z₀, relative to the terms of
+    /// its row plus [`DRIFT_FLOOR`] times the largest q_i.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -30,8 +30,8 @@ impl LemkePath {
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.x), d, scaling, m);
     }
 
-    /// One step of refinement of the entering column u, computed from its defect A_e + Σ A_v u_v over the basic variables v. A_v is the column of v
-    /// in q + M z + d z₀ − w.
+    /// One step of refinement of the entering column u, computed from the defect A_e + Σ A_v u_v, a sum over the basic variables v. A_v is the column
+    /// of the variable v in q + M z + d z₀ − w, and e is the entering variable.
     ///
     /// Returns the larger of two relative corrections: |Δu_r| / |u_r| in the given row, and max |Δu| / max |u|.
     pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
@@ -94,7 +94,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level` from the terms of that defect.
+    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes `level` from the terms of that
+    /// defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -154,7 +155,7 @@ impl LemkePath {
         violated
     }
 
-    /// Makes z₀ the parameter of q + z₀ d and loads its column. The vector d is given in the caller's units of rows.
+    /// Makes z₀ the parameter of the right-hand sides q + z₀ d and loads the column of z₀. The vector d is given in the caller's units of rows.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));

@@ -156,7 +156,8 @@ impl Rows<'_> {
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
     }
 
-    /// s_j for one column, the largest contribution of z_j to a row. Stops at the first contribution that reaches `enough`.
+    /// The largest contribution of an entry z_j to a row, s_j = max_i |M_ij| |z_j| / a_i. a_i is the magnitude of the terms of row i. The search
+    /// stops at the first contribution that reaches `enough`.
     fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
         let mut share = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {
@@ -178,7 +179,7 @@ impl Rows<'_> {
         share.unwrap_or(1.0)
     }
 
-    /// The pairs of factors whose products sum to w_i.
+    /// The pairs of factors whose products sum to w_i: M_ij and z_j for each j, then q_i and 1.
     fn products(&self, i: usize) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let &Self { m, q, z, .. } = self;
         z.iter().enumerate().map(move |(j, z)| (m[(i, j)], *z)).chain([(q[i], 1.0)])

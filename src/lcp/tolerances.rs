@@ -35,7 +35,8 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// again. With a larger limit, the path may leave the path of exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
-/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary from the data is measured.
+/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
+/// measured.
 ///
 /// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
 /// do not help. With a larger fraction, drift in rows of small terms is not noticed.

@@ -33,7 +33,7 @@ pub struct Workspace {
     pub(super) path: LemkePath,
     /// The point at the end of the last path.
     pub(super) point: LcpPoint,
-    /// Another candidate for `point`, which replaces it if its residuals are smaller.
+    /// A second candidate, which replaces `point` if it has the smaller residuals.
     pub(super) spare: LcpPoint,
     /// For each z, whether it is basic but zero up to rounding, at the end of the last path.
     pub(super) vanishing: Vec<bool>,

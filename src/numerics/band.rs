@@ -110,7 +110,7 @@ pub(crate) struct BandFactors {
     band: Band,
     /// For each row, the distance to the row below it that became its pivot row.
     pivots: Vec<usize>,
-    /// Columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
+    /// Indices of the columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
     pinned: Vec<usize>,
 }
 

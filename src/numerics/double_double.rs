@@ -37,7 +37,7 @@ impl DoubleDouble {
         self.add(product);
     }
 
-    /// Adds `(a + rest) b`, with the rounding error `rest` of a.
+    /// Adds `(a + rest) b`, where `rest` is the rounding error of a, to the sum.
     #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;

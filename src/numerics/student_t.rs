@@ -1,4 +1,4 @@
-//! Quantiles of Student's distribution. They give the error of a mean if the scatter is estimated from the same few numbers.
+//! Quantiles of Student's distribution. They give the confidence interval of a mean whose standard deviation is estimated from the same few numbers.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -37,7 +37,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // Chooses between two continued fractions; the chosen fraction converges faster.
+    // Of two continued fractions for the probability, the one that converges faster is used.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {

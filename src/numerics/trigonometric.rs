@@ -103,7 +103,7 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // With the roots at φ = 0 divided out, values near the start have no rounding error larger than themselves, so no value counts as zero.
+            // With the roots at φ = 0 divided out, values near φ = 0 have no rounding error larger than themselves. No value then counts as zero.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {
@@ -241,7 +241,7 @@ mod tests {
         let mut drawn = 0;
         let (mut falls, mut none) = (0, 0);
         for k in 0..6_000 {
-            // Numbers between -1 and 1.
+            // Pseudorandom numbers between -1 and 1.
             let mut number = || {
                 drawn += 1;
                 2.0 * generic(drawn) - 2.0

@@ -1,5 +1,5 @@
-//! The step along a straight line of contact forces at which a contact leaves its state. While a load grows and all contacts keep their states, the
-//! contact forces follow such a line.
+//! The step along a straight line of contact forces at which a contact leaves its state: sticking, sliding or open. While a load grows and all
+//! contacts keep their states, the contact forces follow such a line.
 
 use crate::numerics::Each;
 use crate::numerics::IntoList;
@@ -11,10 +11,10 @@ use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::prelude::*;
 
-/// An exit of a straight line of forces from the cone.
+/// An exit: the point at which a contact force on a straight line leaves the friction cone, or at which the gap closes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit {
-    /// Parameter of the line at the exit.
+    /// The parameter `step` of the line `force + step rate` at the exit.
     pub(crate) step: f64,
     /// Rounding error of `step`.
     pub(crate) uncertainty: f64,
@@ -42,7 +42,8 @@ impl Line {
     }
 }
 
-/// A gap and its rate along a line of forces, m. Both are differences of displacements, whose magnitudes are `size` and `rate_size`.
+/// The gap of a contact, m, and its rate per unit of the parameter `step` of a line of forces, m. Gap and rate are differences of displacements,
+/// whose magnitudes are `size` and `rate_size`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -63,7 +64,8 @@ impl GapLine {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open contact may close its gap.
+    /// All exits of a contact from its state along a line of forces. A closed contact may reach a facet on which it does not slide; an open contact
+    /// may close its gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
             Mode::Open => gap.closing().into_iter().list(),
@@ -133,7 +135,8 @@ impl LocalLaw<'_> {
         slack(force) / -slack(rate)
     }
 
-    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`: the first root of a quadratic,
+    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`. Its step s is the first root of a quadratic, in which a prime marks the rates of
+    /// the line:
     ///
     /// ```text
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
@@ -202,7 +205,7 @@ impl LocalLaw<'_> {
         let facet = leaves(&(t0 + t1 * step));
         let closing = facet.dot(&t1) - n1;
         if closing <= ZERO_SLACK * line.rate_size * weight {
-            // The line touches the cone from inside, or its rates are zero up to rounding.
+            // The line touches the cone from inside, or the rates of the force are zero up to rounding.
             return None;
         }
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;

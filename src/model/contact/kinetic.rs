@@ -1,7 +1,7 @@
 //! Friction that decreases as a contact begins to slide.
 //!
 //! ```text
-//! at rest   |F_t| <= μ_s F_n
+//! sticking  |F_t| <= μ_s F_n
 //! sliding    F_t  =  μ_k F_n p,      μ_k <= μ_s
 //! ```
 //!

@@ -14,7 +14,7 @@ use nalgebra::SVector;
 use super::compliance::Compliance;
 use super::tangential::{right_angle, tangential, tangential_norm};
 
-/// The data of a slide on the round cone.
+/// A slide of a contact on the round cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide {
     /// Unit direction p of the friction force and of the slip; no normal component.

@@ -75,7 +75,7 @@ impl LocalLaw<'_> {
     }
 
     /// The angles at which a sliding contact stops sliding, at most one for each facet on which it slides. At such an angle the rate of the slip
-    /// component along the facet's normal becomes negative. Until then the contact stays on its facets.
+    /// component along the facet's normal, per radian of the turn, becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -100,8 +100,8 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex. `None`
-    /// without such an angle.
+    /// The exit of a force from the round cone while the load turns: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or
+    /// F_n at the apex. `None` without such an angle.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -134,8 +134,8 @@ impl LocalLaw<'_> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// The first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or touches zero. `None` without such an angle, and if the
-    /// difference is not positive just after the start.
+    /// The first angle of the load up to `most`, rad, at which `(μF_n)² - |F_t|²` becomes negative, or touches zero. `None` without such an angle,
+    /// and if the difference is not positive just after the start.
     fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<FirstZero> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
@@ -175,7 +175,7 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
 
-/// The behaviour of a margin at the start of a turn of the load, φ = 0.
+/// The behaviour of a margin, a quantity that must stay positive, at the start of a turn of the load, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
     /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
@@ -187,7 +187,8 @@ enum Start {
 }
 
 impl Start {
-    /// Classifies a margin at the start of a turn of the load. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
+    /// Classifies a margin, a quantity that must stay positive, at the start of a turn of the load. A value up to `slack` counts as zero, and so does
+    /// a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
         // The load at φ = 0 has a rounding error, since it is the computed end of the previous part of the path. A margin that will grow may first

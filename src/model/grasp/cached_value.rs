@@ -11,8 +11,8 @@ use crate::numerics::Once;
 pub(crate) struct CachedValue(Once<Arc<dyn Any + Send + Sync>>);
 
 impl CachedValue {
-    /// The stored value, computed by `make` on first use. If a value of another type is stored, `make` computes the value anew, and the result is not
-    /// stored.
+    /// The stored value, computed by `make` on first use. If a value of another type is stored, `make` computes the value at every call, without
+    /// storing it.
     pub(crate) fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
         let kept = self.0.get_or_init(|| Arc::new(make())).clone();
         kept.downcast().unwrap_or_else(|_| Arc::new(make()))

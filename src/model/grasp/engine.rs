@@ -38,7 +38,8 @@ pub(crate) struct Engine {
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: CachedValue,
-    /// Contact states in which a similar grasp is at rest. Searches with many coordinates begin near these states. Empty if no such states are known.
+    /// Contact states of a similar grasp in equilibrium under its base load. Searches for an equilibrium of many coordinates begin near these states.
+    /// Empty if no such states are known.
     pub(crate) near: Vec<State>,
 }
 
@@ -195,12 +196,14 @@ impl Engine {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
-    /// Returns an error for a grasp of a hand or of several bodies, in questions that accept only contacts on a single object.
+    /// Returns an error for a grasp of a hand or of several bodies, for computations that accept only contacts on a single object. `question` names
+    /// the computation in the message.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Returns an error if a contact has kinetic friction, for questions whose answers would give sliding contacts their static friction.
+    /// Returns an error if a contact has kinetic friction, for computations that would give sliding contacts their static friction. `question` names
+    /// the computation in the message.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -213,7 +216,8 @@ impl Engine {
         (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
-    /// Returns an error if the grasp has joints; several bodies without joints and drives are allowed.
+    /// Returns an error if the grasp has joints, for computations that allow several bodies only without joints and drives. `question` names the
+    /// computation in the message.
     ///
     /// # Errors
     /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] for several bodies that a hand holds or a given force presses.
@@ -227,7 +231,8 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first, then tendons.
+    /// Drives (springs that move joints) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first,
+    /// then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()
@@ -241,7 +246,7 @@ impl Engine {
         self.linkage.as_deref()
     }
 
-    /// Storage for the matrix factors of the elastic trial, in which all contacts stick.
+    /// Storage for the factors of the stiffness matrix of the elastic trial, a state in which all contacts stick.
     pub(crate) fn remembered_trial(&self) -> &CachedValue {
         &self.trial
     }

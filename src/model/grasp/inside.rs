@@ -1,8 +1,8 @@
 //! The engine's coordinates, called inside coordinates. Moments and rotations refer to the centroid of the contact points, and arms are measured in
 //! units of their root mean square distance from the centroid.
 //!
-//! Wrenches and twists of questions are converted to these coordinates, and answers are converted back. Neither a distant origin nor the user's
-//! unit of length thus costs digits.
+//! Wrenches and twists that the caller passes are converted to these coordinates, and answers are converted back. Neither a distant origin nor the
+//! user's unit of length thus costs digits.
 
 use nalgebra::SVector;
 

@@ -170,14 +170,14 @@ impl Site {
         offset - self.map.tr_mul(twist)
     }
 
-    /// Upper bound of the terms of a displacement at the contact, to which its rounding error is proportional. Translation and rotation may cancel at
-    /// the contact; their rounding errors do not.
+    /// Upper bound of the terms of the stretch `a - Gᵀq`, m, to which the rounding error of the stretch is proportional. `offset` is a, and `twist`
+    /// is q. Translation and rotation may cancel at the contact; their rounding errors do not.
     #[inline(always)]
     pub(crate) fn span(&self, offset: &SVector<f64, 3>, twist: &Vector) -> f64 {
         self.span_moved(offset, twist.norm())
     }
 
-    /// [`Self::span`] for a twist with this norm.
+    /// [`Self::span`], an upper bound of the terms of the stretch, from the norm of the motion in place of the motion.
     #[inline(always)]
     pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
         offset.norm() + self.size * twist

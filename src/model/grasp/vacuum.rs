@@ -27,7 +27,7 @@ pub(crate) struct Vacuum {
 }
 
 impl Vacuum {
-    /// Sums the forces between fingers and object along the contact normals; `None` without a vacuum.
+    /// Sums the forces of the vacuums, which act between fingers and object along the contact normals; `None` without a vacuum.
     pub(super) fn of(space: Space, contacts: &[Contact<3>], sites: &[Site]) -> Option<Box<Self>> {
         if contacts.iter().all(|contact| contact.suction == 0.0) {
             return None;

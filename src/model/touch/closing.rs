@@ -20,7 +20,7 @@ pub struct Touch {
     contact: Contact<3>,
 }
 
-/// A point of the pad, and where it meets the part.
+/// A point of the pad, and the point at which it meets the part.
 struct PadPointHit<'p> {
     point: &'p PadPoint,
     hit: RayHit,

@@ -55,7 +55,7 @@ impl Part {
             }
             let normal = (b - a).cross(&(c - a));
             let length = normal.norm();
-            // Skips a triangle that has no area or is parallel to the rays.
+            // A triangle that has no area, or is parallel to the rays, is skipped.
             if normal[0].abs() <= FLUSH * length {
                 continue;
             }

@@ -33,7 +33,7 @@ impl Touched {
     }
 
     /// Largest angle between the surfaces of pad and part over the points that press, rad. If the pad does not press, only the points that touch
-    /// first count.
+    /// first are considered.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         self.steepest

@@ -50,8 +50,8 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have deflected, N. It replaces the pretension;
-    /// `None` if a pretension is given.
+    /// Pull of a cable or spring in the equilibrium under the constant loads alone, after all springs have deflected, N. This pull replaces the
+    /// pretension; `None` if a pretension is given.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }

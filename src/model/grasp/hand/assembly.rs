@@ -127,7 +127,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Adds the stiffness matrix of a finger's joints: one drive for each column l of the factorisation `K = Σ l lᵀ`.
+    /// Adds the stiffness matrix K of a finger's joints: one drive, a spring along one axis, for each column l of the factorisation `K = Σ l lᵀ`.
     fn couple(
         &mut self,
         matrix: &DMatrix<f64>,
@@ -207,7 +207,8 @@ impl Assembly {
         })
     }
 
-    /// A spring that acts on joints with these moment arms, in the engine's coordinates, and the power of two by which the arms were divided.
+    /// A spring, in the engine's coordinates, that acts on joints with these moment arms. The second value is the power of two by which the arms were
+    /// divided.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -218,7 +219,7 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive; a drive that saturates is added as two halves.
+    /// Adds a drive, the spring of a joint or tendon. A drive that saturates is added as two halves, two springs in series.
     fn drive(
         &mut self,
         owner: DriveOwner,
@@ -300,7 +301,7 @@ impl Assembly {
     }
 }
 
-/// A spring of one axis in the engine's coordinates; its force acts along `along`.
+/// A spring of one axis in the engine's coordinates. `along` is the generalised force per newton of the spring's force.
 struct Spring {
     along: Vector,
     stiffness: f64,

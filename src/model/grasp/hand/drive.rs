@@ -112,8 +112,8 @@ impl Drive {
         stretch
     }
 
-    /// Torque of the drive's joint, or tension of its tendon, for a force of the drive. `None` for the lower half of a saturating drive, since the
-    /// upper half returns the value.
+    /// Torque of the drive's joint (N m or N), or tension of its tendon (N), for a force of the drive, N. `None` for the lower half of a saturating
+    /// drive, since the upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             DriveLaw::EndsBelow => None,
@@ -178,7 +178,7 @@ impl Drive {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
     }
 
-    /// Stored energy, J, at a force of the drive. The upper half of a saturating drive returns the energy of both halves.
+    /// Energy stored in the drive's spring, J, at a force of the drive, N. The upper half of a saturating drive returns the energy of both halves.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
@@ -188,7 +188,7 @@ impl Drive {
         }
     }
 
-    /// Displacement of the joint or tendon, or change of its command, for a displacement of the drive.
+    /// Displacement of the joint or tendon (rad or m) for a displacement of the drive, m. Changes of commands are converted in the same way.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
         // The work, force times displacement, is the same for the drive as for its joint or tendon.
         along / self.unit

@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, numbered, vector_of};
 use crate::prelude::*;
 
 impl Assembly {
-    /// Adds the contacts of a finger whose first joint has the index `first`.
+    /// Adds the contacts of a finger to the grasp. `first` is the index of the finger's first joint.
     pub(super) fn add_contacts(
         &mut self,
         finger: &Finger<3>,

@@ -57,7 +57,7 @@ impl<const C: usize> Hand<C> {
         self.coordinates_in(Space::of::<C>())
     }
 
-    /// Plane or space.
+    /// Whether the contacts of this hand are in the plane or in space.
     pub(crate) fn space(&self) -> Space {
         for finger in &self.fingers {
             if let Some(carried) = finger.contacts.first() {

@@ -52,7 +52,7 @@ pub(crate) struct NamedPart {
 }
 
 impl NamedPart {
-    /// Multiplies the constant torque or tension by `factor`, and adjusts the generalised forces `held_forces` to it.
+    /// Multiplies the constant torque or tension by `factor`, and adds the change to the generalised forces `held_forces`.
     fn hold(&mut self, factor: f64, held_forces: &mut Vector) {
         *held_forces += &self.along * ((factor - 1.0) * self.held_torque);
         self.held_torque *= factor;
@@ -105,12 +105,12 @@ impl PartLabel {
 }
 
 impl Linkage {
-    /// Stretches of all drives under these commands.
+    /// Stretches of the springs of all drives under these commands of joints and tendons, m.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
 
-    /// Changes of the stretches of all drives for a change of the commands.
+    /// Changes of the stretches of the springs of all drives, m, for a change of the commands of joints and tendons.
     pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.change(commands))
     }
