@@ -134,7 +134,7 @@ impl Dictionary {
         }
     }
 
-    /// The magnitude of the largest entry of the loaded column of M or d, from which equation (1) computes the entering column.
+    /// The magnitude of the largest entry of the loaded column of M or d, from which the entering column of the dictionary is computed.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
@@ -154,9 +154,9 @@ impl Dictionary {
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Recomputes `level` for values that equation (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of
-    /// (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the row, and the entry of each
-    /// stored column D_{w_j} times q_j.
+    /// Recomputes `level` for values that equation (1) of the file header computes from the right-hand side q: for each row, the sum of the
+    /// magnitudes of the terms of (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the
+    /// row, and the entry of each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -168,8 +168,8 @@ impl Dictionary {
 
     /// Sets entries of the entering column to zero that are only noise.
     ///
-    /// In a column that is summed by equation (1), an entry is noise below `tolerance` times the magnitude of its terms. In the stored column of a
-    /// slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
+    /// In a column that is summed by equation (1) of the file header, an entry is noise below `tolerance` times the magnitude of its terms. In the
+    /// stored column of a slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);

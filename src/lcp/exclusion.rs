@@ -92,8 +92,8 @@ impl ExclusionTest<'_> {
         })
     }
 
-    /// Whether a dual solution of the linear program that minimises the largest violation of the constraints of the piece, taken as v, excludes the
-    /// basis. There is one dual solution for each margin δ in [`MARGINS`].
+    /// Whether a dual solution of the linear program that minimises the largest violation of the basis's conditions, taken as v, excludes the basis.
+    /// One dual solution is computed for each margin δ in [`MARGINS`], by which its constraints are tightened.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))

@@ -33,13 +33,13 @@ pub struct Breakpoint {
     pub z: DVector<f64>,
     /// The variable that has reached zero and leaves the basis.
     pub leaving: Variable,
-    /// The complement of `leaving`, which increases from zero on the next piece.
+    /// The complement of `leaving`, which increases from zero on the next piece of the path of solutions.
     pub entering: Variable,
-    /// The complementary basis of the next piece.
+    /// The complementary basis of the next piece of the path of solutions.
     pub basis: Basis,
-    /// Direction of τ on the next piece.
+    /// Direction of the parameter τ on the next piece of the path of solutions.
     pub trend: Trend,
-    /// dz/dτ on the next piece (n entries), for either direction of τ; zero if τ is constant.
+    /// The rate dz/dτ of the solution on the next piece of the path (n entries), for either direction of τ; zero if τ is constant.
     pub rate: DVector<f64>,
 }
 
@@ -47,7 +47,7 @@ pub struct Breakpoint {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
-    /// The last piece is unbounded: τ → ∞ (forward), τ → −∞ (backward), or τ is constant (still).
+    /// The last piece of the path of solutions is unbounded: τ → ∞ (forward), τ → −∞ (backward), or τ is constant (still).
     Unbounded(Trend),
     /// The path has returned to an earlier piece, usually the first, and thus is a closed loop. The last breakpoint leads to that piece.
     ///
@@ -171,7 +171,7 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first breakpoint.
+    /// Direction of the parameter τ on the current piece of the path, which follows the last breakpoint; forward before the first breakpoint.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend

@@ -2,7 +2,7 @@
 //!
 //! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is the
 //! lexicographic rule (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has no ties.
-//! The path of the perturbed problem is found by comparing the column of p among rows that tie; the data are not changed.
+//! The path of the perturbed problem is found by comparing the column of p among rows that tie; q itself is not changed.
 //!
 //! If z₀ is among the tied variables, z₀ leaves, since the point with z₀ = 0 solves the problem.
 

@@ -1,4 +1,5 @@
-//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another basis.
+//! Recomputation of dictionaries from M, q and d of w = q + M z + d z₀: measurement of drift by rounding, refactorisation of the current basis, and
+//! factorisation of another basis.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -48,8 +49,7 @@ impl LemkePath {
         (terms[row] / dictionary.u[row]).abs().max(largest(terms) / largest(&dictionary.u))
     }
 
-    /// Recomputes the dictionary of the current basis from the data, by elimination with row pivoting, and loads the column of the entering
-    /// variable.
+    /// Recomputes the dictionary of the current basis from M, q and d, by elimination with row pivoting. Loads the column of the entering variable.
     pub(super) fn refactor(&mut self, entering: LemkeVariable, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
@@ -69,7 +69,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Computes, from the data, the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
+    /// Computes from M, q and d the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
     /// [`BreakdownCause::SingularBasis`], if a pivot is only rounding.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();

@@ -63,7 +63,7 @@ impl Band {
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
-        // The rightmost column that a row reaches after the exchanges so far.
+        // The rightmost column that any row reaches after the row exchanges so far.
         let mut last = 0;
         for k in 0..count {
             let below = reach.min(count - 1 - k);

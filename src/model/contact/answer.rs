@@ -41,8 +41,8 @@ impl ContactResponse {
 }
 
 impl LocalLaw<'_> {
-    /// State and force at a stretch on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per force λ starts at
-    /// `near`: λ at a nearby stretch, or zero.
+    /// State and force of the contact at a stretch, m, on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per
+    /// force λ starts at `near`: λ at a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -82,13 +82,15 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// State and force at a stretch on the cone in use, round or polygonal. `near` is the start of the iteration as in [`Self::answer`].
+    /// State and force of the contact at a stretch, m, on the cone in use, round or polygonal. `near` is the start of the iteration as in
+    /// [`Self::answer`].
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
     }
 
-    /// State and force at a stretch on the polygonal cone. The force is the point of the cone that is closest to the trial force in the metric K⁻¹.
+    /// State and force of the contact at a stretch, m, on the polygonal cone. The force is the point of the cone that is closest to the trial force
+    /// in the metric K⁻¹.
     #[inline]
     fn answer_on_polygon(&self, stretch: &SVector<f64, 3>) -> ContactResponse {
         if self.is_absent() {

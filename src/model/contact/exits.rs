@@ -217,8 +217,8 @@ impl LocalLaw<'_> {
 /// slope. `None` if no step leads down.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    // Upper bound of the number of Newton steps. Near the apex the margin is curved over distances of the order of rounding; farther away each step
-    // doubles the correct digits.
+    // Upper bound of the number of Newton steps. Near the apex the margin μF_n - |F_t| is curved over distances of the order of rounding; farther
+    // away each step doubles the correct digits.
     for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;
@@ -249,7 +249,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Rounding error of margins of about one, divided by the rate of the margin at the edge.
+            // Rounding error of friction margins of about one, divided by the rate of the margin at the edge.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));

@@ -68,7 +68,8 @@ impl State {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with friction along a tangent. Its earlier slip is already part of the contact's offset, so λ = 0.
+    /// A slide on the round cone with friction along a tangent. Any earlier slip is already part of the contact's offset (its commanded
+    /// displacement), so the slip per force λ is 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

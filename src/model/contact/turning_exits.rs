@@ -1,7 +1,8 @@
 //! The angle by which a load can turn before a contact leaves its state.
 //!
-//! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and margins at
-//! facets, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
+//! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and friction
+//! margins `μ F_n - h·F_t` at facets with normal h, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree
+//! two.
 
 use nalgebra::SVector;
 
@@ -19,7 +20,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size of the vector, N or m, that scales the rounding error of its values.
+    /// Size of the vector, N or m, which scales the rounding error of the values of the vector.
     pub(crate) size: f64,
     /// Size of the terms with cos φ and sin φ, N or m, that scales the rounding error of the rates.
     pub(crate) turning_size: f64,
@@ -109,7 +110,7 @@ impl LocalLaw<'_> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge of the cone, the margin at the tangent facet decides whether the force moves inwards or outwards.
+            // On the edge of the cone, the friction margin at the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
             let margin = wave.component(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
@@ -191,8 +192,8 @@ impl Start {
     /// a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The load at φ = 0 has a rounding error, since it is the computed end of the previous part of the path. A margin that will grow may first
-        // decrease, but by no more than the slack.
+        // The load at φ = 0 has a rounding error, since this load is the computed end of the previous part of the load path. A margin that will grow
+        // may first decrease, but by no more than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }

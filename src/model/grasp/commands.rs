@@ -1,11 +1,11 @@
-//! Commands of a finger, as a position or as a force, and its clearance.
+//! Commands of a finger, as a position or as a force, and the clearance between finger and object.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::Contact;
 use crate::numerics::{by_axis, dot};
 
-/// The axes along which a command is given.
+/// The axes along which a command, the commanded displacement of a finger, is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CommandAxes {
     /// Axes of the contact frame, the normal first.

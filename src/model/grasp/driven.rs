@@ -52,7 +52,7 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// The constant torques that act on the joints in addition to the drives, N m or N.
+    /// The constant torques that act on the joints in addition to the torques of their springs, N m or N.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
         self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held_torque))
     }

@@ -16,7 +16,8 @@ use crate::numerics::Space;
 use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
-/// A grasp with validated contacts. Its coordinates are the 3 or 6 coordinates of the object, then the coordinates of joints and of other bodies.
+/// A grasp with validated contacts. The coordinates of the grasp are the 3 or 6 coordinates of the object, then the coordinates of joints and of
+/// other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
     /// Whether the grasp is in the plane or in space.
@@ -111,7 +112,8 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp with these contacts. Its origin is the centroid of the contacts with the indices for which `is_meant` is true.
+    /// A grasp with these contacts. The origin of the engine's coordinates is the centroid of the contacts with the indices for which `is_meant` is
+    /// true.
     fn of(
         space: Space,
         size: Size,
@@ -147,7 +149,7 @@ impl Engine {
         self.space
     }
 
-    /// Number of coordinates of the grasp.
+    /// Number of coordinates of the grasp: of the object, joints and other bodies.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         self.size

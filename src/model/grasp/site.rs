@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 use crate::numerics::Space;
 
-/// One contact or drive, in the engine's coordinates.
+/// One contact, or one drive (the spring of a joint or tendon), in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
     /// Grasp map G_i of this site. A column holds the forces in all coordinates due to a unit force of the site along one axis of its frame.
@@ -34,7 +34,8 @@ pub(crate) struct Site {
     /// Kinetic friction cone; `None` if it equals the static friction cone.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// Polygon that replaces the friction cone even where the settings ask for the round cone; used for drives that slip.
+    /// Polygon that replaces the friction cone even where the settings ask for the round cone. It is used for drives, springs of joints and tendons,
+    /// that slip at a force limit.
     pub(crate) polygon: Option<Arc<Polygon>>,
 }
 
@@ -71,14 +72,14 @@ impl Site {
         })
     }
 
-    /// A copy of this site with another grasp map, whose rounding error counts as zero.
+    /// A copy of this site, a contact or drive, with another grasp map. The rounding error of this map counts as zero.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
     }
 
-    /// The site of a drive of a hand, whose force acts along only one of its axes.
+    /// The site of a drive, the spring of a joint or tendon, whose force acts along only one axis of its frame.
     pub(super) fn of_axis(
         space: Space,
         size: Size,
@@ -184,7 +185,7 @@ impl Site {
     }
 }
 
-/// Number of coordinates of a grasp with these contacts and drives.
+/// Number of coordinates of a grasp with these contacts and drives (springs of joints and tendons).
 #[inline]
 pub(crate) fn size_of(sites: &[Site]) -> Size {
     sites.first().map_or(Size::default(), Site::coordinates)

@@ -7,8 +7,8 @@ use crate::numerics::Space;
 use crate::prelude::*;
 
 /// Coordinates in which a grasp map has nonzero entries, as two ranges. For a contact with the object, one range holds the object's coordinates and
-/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. A drive depends on its own
-/// joints.
+/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. The ranges of a drive, the
+/// spring of a joint or tendon, hold the joints on which it acts.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     ranges: [Range<usize>; 2],
@@ -40,7 +40,7 @@ impl Support {
         Self { ranges }
     }
 
-    /// Both ranges of coordinates. If the grasp has no joints the first range contains all coordinates.
+    /// Both ranges of coordinates in which the grasp map has nonzero entries. If the grasp has no joints, the first range contains all coordinates.
     #[inline]
     pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
         self.ranges.clone()

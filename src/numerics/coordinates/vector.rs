@@ -11,7 +11,7 @@ use super::size::{Size, WHOLE};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A vector over coordinates: a motion, or a generalised force.
+/// A vector over the coordinates of a grasp: a motion, or a generalised force.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Vector(pub(super) List);
 

@@ -59,7 +59,7 @@ impl Engine {
     ) -> Vector {
         let angular = self.space.axes()..self.space.of_the_object();
         if contact >= self.len() {
-            // The force of a drive acts on no body.
+            // The force of a drive, the spring of a joint or tendon, acts on no body.
             return Vector::zeros();
         }
         let in_unit = self.space.wrench_of(&(point / self.length()), force);

@@ -183,7 +183,7 @@ impl<const C: usize> Link<C> {
             (self.on, self.against) = (Some(body.into().into()), None);
         }
 
-        /// Sets the total stiffness of the link's points along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
+        /// Sets the total stiffness of all contacts that model the link, along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
         pub fn stiffness(mut self, stiffness: f64) { self.stiffness = Some(stiffness); }
 
         /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the

@@ -210,7 +210,7 @@ impl PlacedBodies {
         })
     }
 
-    /// These bodies with the loads `program_loads` added to their constant loads; one load for each body.
+    /// These bodies with the loads `program_loads` added to their constant loads; `program_loads` has one load for each body.
     pub(super) fn under(&self, program_loads: Vec<Wrench<3>>) -> Self {
         let loads = paired(&self.loads, &program_loads, &|(always, more)| *always + *more);
         Self { loads, program_loads, ..self.clone() }

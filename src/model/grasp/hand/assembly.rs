@@ -94,8 +94,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. The drives are rescaled to the
-        // reference lengths of these coordinates.
+        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. These springs are rescaled to the
+        // reference lengths of their coordinates.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -264,7 +264,7 @@ impl Assembly {
         }
     }
 
-    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives that were collected.
+    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives (springs of joints and tendons) that were collected.
     fn grasp(
         self,
         tendons: Vec<NamedPart>,

@@ -13,7 +13,8 @@ use crate::numerics::{IntoList, Space, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons and drives behind the contacts of a grasp, and its bodies, in the engine's coordinates.
+/// Joints, tendons and drives (springs of joints and tendons) behind the contacts of a grasp, and the bodies of the grasp, in the engine's
+/// coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<NamedPart>,
@@ -24,7 +25,7 @@ pub(crate) struct Linkage {
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
     /// Drives, in the order in which they follow the contacts in the list of sites.
     pub(crate) drives: Vec<Drive>,
-    /// Constant generalised forces on the coordinates, from joint torques, tensions and contacts with a constant force.
+    /// Constant generalised forces on the coordinates: from joint torques, from tensions of tendons, and from contacts with a constant force.
     pub(crate) held_forces: Vector,
     /// External torques on the joints, in the engine's coordinates.
     pub(crate) external_torques: Vector,
@@ -115,7 +116,7 @@ impl Linkage {
         self.drives.iter().map(move |drive| drive.change(commands))
     }
 
-    /// This linkage with the springs of joints and tendons multiplied by `times(index)`; tendons are numbered after the joints.
+    /// This linkage with the stiffnesses of the springs of joints and tendons multiplied by `times(index)`; tendons are numbered after the joints.
     pub(crate) fn stiffened(&self, times: &dyn Fn(usize) -> f64) -> Self {
         let mut linkage = self.clone();
         let joints = self.joints.len();
@@ -194,7 +195,7 @@ impl Linkage {
         self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)
     }
 
-    /// The joint or tendon to which the drive belongs, if any.
+    /// The joint or tendon to which the drive with this index belongs; `None` for a spring of a stiffness or compliance matrix.
     pub(crate) fn part(&self, drive: usize) -> Option<HandPart> {
         match self.drives[drive].owner {
             DriveOwner::Joint(joint) => Some(HandPart::Joint(joint)),
