@@ -77,7 +77,7 @@ impl Workspace {
         }
     }
 
-    /// Whether the dictionary belongs to a complementary basis.
+    /// Whether the dictionary that the workspace holds belongs to a complementary basis.
     pub(super) fn is_complementary(&self) -> bool {
         let dictionary = &self.path.dictionary;
         dictionary.basic.iter().all(|basic| match *basic {
@@ -87,7 +87,7 @@ impl Workspace {
         })
     }
 
-    /// Whether the dictionary belongs to this complementary basis.
+    /// Whether the dictionary that the workspace holds belongs to this complementary basis.
     pub(super) fn holds(&self, basis: &Basis) -> bool {
         self.is_complementary()
             && (0..basis.len()).all(|i| self.path.dictionary.is_active(i) == basis.contains(i))

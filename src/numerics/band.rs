@@ -115,7 +115,7 @@ pub(crate) struct BandFactors {
 }
 
 impl BandFactors {
-    /// Whether some column had no pivot.
+    /// Whether some column of the factored matrix had no pivot.
     pub(crate) fn is_singular(&self) -> bool {
         !self.pinned.is_empty()
     }

@@ -55,7 +55,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         &self.residual
     }
 
-    /// Norm of the residual.
+    /// Norm of the residual: the distance of the target from the closest point so far.
     pub(crate) fn distance(&self) -> f64 {
         dot(&self.residual, &self.residual).sqrt()
     }

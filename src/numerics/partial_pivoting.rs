@@ -83,7 +83,7 @@ fn eliminate(
                 pivot = i;
             }
         }
-        // The condition also fails for NaN.
+        // This condition is false for NaN, too, so that such a matrix has no factors.
         let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
         if !large_enough {
             return None;

@@ -36,7 +36,7 @@ pub(crate) enum FirstZero {
 }
 
 impl Trigonometric {
-    /// The value at an angle.
+    /// The value of the polynomial at an angle, rad.
     #[cfg(test)]
     pub(crate) fn at(&self, angle: f64) -> f64 {
         let ([sin, cos], [sin2, cos2]) =
@@ -48,7 +48,7 @@ impl Trigonometric {
             + self.second[1] * sin2
     }
 
-    /// Value, slope and second derivative at φ = 0.
+    /// Value, slope and second derivative of the polynomial at φ = 0.
     pub(crate) fn at_the_beginning(&self) -> [f64; 3] {
         let ([a, b], [a2, b2]) = (self.first, self.second);
         [self.constant + a + a2, b + 2.0 * b2, -a - 4.0 * a2]

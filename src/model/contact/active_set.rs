@@ -162,7 +162,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Whether the contact slides on this facet.
+    /// Whether a contact in this state slides on the facet with this normal.
     fn slides_on(&self, state: &State, facet: &SVector<f64, 3>) -> bool {
         let facets = self.facets();
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)

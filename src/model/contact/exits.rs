@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) struct Exit {
     /// The parameter `step` of the line `force + step rate` at the exit.
     pub(crate) step: f64,
-    /// Rounding error of `step`.
+    /// Estimated rounding error of the parameter `step`.
     pub(crate) uncertainty: f64,
     /// Outward normal h of the facet `h·F_t <= μ F_n` that is reached; zero if the normal force or the gap vanishes.
     pub(crate) facet: SVector<f64, 3>,

@@ -13,7 +13,7 @@ use super::state::{Mode, State};
 use crate::numerics::least;
 use crate::prelude::*;
 
-/// The set of conditions that a contact obeys.
+/// The set of conditions that a contact obeys, in an equilibrium or by the rates of its force and stretch.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
     /// The contact stays open: no conditions, no force.
@@ -30,7 +30,7 @@ pub(crate) enum Law {
     Edge(Vec<SVector<f64, 3>>),
 }
 
-/// One contact with its law, independent of the grasp.
+/// One contact with the law that its force and stretch obey, independent of the grasp.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LocalLaw<'c> {
     pub(crate) springs: &'c Compliance,

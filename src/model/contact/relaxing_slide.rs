@@ -31,9 +31,9 @@ use crate::prelude::*;
 pub(super) struct RelaxingSlide {
     /// Tangential stiffnesses k₁ and k₂, N/m.
     pub(super) tangential: [f64; 2],
-    /// Rate of the tangential stretch, v_t', m.
+    /// Rate of the tangential stretch, v_t', in m per unit of the time τ.
     pub(super) stretched: [f64; 2],
-    /// Rate of the cone's radius, r', N.
+    /// Rate r' of the friction limit r = μ F_n, in N per unit of the time τ.
     pub(super) growth: f64,
 }
 

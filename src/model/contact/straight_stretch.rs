@@ -85,7 +85,7 @@ impl LocalLaw<'_> {
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));
-        // The integral ∫dτ/r over the remaining time.
+        // The integral ∫dτ/r over the remaining time, with the friction limit r.
         let x = (r1 - r0) / r0;
         // Below this relative difference of the radii the first terms of the series replace the logarithm.
         let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };

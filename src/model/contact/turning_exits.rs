@@ -33,7 +33,7 @@ impl Wave {
     }
 }
 
-/// An event of a contact while the load turns.
+/// An event of a contact while the load turns: the contact leaves its state, or its force only touches an edge of the friction cone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TurningExit {
     /// The contact leaves its state; `step` of the exit is the angle, rad.
@@ -183,7 +183,7 @@ enum Start {
     Above { roots: usize },
     /// The margin is zero at φ = 0 and negative just after it.
     Falls,
-    /// The margin is zero at every angle.
+    /// The margin is zero at every angle of the load.
     Stays,
 }
 

@@ -169,7 +169,7 @@ impl Engine {
         offsets
     }
 
-    /// [`Self::offsets`], written into existing memory.
+    /// The offsets that [`Self::offsets`] returns, the commanded displacements of the springs of contacts and drives, written into existing memory.
     pub(crate) fn offsets_into(&self, offsets: &mut Vec<SVector<f64, 3>>) {
         self.offsets_under(
             self.contacts.iter().map(|contact| contact.command),

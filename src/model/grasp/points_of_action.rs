@@ -72,7 +72,7 @@ impl<const C: usize> Wrench<C> {
         Self(self.0, points)
     }
 
-    /// The points of action of the forces.
+    /// The points of action of the forces of this wrench.
     pub(crate) fn points_of_action(&self) -> PointsOfAction {
         self.1
     }

@@ -21,13 +21,13 @@ pub(crate) struct Site {
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
-    /// Norm of the grasp map G_i.
+    /// Norm of the grasp map G_i, which scales rounding errors of displacements at the contact.
     size: f64,
     /// Coordinates in which the grasp map G_i has nonzero entries.
     pub(crate) support: Support,
     /// Contact frame: its columns are the normal, the first tangent and, in space, the second tangent.
     pub(crate) frame: SMatrix<f64, 3, 3>,
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     pub(crate) space: Space,
     pub(crate) springs: Compliance,
     pub(crate) friction: Coulomb,
@@ -150,7 +150,7 @@ impl Site {
         Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the grasp to which this site belongs.
     #[inline]
     pub(crate) fn coordinates(&self) -> Size {
         self.map.size()

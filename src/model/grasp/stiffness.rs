@@ -51,7 +51,7 @@ impl<const C: usize> Stiffness<C> {
         self.each(|k| k * factor)
     }
 
-    /// Tangential stiffnesses multiplied by `factor`.
+    /// These springs with the tangential stiffnesses multiplied by `factor`.
     pub(crate) fn scaled_tangentially(&self, factor: f64) -> Self {
         self.each(|k| by_axis(|axis| if axis == 0 { k[0] } else { k[axis] * factor }))
     }

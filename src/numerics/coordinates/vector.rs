@@ -60,7 +60,7 @@ impl Vector {
         self.0.grow(size.count());
     }
 
-    /// Adds `times` times another vector.
+    /// Adds another vector, multiplied by `times`, to this vector.
     #[inline]
     pub(crate) fn add_times(&mut self, other: &Self, times: f64) {
         let other = other.as_slice();

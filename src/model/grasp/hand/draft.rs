@@ -1,4 +1,4 @@
-//! The parts of a grasp, collected from a hand.
+//! The parts of a grasp, contacts, joints and drives (springs of joints and tendons), collected from a hand.
 
 use nalgebra::SVector;
 
@@ -18,7 +18,7 @@ pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp while it is assembled.
 pub(in crate::model::grasp) struct Assembly {
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     pub(in crate::model::grasp) space: Space,
     pub(in crate::model::grasp) contacts: Vec<Contact<3>>,
     pub(in crate::model::grasp) motions: Vec<Columns>,

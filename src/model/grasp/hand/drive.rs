@@ -24,11 +24,12 @@ pub(crate) enum DriveOwner {
 /// How the force of a drive, the spring of a joint or tendon, is bounded, and the contact law that models this bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveLaw {
-    /// Pushes and pulls without limit.
+    /// The drive pushes and pulls without limit.
     Holds,
-    /// Only pulls: its force obeys the law of a frictionless contact.
+    /// The drive only pulls. Its force obeys the law of a frictionless contact.
     Pulls,
-    /// Slips when its force reaches a bound. It is modelled by a contact whose normal force is the bound and whose friction coefficient is one.
+    /// The drive slips when its force reaches a bound. The drive is modelled by a contact whose normal force is the bound and whose friction
+    /// coefficient is one.
     Slips,
     /// The upper half of a saturating drive, which two springs in series model. This half is a frictionless contact that carries the upper bound
     /// minus the drive's force.

@@ -46,7 +46,7 @@ pub(crate) struct NamedPart {
     pub(crate) limit: Option<Limit>,
     /// Kind of the joint's motion; not used for a tendon.
     pub(crate) kind: JointKind,
-    /// Constant torque or tension, N m or N.
+    /// Constant torque on the joint, N m or N, or constant tension of the tendon, N.
     pub(crate) held_torque: f64,
     /// Generalised force on the coordinates per unit of the torque or tension.
     pub(crate) along: Vector,
