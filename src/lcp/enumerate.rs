@@ -102,7 +102,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// The state of an enumeration of all bases of one problem.
+/// The state of an enumeration of all complementary bases of one problem.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,

@@ -68,7 +68,7 @@ impl ExclusionTest<'_> {
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        // Three conditions are tried per basis, the most violated first.
+        // The three most violated conditions are tried for each basis.
         increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
             // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1

@@ -110,7 +110,7 @@ impl Loop for Update<'_> {
     }
 }
 
-/// The update a += g u of one column.
+/// The update a += g u of one stored column of a dictionary.
 #[inline(always)]
 pub(super) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {

@@ -14,9 +14,9 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 /// The ways in which a path of Lemke's method ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LemkeEnd {
-    /// z₀ has left, so the basis is complementary.
+    /// The covering variable z₀ has left the basis, which is thus complementary.
     Complementary,
-    /// This entering variable grows without bound; its column is in the dictionary.
+    /// This entering variable grows without bound; `u` of the dictionary holds the column of the variable.
     Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),

@@ -15,7 +15,7 @@ use thiserror::Error;
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Outcome<S = Solution> {
-    /// A solution was found and checked against the given data.
+    /// A solution was found and checked against the given M and q.
     Solved(S),
     /// No z ≥ 0 satisfies M z + q ≥ 0 for the given data: the [`Certificate`] proves it without rounding.
     Infeasible(Certificate),

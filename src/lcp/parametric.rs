@@ -55,7 +55,7 @@ pub enum PathEnd {
     Loop,
     /// The number of breakpoints has reached the pivot limit of the settings.
     PivotLimit,
-    /// In double precision the path could not be followed further.
+    /// The path of solutions could not be followed further in double precision.
     Breakdown(BreakdownCause),
     /// No solution is known at τ = 0, where the path would start.
     NoStart,
@@ -97,7 +97,7 @@ pub struct Parametric<'a> {
     /// The basis of an earlier piece of the path, replaced after 1, 2, 4, 8, … breakpoints. A path that has entered a loop returns to this basis
     /// eventually (R. P. Brent, BIT 20, 1980).
     remembered: Basis,
-    /// Whether the path has returned to an earlier piece of itself.
+    /// Whether the path of solutions has returned to an earlier piece of itself.
     closed: bool,
     end: Option<PathEnd>,
 }

@@ -13,9 +13,9 @@ pub(super) struct LemkePath {
     pub(super) dictionary: Dictionary,
     /// Balanced right-hand side q.
     pub(super) q: Vec<f64>,
-    /// Balanced perturbation p, which breaks ties.
+    /// Balanced perturbation p of the right-hand side q, which breaks ties.
     pub(super) p: Vec<f64>,
-    /// Balanced covering vector d.
+    /// Balanced covering vector d, the coefficients of z₀.
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.

@@ -11,7 +11,7 @@ use super::settings::Settings;
 use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{Loop, wide};
 
-/// The role of z₀ on a path.
+/// The role of the covering variable z₀ on a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Covering {
     /// z₀ is to become zero: it leaves as soon as possible.

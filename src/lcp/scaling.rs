@@ -77,7 +77,7 @@ impl Scaling {
     /// Computes the row exponents ρ by conjugate gradients from ρ = 0. The column exponents γ are eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
     fn descend(&mut self, pattern: &Pattern) {
         let n = self.rho.len();
-        // The residual of the equations for ρ, at ρ = 0.
+        // The residual, at ρ = 0, of the equations for the row exponents ρ.
         self.residual.clear();
         self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
         pattern.for_each(&self.columns.count, |j, count, column| {

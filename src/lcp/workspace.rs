@@ -31,7 +31,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point at the end of the last path.
+    /// The point z, with slacks w, at the end of the last path.
     pub(super) point: LcpPoint,
     /// A second candidate, which replaces `point` if it has the smaller residuals.
     pub(super) spare: LcpPoint,

@@ -33,7 +33,7 @@ pub(crate) struct Engine {
     /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
     /// translations have comparable size for any unit of the caller.
     pub(super) length: f64,
-    /// The joints, tendons and bodies behind the contacts; `None` for a single object that contacts without a hand hold.
+    /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(super) linkage: Option<Box<Linkage>>,
     /// Total pull of all vacuums on the object, which acts in addition to the caller's loads; `None` without a vacuum.
     pub(super) vacuum: Option<Box<Vacuum>>,
@@ -233,7 +233,7 @@ impl Engine {
         }
     }
 
-    /// Drives (springs that move joints) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first,
+    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first,
     /// then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
@@ -243,7 +243,7 @@ impl Engine {
             .map(move |(k, offset)| (first + k, offset))
     }
 
-    /// The joints, tendons and bodies behind the contacts; `None` for a single object that contacts without a hand hold.
+    /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(crate) fn linkage(&self) -> Option<&Linkage> {
         self.linkage.as_deref()
     }

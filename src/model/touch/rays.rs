@@ -13,12 +13,12 @@ use super::part::Part;
 /// Points outside a triangle by less than this fraction of the mesh's size still meet it: pads may be flush with an edge of the part.
 pub(super) const FLUSH: f64 = 1e-9;
 
-/// The point where a ray meets the part.
+/// The point where a ray from the pad first meets the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RayHit {
     /// Distance along the ray from the pad's plane, m.
     pub(super) depth: f64,
-    /// Unit normal of the triangle, into the part.
+    /// Unit normal of the triangle that the ray meets, pointing into the part.
     pub(super) normal: Vector3<f64>,
     /// Whether the ray leaves the part at this triangle, which means that the ray started inside the part.
     pub(super) leaves: bool,

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::error::Error;
 use crate::grasp::Contact;
 
-/// The contacts of a pad on a part.
+/// The contacts at which a pad touches a part, and measures of how well the pad fits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touched {
     pub(super) contacts: Vec<Contact<3>>,

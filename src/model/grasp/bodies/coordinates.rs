@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, Size, Vector, indexed, paired};
 use crate::prelude::*;
 
 impl Engine {
-    /// The bodies; `None` for a single object.
+    /// The bodies of the grasp; `None` for a single object.
     pub(crate) fn bodies(&self) -> Option<&PlacedBodies> {
         self.linkage()?.bodies.as_deref()
     }

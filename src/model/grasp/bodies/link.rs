@@ -104,7 +104,7 @@ impl<const C: usize> LinkPlace<C> {
 }
 
 impl Link<2> {
-    /// A hinge at this point, m.
+    /// A hinge of the plane at this point, m.
     pub fn hinge(point: impl Into<[f64; 2]>) -> Self {
         Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings: None })
     }

@@ -15,7 +15,7 @@ use crate::numerics::{IntoList, Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// The coordinates of one body in the engine.
+/// The position of one body's coordinates among all coordinates of the engine, and the point to which its rotations refer.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPlace {
     /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
@@ -29,7 +29,7 @@ pub(crate) struct BodyPlace {
 /// How a load that the caller passes to a question such as `hold` is shared among the bodies.
 #[derive(Debug, Clone)]
 pub(super) enum LoadSharing {
-    /// One body carries the whole load.
+    /// The body that has the object's coordinates carries the whole load.
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
@@ -38,7 +38,7 @@ pub(super) enum LoadSharing {
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
-/// Several bodies in the engine.
+/// Several bodies in the engine, with their coordinates, loads and contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies {
     /// Whether the bodies are in the plane or in space.
