@@ -76,7 +76,7 @@ pub struct Contact<const C: usize> {
     /// Prescribed normal force in the equilibrium under the constant loads alone, after all springs have deflected, N. When the grasp is made, the
     /// command that leads to this force is computed.
     pub(crate) at_rest: Option<f64>,
-    /// Given constant normal force, independent of the object's motion, N; `None` if the finger holds a position.
+    /// Constant normal force that is independent of the object's motion, N; `None` if no such force is given.
     pub(crate) force: Option<f64>,
     /// Constant force with which a vacuum pulls the object onto the contact, N.
     pub(crate) suction: f64,

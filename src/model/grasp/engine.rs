@@ -233,8 +233,8 @@ impl Engine {
         }
     }
 
-    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first,
-    /// then tendons.
+    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints
+    /// first, then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()

@@ -94,8 +94,8 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// Converts all coordinates to the user's units. The coordinates of saturating drives, springs of joints with a limited force, follow the
-    /// coordinates of the joints.
+    /// Converts all coordinates to the user's units. The coordinates of saturating drives, springs of joints and tendons with a limited force, follow
+    /// the coordinates of the joints.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }
