@@ -45,8 +45,8 @@ impl ExclusionTest<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the opposite
-    /// signs also exclude the basis.
+    /// Whether one row of M and q alone excludes the basis: q_i < 0, and row i of M has no positive entry in the columns α. For i in α, where w_i
+    /// must be zero, opposite signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
@@ -99,8 +99,8 @@ impl ExclusionTest<'_> {
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether v excludes the basis, as computed or [`cleaned`]. The entries of `v` are multipliers of the balanced rows, and are first converted to
-    /// multipliers of the given rows.
+    /// Whether the vector v, as computed or [`cleaned`], proves that no solution belongs to the basis. The entries of `v` are multipliers of the
+    /// balanced rows, and are first converted to multipliers of the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);

@@ -125,7 +125,8 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the row or variable as balanced by exact factors; balancing to powers of two makes it slightly different from 1.
+            // One unit of the row or variable if the balancing factors were exact. Factors rounded to powers of two make this unit slightly different
+            // from 1.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),

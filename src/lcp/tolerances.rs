@@ -72,8 +72,8 @@ pub(crate) const LOST: f64 = 1e-11;
 
 /// Residual, in powers of two, at which the equations of the balancing exponents have converged.
 ///
-/// Equal rows must get equal factors, or ties turn into near-ties. With a smaller limit, the iteration never converges. With a larger limit, ties are
-/// separated.
+/// Equal rows must get equal factors, or ties in the ratio test turn into near-ties. With a smaller limit, the iteration never converges. With a
+/// larger limit, such ties are separated.
 pub(super) const BALANCED_EXPONENTS: f64 = 1e-13;
 
 /// The rounding of a sum of n products and two further operations, relative to Σ|terms|: 8 (n + 2) ε.

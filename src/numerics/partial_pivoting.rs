@@ -109,7 +109,7 @@ fn eliminate(
     Some(())
 }
 
-/// Replaces a right-hand side, whose rows are in pivot order, by the solution.
+/// Replaces the right-hand side in `x`, whose entries are in the order of the pivot rows, by the solution.
 #[inline(always)]
 fn substitute(d: usize, lu: &[f64], reciprocal_pivots: &[f64], x: &mut [f64]) {
     let (lu, reciprocal_pivots, x) = (&lu[..d * d], &reciprocal_pivots[..d], &mut x[..d]);

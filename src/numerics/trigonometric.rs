@@ -126,7 +126,7 @@ impl Trigonometric {
 /// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`; `None` without
 /// such a zero.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
-    // No zero exists if the constant exceeds the sum of all negative coefficients.
+    // No zero in (0, 1] exists if the constant coefficient exceeds the magnitude of the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {
         return None;
     }

@@ -145,8 +145,8 @@ impl LocalLaw<'_> {
         if most <= r {
             return Mode::Sticking;
         }
-        // Moves from facet to facet, each time to the neighbour whose condition the projected force violates. With equal tangential springs the first
-        // facet is final.
+        // Moves from facet to facet, each time to the neighbour whose condition `h·F_t <= r` the projected force violates. With equal tangential
+        // springs the first facet is final.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);

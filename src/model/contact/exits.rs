@@ -180,7 +180,7 @@ impl LocalLaw<'_> {
             }
         }
         // For a line through the apex the quadratic has a double root at the apex, which costs half the digits. Beyond the apex the line continues in
-        // the opposite nappe of the cone, F_n < 0. The exit is then the root of F_n, which is linear in the step.
+        // the opposite nappe of the cone, F_n < 0. The exit is then the root of the normal force F_n, which is linear in the step.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);

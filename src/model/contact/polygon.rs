@@ -59,7 +59,7 @@ impl PolygonCone {
     /// Largest number of facets; with more facets, neighbouring facets would differ by little more than rounding.
     pub const MOST_FACETS: usize = 4096;
 
-    /// A polygon of `facets` facets.
+    /// A polygonal cone with this number of facets.
     ///
     /// # Errors
     /// [`Error::Facets`] unless 3 <= facets <= [`Self::MOST_FACETS`].

@@ -28,7 +28,7 @@ pub(crate) struct Spring {
     /// Rounding error of `right`. With this correction the product of `left` and `right` along an axis equals the stiffness along this axis to the
     /// last digit.
     pub(crate) right_rest: SVector<f64, 3>,
-    /// Rounding error of `left`. With this correction the friction force equals μ F_n to the last digit.
+    /// Rounding error of `left`. With this correction the friction force of a sliding contact equals μ F_n to the last digit.
     pub(crate) left_rest: SVector<f64, 3>,
 }
 

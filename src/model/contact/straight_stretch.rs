@@ -65,7 +65,8 @@ impl LocalLaw<'_> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction that differs from its limit by this fraction or less is on the cone: a previous step leaves rounding errors of this size.
+        // A traction that differs from the friction limit by this fraction or less is on the cone: a previous step along the load path leaves
+        // rounding errors of this size.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }

@@ -137,7 +137,7 @@ impl<const C: usize> Contact<C> {
         (self.command_axes == CommandAxes::World).then_some(&self.command)
     }
 
-    /// The contact with its command in the contact frame and its pressing force converted to a command.
+    /// This contact with the command given in the contact frame, and with the force of [`Self::pressed_with`] converted to a command.
     pub(super) fn resolved(mut self) -> Self {
         (self.command, self.command_axes, self.press) = (self.commanded(), CommandAxes::Frame, None);
         self

@@ -15,7 +15,7 @@ pub(crate) struct Support {
 }
 
 impl Support {
-    /// Common support of a grasp map and its rounding error, which then store only the rows of these ranges.
+    /// Common support of a grasp map and of the rounding error of this map. Map and error then store only the rows in the ranges of the support.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let count = map.size().count();
         let object = space.of_the_object().min(count);
@@ -47,7 +47,7 @@ impl Support {
     }
 }
 
-/// Divides a range at its longest gap between the coordinates in `indices`.
+/// Divides a range of coordinates at the longest gap between the coordinates in `indices`, where a grasp map has nonzero entries.
 fn split_at_gap(range: Range<usize>, indices: &[usize]) -> [Range<usize>; 2] {
     let Range { start, end } = range;
     let (mut gap, mut last) = (end..end, start);

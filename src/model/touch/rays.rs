@@ -28,7 +28,8 @@ pub(super) struct RayHit {
 pub(super) struct PadHits {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<RayHit>>,
-    /// Least travel, m, at which a point of the pad or its centre meets the part, or the pad meets a vertex of the mesh.
+    /// Least travel of the pad along the closing direction, m, at which it touches the part. Sample points and centre of the pad, and vertices of the
+    /// mesh, are considered.
     pub(super) foremost: f64,
 }
 

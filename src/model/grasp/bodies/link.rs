@@ -133,8 +133,8 @@ impl<const C: usize> Link<C> {
         Self { name, place, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
     }
 
-    /// A slide: relative motion of the bodies is only possible along this direction. Its bearings are `length` apart, m, with this point in the
-    /// middle.
+    /// A slide: relative motion of the bodies is only possible along this direction. The bearings of the slide are `length` apart, m, with this point
+    /// in the middle.
     pub fn slide(point: impl Into<[f64; C]>, direction: impl Into<[f64; C]>, length: f64) -> Self {
         let (point, direction) = (SVector::from(point.into()), SVector::from(direction.into()));
         Self::at(LinkPlace::Slide { point, direction, length })

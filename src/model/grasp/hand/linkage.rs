@@ -48,7 +48,7 @@ pub(crate) struct NamedPart {
     pub(crate) kind: JointKind,
     /// Constant torque on the joint, N m or N, or constant tension of the tendon, N.
     pub(crate) held_torque: f64,
-    /// Generalised force on the coordinates per unit of the torque or tension.
+    /// Generalised force on the coordinates of the grasp per unit of the joint's torque or the tendon's tension.
     pub(crate) along: Vector,
 }
 
@@ -184,7 +184,7 @@ impl Linkage {
         PartLabel { part, name: named.name.clone() }
     }
 
-    /// Drives of an actuator with their indices. Actuators are the joints, then the tendons.
+    /// Drives (springs of joints and tendons) of an actuator, with their indices. Actuators are the joints, then the tendons.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
         let owner = if actuator < joints {
