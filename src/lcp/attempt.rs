@@ -51,7 +51,7 @@ impl Workspace {
     }
 
     /// Follows Lemke's path from the slack basis with the stored covering vector, until all paths of the solve together have `limit` pivots, and
-    /// checks its end. `None` if the end is a solution.
+    /// checks the point at the end of the path. `None` if this point is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -69,8 +69,8 @@ impl Workspace {
         })
     }
 
-    /// Checks the complementary point at the end of a path. If rounding has led to a point that fails, the path is resumed from its basis, up to
-    /// three times. `None` if an end is a solution.
+    /// Checks the complementary point at the end of a path. If rounding has led to a point that fails the check, the path is resumed from the basis
+    /// of this point, up to three times. `None` if one of the end points is a solution.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,
@@ -91,9 +91,9 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Improves a solution whose w is more negative than rounding explains: its path has treated nearly equal ratios as ties, or small values as
-    /// noise. A second path from this solution treats neither ratios as ties nor values as noise, and the point with the smaller largest residual is
-    /// kept. Settings without retries skip this step.
+    /// Improves a solution whose w is more negative than rounding explains. The path to this solution has treated nearly equal ratios as ties, or
+    /// small values as noise. A second path from this solution allows only for the rounding of short sums. The point with the smaller largest
+    /// residual is kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
@@ -107,7 +107,7 @@ impl Workspace {
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // If near-ties can be separated, few pivots are needed. Without this limit large degenerate problems would run for long.
+        // If ratios that are nearly tied can be separated, few pivots are needed. Without this limit large degenerate problems would run for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

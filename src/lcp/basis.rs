@@ -12,7 +12,7 @@ pub struct Basis {
 }
 
 impl Basis {
-    /// The slack basis, α = ∅, of a problem with n rows.
+    /// The slack basis of a problem with n rows, in which every slack w_i is basic: α = ∅.
     #[must_use]
     pub fn slack(n: usize) -> Self {
         Self { basic_z: vec![false; n] }
@@ -29,13 +29,13 @@ impl Basis {
         Self { basic_z }
     }
 
-    /// Resets to the slack basis of n rows.
+    /// Resets this basis to the slack basis of a problem with n rows, in which every z_i is nonbasic.
     pub(super) fn clear(&mut self, n: usize) {
         self.basic_z.clear();
         self.basic_z.resize(n, false);
     }
 
-    /// Makes z_i basic and w_i nonbasic.
+    /// Adds i to the set α: makes z_i basic and w_i nonbasic.
     pub(super) fn insert(&mut self, i: usize) {
         self.basic_z[i] = true;
     }

@@ -68,8 +68,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the workspace's point by its `spare` point, and `residuals` by the residuals of the spare point, if `accept` holds for the largest of
-    /// them.
+    /// Replaces the point of the workspace by the `spare` point if `accept` is true for the largest residual of the spare point. `residuals` then
+    /// become the residuals of this point.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -81,7 +81,7 @@ impl Workspace {
     /// Marks the basic z's that are zero up to rounding.
     ///
     /// Such a z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. It may also be small relative to the largest z, if
-    /// the residuals stay as small with all such z's set to zero. The second test finds z's that were computed from noise alone.
+    /// the residuals are only rounding with all such z's set to zero. The second test finds z's that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -144,8 +144,8 @@ impl Workspace {
         residuals
     }
 
-    /// One step of refinement: adds to the basic values the effect of the defect at the present point. The defect of a row with basic z_i is its w_i,
-    /// which should vanish.
+    /// One step of refinement: corrects the values of the basic variables for the defect of each row at the present point. If z_i is basic, the
+    /// defect of row i is the value of w_i, which should vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -176,8 +176,8 @@ impl Workspace {
         changed
     }
 
-    /// Factorises the block of the basis anew, first without its vanishing variables, then with them. Replaces the point if the largest residual of
-    /// the new point is smaller.
+    /// Factorises the principal block of the basis anew: first without the basic variables that are zero up to rounding, then with them. Replaces the
+    /// point if the largest residual of the new point is smaller.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().list();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).list();

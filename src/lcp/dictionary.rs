@@ -67,18 +67,19 @@ pub(super) struct Dictionary {
     pub(super) level: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
-    /// The balanced covering vector d.
+    /// The balanced covering vector d, the coefficients of the covering variable z₀.
     pub(super) d: Vec<f64>,
-    /// The column of M, or d, from which equation (1) of the file header computes the entering column. The list has one more entry, zero, to which
-    /// `slack` refers the rows whose basic variable is no slack.
+    /// The loaded column: the column of M, or d, from which equation (1) of the file header computes the entering column. One more entry, zero,
+    /// serves the rows whose basic variable is no slack; `slack` refers to it.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
-    /// The first term of equation (1) for the loaded column, as [`Self::spread`] leaves it.
+    /// The first term of equation (1) of the file header for the loaded column of M or d. For each row it is entry i of that column if w_i is basic
+    /// in the row, otherwise 0.
     next: Vec<f64>,
-    /// For each stored column D_v, its factor g in the update `D_v += g u`.
+    /// For each stored column D_v, the factor g in the update `D_v += g u` with which a pivot changes the column. u is the entering column.
     g: Vec<f64>,
-    /// For each stored column, its factor in the sum of equation (1) for the next entering column.
+    /// For each stored column D_{w_i}, entry i of the loaded column of M or d. This is the factor of D_{w_i} in equation (1) of the file header.
     c: Vec<f64>,
 }
 
@@ -120,7 +121,7 @@ impl Dictionary {
         if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
 
-    /// Computes the column of a nonbasic variable into `u`.
+    /// Computes into `u` the column of a nonbasic variable: for each row, the change of the basic variable per unit of the nonbasic variable.
     pub(super) fn enter(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let Some(slot) = self.slot_of(variable) {
             let at = slot * self.n;
@@ -133,27 +134,29 @@ impl Dictionary {
         }
     }
 
-    /// The magnitude of the largest entry of the loaded column of M or d, from which equation (1) computes the entering column.
+    /// The magnitude of the largest entry of the loaded column of M or d, from which the entering column of the dictionary is computed.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
 
-    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side, by equation (1).
+    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side q. They follow from equation (1) of the file
+    /// header with r in place of a column of M.
     pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.entering[..self.n].copy_from_slice(r);
         self.spread();
         self.eliminate(effect);
     }
 
-    /// Evaluates equation (1) of the file header into y, from `next` and `c` as [`Self::spread`] leaves them.
+    /// Computes into y the dictionary's column for the loaded column of M or d, by equation (1) of the file header: `next` minus the stored columns,
+    /// each times its entry of `c`. [`Self::spread`] must have been called.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Recomputes `level` for values that equation (1) computes from the right-hand side q: for each row, the sum of the magnitudes of the terms of
-    /// (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the row, and the entry of each
-    /// stored column D_{w_j} times q_j.
+    /// Recomputes `level` for values that equation (1) of the file header computes from the right-hand side q: for each row, the sum of the
+    /// magnitudes of the terms of (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the
+    /// row, and the entry of each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -165,8 +168,8 @@ impl Dictionary {
 
     /// Sets entries of the entering column to zero that are only noise.
     ///
-    /// In a column that is summed by equation (1), an entry is noise below `tolerance` times the magnitude of its terms. In the stored column of a
-    /// slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
+    /// In a column that is summed by equation (1) of the file header, an entry is noise below `tolerance` times the magnitude of its terms. In the
+    /// stored column of a slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -187,7 +190,8 @@ impl Dictionary {
         }
     }
 
-    /// Loads column e of the balanced M, or d, and prepares equation (1) for it with [`Self::spread`].
+    /// Loads the column of the balanced M that belongs to the variable z_e, or d for z₀. Prepares equation (1) of the file header for this column
+    /// with [`Self::spread`].
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -201,8 +205,8 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Prepares equation (1) of the file header for the loaded column: the first term of the equation in `next`, the factors M_ie of its second term
-    /// in `c`.
+    /// Prepares equation (1) of the file header for the loaded column of M or d. Stores the first term of the equation in `next`, and the factors of
+    /// the stored columns in `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -259,8 +263,8 @@ impl Dictionary {
         }
     }
 
-    /// Makes the exchange of [`Self::exchange`] except for the rank-one update of the stored columns. Leaves the factors of this update in `g` and
-    /// `u`; returns the leaving variable.
+    /// Exchanges the entering variable with the basic variable of row r, except for the rank-one update of the stored columns. Leaves the factors of
+    /// this update in `g` and `u`; returns the leaving variable.
     fn rearrange(&mut self, entering: LemkeVariable, r: usize) -> LemkeVariable {
         let n = self.n;
         let leaving = self.basic[r];
@@ -305,8 +309,8 @@ impl Dictionary {
         leaving
     }
 
-    /// Increases the entering variable until the basic variable of row r is zero. Updates the basic values in `x` and the magnitudes of their terms
-    /// in `level`.
+    /// Increases the entering variable until the basic variable of row r is zero; `pivot` is the entry of the entering column in this row. Updates
+    /// the basic values in `x` and the magnitudes of their terms in `level`.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();

@@ -102,7 +102,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// The state of an enumeration of all bases of one problem.
+/// The state of an enumeration of all complementary bases of one problem.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,
@@ -136,7 +136,8 @@ impl Search<'_> {
         vector_of(alpha.len(), &|j| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
-    /// The solution with the values `basic` of z_α and z = 0 elsewhere; `None` if its residuals exceed the tolerance or it does not depend on q.
+    /// The solution with the values `basic` of z_α and z = 0 elsewhere; `None` if the residuals of this point exceed the tolerance, or if the point
+    /// does not depend on q.
     fn solution_at(&self, alpha: &[usize], basic: &DVector<f64>) -> Option<Solution> {
         let (lcp, tolerance) = (self.lcp, self.settings.residual_tolerance);
         let mut z = vec![0.0; lcp.len()];

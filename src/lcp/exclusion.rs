@@ -35,7 +35,7 @@ struct ExclusionTest<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
-    /// The matrix M with rows and columns balanced; `q` is balanced likewise.
+    /// The matrix M with balanced rows and columns; the right-hand side `q` is balanced by the same factors.
     m: DMatrix<f64>,
     q: DVector<f64>,
 }
@@ -45,8 +45,8 @@ impl ExclusionTest<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row alone excludes the basis: q_i < 0, and row i has no positive entry in the columns α. For i in α, where w_i = 0, the opposite
-    /// signs also exclude the basis.
+    /// Whether one row of M and q alone excludes the basis: q_i < 0, and row i of M has no positive entry in the columns α. For i in α, where w_i
+    /// must be zero, opposite signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
@@ -68,7 +68,7 @@ impl ExclusionTest<'_> {
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        // Three conditions are tried per basis, the most violated first.
+        // The three most violated conditions are tried for each basis.
         increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
             // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1
@@ -92,15 +92,15 @@ impl ExclusionTest<'_> {
         })
     }
 
-    /// Whether a dual solution of the linear program that minimises the largest violation of the constraints of the piece, taken as v, excludes the
-    /// basis. There is one dual solution for each margin δ in [`MARGINS`].
+    /// Whether a dual solution of the linear program that minimises the largest violation of the basis's conditions, taken as v, excludes the basis.
+    /// One dual solution is computed for each margin δ in [`MARGINS`], by which its constraints are tightened.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether v excludes the basis, as computed or [`cleaned`]. The entries of `v` are multipliers of the balanced rows, and are first converted to
-    /// multipliers of the given rows.
+    /// Whether the vector v, as computed or [`cleaned`], proves that no solution belongs to the basis. The entries of `v` are multipliers of the
+    /// balanced rows, and are first converted to multipliers of the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);

@@ -137,7 +137,7 @@ impl Lcp {
     }
 }
 
-/// The values that an unknown may have.
+/// The values that an unknown z_j may have in the constraints that a Farkas vector contradicts.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
     /// The unknown is nonnegative: z_j ≥ 0.

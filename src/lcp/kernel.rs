@@ -2,8 +2,8 @@
 
 use crate::numerics::{Each, Loop};
 
-/// The update a_j += g_j u of the stored columns a_j, and the next entering column y −= Σ_j c_j a_j. Four columns are processed at a time, in one
-/// pass over memory.
+/// The update a_j += g_j u of the dictionary's stored columns a_j with the entering column u. Also computes the next entering column, y −= Σ_j c_j
+/// a_j. Four columns are processed at a time, in one pass over memory.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -88,7 +88,7 @@ impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
     }
 }
 
-/// The update a_j += g_j u of all stored columns a_j.
+/// The update a_j += g_j u of all stored columns a_j of a dictionary after a pivot with the entering column u.
 pub(super) struct Update<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -110,7 +110,7 @@ impl Loop for Update<'_> {
     }
 }
 
-/// The update a += g u of one column.
+/// The update a += g u of one stored column of a dictionary.
 #[inline(always)]
 pub(super) fn add(a: &mut [f64], g: f64, u: &[f64]) {
     for (a, u) in a.iter_mut().zip(u) {

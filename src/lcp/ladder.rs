@@ -19,8 +19,8 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Workspace {
-    /// Makes the attempts in turn for a prepared problem. `None` if one of them solves it. Otherwise returns the proof that no solution exists or,
-    /// without one, the outcome of the first path.
+    /// Makes the attempts in turn for a prepared problem. `None` if an attempt solves the problem. Otherwise returns the proof that no solution
+    /// exists or, without one, the outcome of the first path.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -94,7 +94,7 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Stores the first solution that enumeration finds, and returns `None`; returns `Some(())` if enumeration finds no solution.
+    /// Tries all complementary bases. Stores the first solution found and returns `None`, or returns `Some(())` if there is none.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };

@@ -14,9 +14,9 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 /// The ways in which a path of Lemke's method ends.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LemkeEnd {
-    /// z₀ has left, so the basis is complementary.
+    /// The covering variable z₀ has left the basis, which is thus complementary.
     Complementary,
-    /// This entering variable grows without bound; its column is in the dictionary.
+    /// This entering variable grows without bound; `u` of the dictionary holds the column of the variable.
     Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),
@@ -56,7 +56,8 @@ impl LemkePath {
             && self.cover_and_run(m, settings, limit) == LemkeEnd::Complementary
     }
 
-    /// Follows the path along which `entering` increases next, and returns its end. The dictionary must hold the column of `entering`.
+    /// Follows the path on which the variable `entering` increases next, and returns the end of the path. The dictionary must hold the column of
+    /// `entering`.
     fn run(&mut self, mut entering: LemkeVariable, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         loop {
             if self.pivots >= limit {
@@ -85,8 +86,9 @@ impl LemkePath {
 
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
-    /// The dictionary is first recomputed if it has drifted from the data, if the column of `entering` has overflowed, or if no row offers a pivot.
-    /// It is also recomputed if the pivot is doubtful, unless one step of refinement changes the column by at most the fraction [`DRIFTED`].
+    /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no row
+    /// offers a pivot. It is also recomputed if the pivot is doubtful, unless one step of refinement changes the column by at most the fraction
+    /// [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -94,7 +96,7 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The comparison of dictionary and data costs as much as one or two pivots. If the comparison were made more rarely, drift would be found
+        // The comparison of the dictionary with M, q and d costs as much as one or two pivots. If it were made more rarely, drift would be found
         // late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {

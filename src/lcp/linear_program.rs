@@ -35,8 +35,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     nearly
 }
 
-/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 satisfies A x + b ≥ 0. Each margin gives one dual solution; the list ends at the
-/// first margin that gives none.
+/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 satisfies A x + b ≥ 0. Each margin δ, by which the constraints Aᵀy ≤ 0 are
+/// tightened, gives one dual solution. The list ends at the first margin that gives none.
 fn contradictions<'a>(
     a: &'a DMatrix<f64>,
     b: &'a DVector<f64>,
@@ -51,8 +51,8 @@ fn contradictions<'a>(
 }
 
 impl Lcp {
-    /// Candidate Farkas vectors of A x + b ≥ 0, x ≥ 0, whose entries are near one: the dual solution for each margin, as computed and
-    /// [`cleaned`].
+    /// Candidate Farkas vectors of A x + b ≥ 0, x ≥ 0, where the entries of A are near one. They are the dual solution for each margin δ of the
+    /// constraints Aᵀy ≤ −δ 1, as computed and [`cleaned`].
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
@@ -62,8 +62,8 @@ impl Lcp {
     }
 }
 
-/// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may move it outside. With a margin the
-/// vertex stays inside, if the constraints leave room for the margin.
+/// The margins δ by which the constraints Aᵀy ≤ −δ 1 of the dual linear programs are tightened. A vertex y lies on constraints, and rounding may move
+/// y outside. With a margin y stays inside, if the constraints leave room for the margin.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
 /// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. `None` if it cannot be solved. In its solution, x

@@ -82,8 +82,8 @@ impl Logarithms {
     }
 }
 
-/// Adds the exponents of a column's entries to the sums of their rows, and multiplies the products of their rows by the mantissas. Returns the sum
-/// and the product over the column.
+/// For the entries of a column: adds their binary exponents to the sums of their rows, and multiplies the products of their rows by their mantissas.
+/// Returns the sum and the product over the column.
 fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
     let mut sum = [0_u64; 4];
     let mut product = [1.0_f64; 4];

@@ -55,11 +55,11 @@
 //!
 //! A pivot costs O(n²) flops. The path needs O(n²) memory in addition to M, which a [`Workspace`] or a [`Series`] keeps for reuse.
 
-// Files, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input, `scaling` balances its
-// rows and columns, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to dictionary and recompute
-// dictionaries. `point` and `conclusion` check the end of a path against the data. `farkas` and `exclusion` prove without rounding that no solution
-// exists. One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points are `solve`, `enumerate`, `series`
-// and `parametric`.
+// The files of this module, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input,
+// `scaling` balances its rows and columns, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to
+// dictionary and recompute dictionaries. `point` and `conclusion` check the end of a path against the given M and q. `farkas` and `exclusion` prove
+// without rounding that no solution exists. One `attempt` is one path with its end; the `ladder` defines the sequence of attempts. The entry points
+// are `solve`, `enumerate`, `series` and `parametric`.
 
 mod attempt;
 mod basis;

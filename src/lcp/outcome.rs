@@ -15,7 +15,7 @@ use thiserror::Error;
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Outcome<S = Solution> {
-    /// A solution was found and checked against the given data.
+    /// A solution was found and checked against the given M and q.
     Solved(S),
     /// No z ≥ 0 satisfies M z + q ≥ 0 for the given data: the [`Certificate`] proves it without rounding.
     Infeasible(Certificate),
@@ -81,7 +81,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots replaced by `made`, the number on all paths. A solution is returned unchanged.
+    /// This outcome with the number of pivots replaced by `made`, the number of pivots on all paths. A solution is returned unchanged.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}

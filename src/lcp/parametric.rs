@@ -33,13 +33,13 @@ pub struct Breakpoint {
     pub z: DVector<f64>,
     /// The variable that has reached zero and leaves the basis.
     pub leaving: Variable,
-    /// The complement of `leaving`, which increases from zero on the next piece.
+    /// The complement of `leaving`, which increases from zero on the next piece of the path of solutions.
     pub entering: Variable,
-    /// The complementary basis of the next piece.
+    /// The complementary basis of the next piece of the path of solutions.
     pub basis: Basis,
-    /// Direction of τ on the next piece.
+    /// Direction of the parameter τ on the next piece of the path of solutions.
     pub trend: Trend,
-    /// dz/dτ on the next piece (n entries), for either direction of τ; zero if τ is constant.
+    /// The rate dz/dτ of the solution on the next piece of the path (n entries), for either direction of τ; zero if τ is constant.
     pub rate: DVector<f64>,
 }
 
@@ -47,7 +47,7 @@ pub struct Breakpoint {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
-    /// The last piece is unbounded: τ → ∞ (forward), τ → −∞ (backward), or τ is constant (still).
+    /// The last piece of the path of solutions is unbounded: τ → ∞ (forward), τ → −∞ (backward), or τ is constant (still).
     Unbounded(Trend),
     /// The path has returned to an earlier piece, usually the first, and thus is a closed loop. The last breakpoint leads to that piece.
     ///
@@ -55,7 +55,7 @@ pub enum PathEnd {
     Loop,
     /// The number of breakpoints has reached the pivot limit of the settings.
     PivotLimit,
-    /// In double precision the path could not be followed further.
+    /// The path of solutions could not be followed further in double precision.
     Breakdown(BreakdownCause),
     /// No solution is known at τ = 0, where the path would start.
     NoStart,
@@ -97,7 +97,7 @@ pub struct Parametric<'a> {
     /// The basis of an earlier piece of the path, replaced after 1, 2, 4, 8, … breakpoints. A path that has entered a loop returns to this basis
     /// eventually (R. P. Brent, BIT 20, 1980).
     remembered: Basis,
-    /// Whether the path has returned to an earlier piece of itself.
+    /// Whether the path of solutions has returned to an earlier piece of itself.
     closed: bool,
     end: Option<PathEnd>,
 }
@@ -150,8 +150,8 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with τ as the entering variable. The error is the reason why no path starts at this
-    /// solution.
+    /// Prepares the dictionary of the solution at τ = 0, with the parameter τ as the entering variable. The error is the reason why no path starts at
+    /// this solution.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -171,7 +171,7 @@ impl<'a> Parametric<'a> {
         &self.start
     }
 
-    /// Direction of τ on the current piece, which follows the last breakpoint; forward before the first breakpoint.
+    /// Direction of the parameter τ on the current piece of the path, which follows the last breakpoint; forward before the first breakpoint.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend
@@ -183,7 +183,7 @@ impl<'a> Parametric<'a> {
         self.end.as_ref()
     }
 
-    /// Rates of z and τ per unit increase of the entering variable, in the caller's units: dz and dτ.
+    /// Rates of the unknowns z and of the parameter τ per unit increase of the entering variable, in the caller's units.
     fn rates(&self) -> (DVector<f64>, f64) {
         let path = &self.workspace.path;
         let mut rate = Vec::new();
@@ -196,7 +196,8 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece of the path up to the breakpoint at its end. The error is the reason why there is no further breakpoint.
+    /// Follows one piece of the path, on which the basis does not change, up to the breakpoint at the end of the piece. The error is the reason why
+    /// there is no further breakpoint.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);

@@ -13,14 +13,15 @@ pub(super) struct LemkePath {
     pub(super) dictionary: Dictionary,
     /// Balanced right-hand side q.
     pub(super) q: Vec<f64>,
-    /// Balanced perturbation p, which breaks ties.
+    /// Balanced perturbation p of the right-hand side q, which breaks ties.
     pub(super) p: Vec<f64>,
-    /// Balanced covering vector d.
+    /// Balanced covering vector d, the coefficients of z₀.
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
     pub(super) age: usize,
-    /// The entry of the perturbation p for each basic variable, ordered by variable; kept while the dictionary is recomputed.
+    /// For each basic variable, the entry of the perturbation p that breaks ties. Entries are ordered by variable, and kept while the dictionary is
+    /// recomputed.
     pub(super) saved: Vec<f64>,
     /// Variables that become basic as the dictionary is recomputed from the slack basis.
     pub(super) members: Vec<LemkeVariable>,
@@ -28,7 +29,7 @@ pub(super) struct LemkePath {
     pub(super) leaving: Vec<usize>,
     /// For each row, the defect q + M z + d z₀ − w of the current values.
     pub(super) defect: Vec<f64>,
-    /// For each row, the magnitude of the terms of `defect`.
+    /// For each row, the magnitude of the terms of the defect q + M z + d z₀ − w, which scales its rounding error.
     pub(super) terms: Vec<f64>,
 }
 

@@ -31,7 +31,7 @@ impl LcpPoint {
         slack_and_terms(&lcp.m, lcp.q.as_slice(), &self.z, &mut self.w, &mut self.terms);
     }
 
-    /// The residuals at z. `w` and `terms` must have been computed.
+    /// The residuals of the problem at this point z. `w` and `terms` must have been computed.
     pub(super) fn residuals(&self, lcp: &Lcp) -> Residuals {
         residuals_from(&lcp.m, lcp.q.as_slice(), &self.z, &self.w, &self.terms)
     }

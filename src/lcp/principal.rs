@@ -1,4 +1,4 @@
-//! The point of a complementary basis, by factorisation of its principal block.
+//! The point z of a complementary basis, by factorisation of the principal block M_αα of the basis.
 
 use super::problem::Lcp;
 use super::scaling::Scaling;

@@ -2,7 +2,7 @@
 //!
 //! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is the
 //! lexicographic rule (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has no ties.
-//! The path of the perturbed problem is found by comparing the column of p among rows that tie; the data are not changed.
+//! The path of the perturbed problem is found by comparing the column of p among rows that tie; q itself is not changed.
 //!
 //! If z₀ is among the tied variables, z₀ leaves, since the point with z₀ = 0 solves the problem.
 
@@ -11,7 +11,7 @@ use super::settings::Settings;
 use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{Loop, wide};
 
-/// The role of z₀ on a path.
+/// The role of the covering variable z₀ on a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Covering {
     /// z₀ is to become zero: it leaves as soon as possible.
@@ -23,8 +23,9 @@ pub(super) enum Covering {
 /// The row whose basic variable reaches zero first as the entering variable increases; `None` if no basic variable ever reaches zero. If z₀ is
 /// `Artificial` and reaches zero together with others, the row of z₀ is returned. If z₀ is a `Parameter`, its row never blocks.
 ///
-/// u is the entering column. Only rows with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among the
-/// preferred rows the row with the smallest p_i / −u_i is chosen.
+/// u is the entering column: the change of each basic variable per unit of the entering variable. p is the perturbation that breaks ties. Only rows
+/// with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among the preferred rows the row with the
+/// smallest p_i / −u_i is chosen.
 pub(super) fn blocking_row(
     dictionary: &Dictionary,
     noise: f64,
@@ -86,7 +87,8 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step that the row `firm` allows violates a doubtful row. A row is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
+/// Whether the step that the row `firm` allows violates a doubtful row. u_i is the change of the basic variable in row i per unit of the entering
+/// variable. A row is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
 ///
 /// A row is violated if its value becomes negative by more than rounding: its own rounding error, or the rounding error of the largest value. If no
 /// row is violated, it does not matter whether a doubtful row blocks first.
@@ -106,7 +108,8 @@ pub(super) fn doubtful_row_breaks(
     })
 }
 
-/// The shortest step: min x_i / −u_i over the rows with u_i < `least`, where negative x_i count as 0.
+/// The shortest step of the entering variable: min x_i / −u_i over the rows with u_i < `least`. x_i is the value of the basic variable, where
+/// negative x_i count as 0, and u_i its change per unit step.
 ///
 /// The loop has no branches, since half of them would be mispredicted.
 struct ShortestStep<'a> {
@@ -140,8 +143,9 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row with the smallest (x_i + ε p_i) / u_i among the rows with x_i < 0. Its variable leaves when z₀ enters an infeasible basis. `Ok(None)` if
-/// no x_i is negative.
+/// The row with the smallest (x_i + ε p_i) / u_i among the rows with x_i < 0, for ε → 0+. x_i is the value of the basic variable, u_i its change per
+/// unit of z₀, and p_i the perturbation that breaks ties. The variable of this row leaves when z₀ enters an infeasible basis. `Ok(None)` if no x_i is
+/// negative.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive: then no z₀ makes that row feasible.
 pub(super) fn most_violated_row(

@@ -1,4 +1,5 @@
-//! Recomputation of dictionaries from the data: measurement of drift, refactorisation of the current basis, and factorisation of another basis.
+//! Recomputation of dictionaries from M, q and d of w = q + M z + d z₀: measurement of drift by rounding, refactorisation of the current basis, and
+//! factorisation of another basis.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -9,8 +10,8 @@ use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
 impl LemkePath {
-    /// Drift of the basic values: the largest violation of w = q + M z + d z₀, relative to the terms of its row plus [`DRIFT_FLOOR`] times the
-    /// largest q_i.
+    /// Drift of the basic values, which rounding causes from pivot to pivot: the largest violation of w = q + M z + d z₀, relative to the terms of
+    /// its row plus [`DRIFT_FLOOR`] times the largest q_i.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -30,8 +31,8 @@ impl LemkePath {
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.x), d, scaling, m);
     }
 
-    /// One step of refinement of the entering column u, computed from its defect A_e + Σ A_v u_v over the basic variables v. A_v is the column of v
-    /// in q + M z + d z₀ − w.
+    /// One step of refinement of the entering column u, computed from the defect A_e + Σ A_v u_v, a sum over the basic variables v. A_v is the column
+    /// of the variable v in q + M z + d z₀ − w, and e is the entering variable.
     ///
     /// Returns the larger of two relative corrections: |Δu_r| / |u_r| in the given row, and max |Δu| / max |u|.
     pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
@@ -48,8 +49,7 @@ impl LemkePath {
         (terms[row] / dictionary.u[row]).abs().max(largest(terms) / largest(&dictionary.u))
     }
 
-    /// Recomputes the dictionary of the current basis from the data, by elimination with row pivoting, and loads the column of the entering
-    /// variable.
+    /// Recomputes the dictionary of the current basis from M, q and d, by elimination with row pivoting. Loads the column of the entering variable.
     pub(super) fn refactor(&mut self, entering: LemkeVariable, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
@@ -69,7 +69,7 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Computes, from the data, the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
+    /// Computes from M, q and d the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
     /// [`BreakdownCause::SingularBasis`], if a pivot is only rounding.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
@@ -94,7 +94,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the basic values by the effect of the defect that was computed last. Recomputes `level` from the terms of that defect.
+    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes `level` from the terms of that
+    /// defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -124,7 +125,8 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the row or variable as balanced by exact factors; balancing to powers of two makes it slightly different from 1.
+            // One unit of the row or variable if the balancing factors were exact. Factors rounded to powers of two make this unit slightly different
+            // from 1.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
@@ -154,7 +156,7 @@ impl LemkePath {
         violated
     }
 
-    /// Makes z₀ the parameter of q + z₀ d and loads its column. The vector d is given in the caller's units of rows.
+    /// Makes z₀ the parameter of the right-hand sides q + z₀ d and loads the column of z₀. The vector d is given in the caller's units of rows.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));

@@ -17,11 +17,13 @@ use nalgebra::DMatrix;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// max_j s_j over the j with z_j < 0.
+    /// How negative entries of z are: max_j s_j over the j with z_j < 0. s_j is the largest contribution of z_j to a row, relative to the terms of
+    /// this row.
     pub negative_z: f64,
-    /// max_i −w_i / a_i over the i with w_i < 0.
+    /// How negative slacks are: max_i −w_i / a_i over the i with w_i < 0. a_i is the magnitude of the terms of w_i.
     pub negative_w: f64,
-    /// max_i min(max(w_i, 0) / a_i, s_i) over the i with z_i > 0.
+    /// Violation of z_i w_i = 0: max_i min(max(w_i, 0) / a_i, s_i) over the i with z_i > 0. a_i is the magnitude of the terms of w_i. s_i is the
+    /// largest contribution of z_i to a row, relative to the terms of this row.
     pub complementarity: f64,
 }
 
@@ -80,7 +82,7 @@ pub(super) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f
     if n == 0 {
         return;
     }
-    // Four columns are added at a time.
+    // Four columns of M are added at a time.
     let column = |j: usize| &m.as_slice()[j * n..(j + 1) * n];
     let mut support = z.iter().enumerate().filter(|(_, z)| **z != 0.0).map(|(j, z)| (j, *z));
     while let Some(first) = support.next() {
@@ -147,7 +149,7 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// The relative slack w_i / a_i; zero in a row without terms.
+    /// The relative slack w_i / a_i, with the magnitude a_i of the terms of w_i; zero in a row without terms.
     fn relative_slack(&self, i: usize, w: f64) -> f64 {
         let a = self.terms[i];
         if a >= FAINT_ROW {
@@ -156,7 +158,8 @@ impl Rows<'_> {
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
     }
 
-    /// s_j for one column, the largest contribution of z_j to a row. Stops at the first contribution that reaches `enough`.
+    /// The largest contribution of an entry z_j to a row, s_j = max_i |M_ij| |z_j| / a_i. a_i is the magnitude of the terms of row i. The search
+    /// stops at the first contribution that reaches `enough`.
     fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
         let mut share = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {
@@ -178,7 +181,7 @@ impl Rows<'_> {
         share.unwrap_or(1.0)
     }
 
-    /// The pairs of factors whose products sum to w_i.
+    /// The pairs of factors whose products sum to w_i: M_ij and z_j for each j, then q_i and 1.
     fn products(&self, i: usize) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let &Self { m, q, z, .. } = self;
         z.iter().enumerate().map(move |(j, z)| (m[(i, j)], *z)).chain([(q[i], 1.0)])

@@ -10,8 +10,8 @@
 //! The data are multiplied only by powers of two, which causes no rounding and preserves ties. The part of ρ_i that is lost in rounding it to an
 //! integer enters the covering vector, where it does no harm.
 //!
-//! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of d; nearly equal entries
-//! would turn ties into ill-conditioned near-ties.
+//! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of the covering vector d. Nearly
+//! equal entries would turn ties into ill-conditioned near-ties.
 
 use super::logarithms::Logarithms;
 use super::memory::refill;
@@ -32,7 +32,7 @@ pub(super) struct Scaling {
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// Row indices of the nonzero entries of [M, q], column after column, if they are few enough to be listed. Its memory is reused.
+    /// Row indices of the nonzero entries of [M, q], column after column, if they are few enough to be listed. The memory of this list is reused.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -60,7 +60,7 @@ impl Scaling {
         self.round();
     }
 
-    /// Solves the least-squares problem over the nonzero entries of [M, q].
+    /// Solves the least-squares problem of the balancing exponents ρ and γ over the nonzero entries of [M, q].
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::append(q, &mut self.rows, &mut self.columns);
         let mut list = core::mem::take(&mut self.pattern);
@@ -74,10 +74,10 @@ impl Scaling {
         self.pattern = list;
     }
 
-    /// Computes ρ by conjugate gradients from ρ = 0, with γ eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
+    /// Computes the row exponents ρ by conjugate gradients from ρ = 0. The column exponents γ are eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
     fn descend(&mut self, pattern: &Pattern) {
         let n = self.rho.len();
-        // The residual of the equations for ρ, at ρ = 0.
+        // The residual, at ρ = 0, of the equations for the row exponents ρ.
         self.residual.clear();
         self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
         pattern.for_each(&self.columns.count, |j, count, column| {

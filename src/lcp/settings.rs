@@ -52,8 +52,9 @@ pub struct Settings {
     /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned
     /// problems are overlooked.
     pub pivot_tolerance: f64,
-    /// Relative size below which a basic variable counts as zero after a step: the ratio of the remaining value to the decrease in the step (default
-    /// 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero in any case.
+    /// Relative size below which a basic variable counts as zero after a step of the entering variable: the ratio of the remaining value to the
+    /// decrease in the step (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error
+    /// counts as zero in any case.
     ///
     /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0
     /// exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. Above 1e-8 rows that do not tie

@@ -92,8 +92,8 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// [`Self::solve`] without its shortcut for q ≥ 0: the workspace then always holds the dictionary at the end of the path, even if this is the
-    /// dictionary of the slack basis. `None` if the problem is solved.
+    /// Solves the problem like [`Self::solve`], but without the shortcut for q ≥ 0. The workspace thus always holds the dictionary at the end of the
+    /// path, even if this is the dictionary of the slack basis. `None` if the problem is solved.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);

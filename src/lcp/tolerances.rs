@@ -35,7 +35,8 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// again. With a larger limit, the path may leave the path of exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
-/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary from the data is measured.
+/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
+/// measured.
 ///
 /// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
 /// do not help. With a larger fraction, drift in rows of small terms is not noticed.
@@ -71,8 +72,8 @@ pub(crate) const LOST: f64 = 1e-11;
 
 /// Residual, in powers of two, at which the equations of the balancing exponents have converged.
 ///
-/// Equal rows must get equal factors, or ties turn into near-ties. With a smaller limit, the iteration never converges. With a larger limit, ties are
-/// separated.
+/// Equal rows must get equal factors, or ties in the ratio test turn into near-ties. With a smaller limit, the iteration never converges. With a
+/// larger limit, such ties are separated.
 pub(super) const BALANCED_EXPONENTS: f64 = 1e-13;
 
 /// The rounding of a sum of n products and two further operations, relative to Σ|terms|: 8 (n + 2) ε.

@@ -31,9 +31,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point at the end of the last path.
+    /// The point z, with slacks w, at the end of the last path.
     pub(super) point: LcpPoint,
-    /// Another candidate for `point`, which replaces it if its residuals are smaller.
+    /// A second candidate, which replaces `point` if it has the smaller residuals.
     pub(super) spare: LcpPoint,
     /// For each z, whether it is basic but zero up to rounding, at the end of the last path.
     pub(super) vanishing: Vec<bool>,
@@ -77,7 +77,7 @@ impl Workspace {
         }
     }
 
-    /// Whether the dictionary belongs to a complementary basis.
+    /// Whether the dictionary that the workspace holds belongs to a complementary basis.
     pub(super) fn is_complementary(&self) -> bool {
         let dictionary = &self.path.dictionary;
         dictionary.basic.iter().all(|basic| match *basic {
@@ -87,7 +87,7 @@ impl Workspace {
         })
     }
 
-    /// Whether the dictionary belongs to this complementary basis.
+    /// Whether the dictionary that the workspace holds belongs to this complementary basis.
     pub(super) fn holds(&self, basis: &Basis) -> bool {
         self.is_complementary()
             && (0..basis.len()).all(|i| self.path.dictionary.is_active(i) == basis.contains(i))

@@ -1,4 +1,4 @@
-//! The data of a question after validation: contacts with their law of friction and stiffness, hands, bodies, wrenches and twists.
+//! The validated data of a grasp problem: contacts with their law of friction and stiffness, hands, bodies, wrenches and twists.
 
 pub(crate) mod contact;
 pub mod grasp;

@@ -63,7 +63,7 @@ impl Band {
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
-        // The rightmost column that a row reaches after the exchanges so far.
+        // The rightmost column that any row reaches after the row exchanges so far.
         let mut last = 0;
         for k in 0..count {
             let below = reach.min(count - 1 - k);
@@ -110,12 +110,12 @@ pub(crate) struct BandFactors {
     band: Band,
     /// For each row, the distance to the row below it that became its pivot row.
     pivots: Vec<usize>,
-    /// Columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
+    /// Indices of the columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
     pinned: Vec<usize>,
 }
 
 impl BandFactors {
-    /// Whether some column had no pivot.
+    /// Whether some column of the factored matrix had no pivot.
     pub(crate) fn is_singular(&self) -> bool {
         !self.pinned.is_empty()
     }

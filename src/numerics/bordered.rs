@@ -27,7 +27,8 @@ pub(crate) struct Bordered {
 }
 
 impl Bordered {
-    /// The LU factors of the matrix with T in `stiffness`, c in `cover`, g in `gradient` and γ in `corner`; `None` if the matrix is singular.
+    /// The LU factors of the bordered matrix; `None` if it is singular. `stiffness` is the balance matrix T, and `cover` the column of the load
+    /// factor. `gradient` is the row of the arclength, and `corner` its entry for the load factor.
     pub(crate) fn new(stiffness: &Square, cover: &Vector, gradient: &Vector, corner: f64) -> Option<Self> {
         let size = stiffness.size();
         let (d, entries) = (size.count(), stiffness.as_slice());
@@ -47,8 +48,8 @@ impl Bordered {
         Some(factors)
     }
 
-    /// Eliminates column k below its pivot, the largest entry of the column in the remaining rows. `None` if the pivot is zero, subnormal or not
-    /// finite.
+    /// Eliminates column k below the pivot, which is the largest entry of this column in the remaining rows. `None` if the pivot is zero, subnormal
+    /// or not finite.
     fn eliminate(&mut self, k: usize) -> Option<()> {
         let size = self.rows.size();
         let d = size.count();
@@ -74,7 +75,7 @@ impl Bordered {
         let inverse = inverse(top[k])?;
         // The inverse is stored, since a pivot is only used as a divisor.
         top[k] = inverse;
-        // Components up to the pivot are zero, so that loops of fixed length may run over all components.
+        // Components of this row up to the pivot are zero, so that loops of fixed length may run over all components.
         let row = Vector::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
         let open = k + 1..d;
         let row = &row.as_slice()[open.clone()];
@@ -179,7 +180,7 @@ pub(crate) fn solved_once<const N: usize>(
     Some((x, least / most))
 }
 
-/// The reciprocal of a pivot; `None` if the pivot is not a normal number.
+/// The reciprocal of a pivot; `None` if the pivot is zero, subnormal or not finite.
 fn inverse(pivot: f64) -> Option<f64> {
     pivot.is_normal().then(|| 1.0 / pivot)
 }

@@ -45,7 +45,7 @@ impl BorderedBand {
         let given = balance.to_vec();
         let mut z = self.solve_once(balance, last);
         let mut left = vec![0.0; given.len()];
-        // Two steps of iterative refinement.
+        // Two steps of iterative refinement restore digits that a nearly singular band costs.
         for _ in 0..2 {
             left.copy_from_slice(&given);
             self.band.subtract_product(balance, &mut left);

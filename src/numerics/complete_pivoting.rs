@@ -57,7 +57,8 @@ impl CompletePivoting {
         Self { lu: a, row_order, col_order, rows, cols, rank }
     }
 
-    /// A solution of `A x = b` with zeros in the free columns, and the largest component of the remainder of b that no x can produce.
+    /// A solution of `A x = b` with zeros in the free columns of the factored matrix A. Also returns the largest component of the part of b outside
+    /// the range of A.
     pub(crate) fn solve(&self, b: &Vector) -> (Vector, f64) {
         let mut components = Vector::all_zero(self.lu.size());
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());

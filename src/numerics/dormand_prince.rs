@@ -18,11 +18,11 @@ type Sum = &'static [(usize, f64)];
 struct Tableau {
     /// Coefficients a_sj of each stage after the first, row by row.
     ways: [Sum; 11],
-    /// Weights b_s of the result.
+    /// Weights b_s of the stages in the result of the step.
     weights: Sum,
-    /// Weights of the error of the embedded formula of order 5.
+    /// Weights of the stages in the error estimate by the embedded formula of order 5.
     fifth: Sum,
-    /// Weights of the embedded formula of order 3. Its difference from the result estimates the error.
+    /// Weights of the stages in the embedded formula of order 3. Its difference from the result estimates the error.
     third: Sum,
 }
 
@@ -107,7 +107,7 @@ const TABLEAU: Tableau = Tableau {
 /// The result of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct Stepped {
-    /// Change of the variables in the step.
+    /// Change of the variables over the step.
     pub(crate) change: Vec<f64>,
     /// Estimated error of this change, as measured by the caller's function `size`.
     pub(crate) error: f64,

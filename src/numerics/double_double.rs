@@ -37,14 +37,14 @@ impl DoubleDouble {
         self.add(product);
     }
 
-    /// Adds `(a + rest) b`, with the rounding error `rest` of a.
+    /// Adds `(a + rest) b`, where `rest` is the rounding error of a, to the sum.
     #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;
         self.add_product(a, b.high);
     }
 
-    /// The sum divided by an exact number.
+    /// The sum divided by a number k that has no rounding error.
     pub(crate) fn over(self, k: f64) -> Self {
         let high = self.high / k;
         let product = high * k;

@@ -8,7 +8,7 @@ pub(crate) const MOST_UNKNOWNS: usize = 7;
 /// One equation: the coefficients of its unknowns, then zeros, and the right-hand side in the last place.
 pub(crate) type Equation = [f64; MOST_UNKNOWNS + 1];
 
-/// The solution of as many equations as unknowns; `None` if they are nearly singular or not finite.
+/// The solution of as many equations as unknowns; `None` if the equations are nearly singular or not finite.
 pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]> {
     let count = equations.len();
     let mut largest = 0.0_f64;
@@ -22,7 +22,7 @@ pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]>
                 pivot = i;
             }
         }
-        // The condition also fails for NaN.
+        // This condition is false for NaN, too, so that such equations have no solution.
         let size = equations[pivot][k].abs();
         let large_enough = size > PARTIAL_PIVOT * largest && size.is_finite();
         if !large_enough {

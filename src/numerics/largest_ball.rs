@@ -19,7 +19,7 @@ use super::tolerances::{POLYTOPE_SHRINKS, SOLVED_ROUNDING};
 use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
-/// Bounds of the radius of the largest ball.
+/// Bounds of the radius of the largest ball about the origin in a convex set.
 #[derive(Debug, Clone)]
 pub(crate) struct BallBounds {
     /// Lower bound of the radius; negative if the origin lies outside the polytope.

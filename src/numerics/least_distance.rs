@@ -12,8 +12,8 @@ use super::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{dot, largest, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The shortest τ with `b + a·τ >= 0` for all rows (b, a), which have equal length and nonzero a. `None` if no τ satisfies all rows, if there are no
-/// rows, or if rounding ends the search.
+/// The shortest vector τ with `b + a·τ >= 0` for all rows (b, a), which have equal length and nonzero a. `None` if no τ satisfies all rows, if there
+/// are no rows, or if rounding ends the search.
 pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
     let largest = largest(&rows, &|(value, _)| value.abs());
     let count = rows.first()?.1.len();

@@ -60,7 +60,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });
             }
-            // After the fourth row of the scheme, a step fails if the estimated error grows from one row to the next.
+            // After the fourth row of the extrapolation scheme, a step fails if the estimated error grows from one row to the next.
             if !error.is_finite() || j > 4 && error > last_error {
                 return None;
             }

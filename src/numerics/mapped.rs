@@ -93,7 +93,7 @@ pub(crate) fn picked<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> Option<U>) ->
     all
 }
 
-/// The numbers below `count` that `keeps` accepts.
+/// The numbers from 0 to `count` − 1 for which `keeps` is true, in order.
 pub(crate) fn chosen(count: usize, keeps: &dyn Fn(&usize) -> bool) -> Vec<usize> {
     let mut all = Vec::new();
     for k in 0..count {
@@ -127,7 +127,7 @@ pub(crate) fn vector_of(rows: usize, f: &dyn Fn(usize) -> f64) -> DVector<f64> {
     DVector::from_vec(numbered(rows, f))
 }
 
-/// The matrix of `f` of each row and column.
+/// The matrix whose entry in each row and column is `f` of their indices.
 pub(crate) fn matrix_of(rows: usize, columns: usize, f: &dyn Fn(usize, usize) -> f64) -> DMatrix<f64> {
     let mut all = Vec::with_capacity(rows * columns);
     for column in 0..columns {

@@ -1,11 +1,11 @@
-//! Memory that is reused from question to question.
+//! Memory that is reused from one solve to the next.
 
 use core::any::Any;
 use core::fmt::{Debug, Formatter};
 
 use crate::prelude::*;
 
-/// Memory that an engine keeps for its next question. Memory of another type is dropped, and a clone starts empty.
+/// Memory that a grasp's engine keeps for its next computation. Memory of another type is dropped, and a clone starts empty.
 #[derive(Default)]
 pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
 

@@ -13,18 +13,18 @@
 use super::tolerances::LINEARLY_DEPENDENT;
 use crate::prelude::*;
 
-/// The closest point so far: the active generators, each identified by a tag, and their coefficients s.
+/// The closest point of the cone to the target so far: the active generators, each identified by a tag, and their coefficients s.
 #[derive(Debug, Clone)]
 pub(crate) struct NearestPoint<Tag> {
     size: usize,
     tags: Vec<Tag>,
     shares: Vec<f64>,
     residual: Vec<f64>,
-    /// The orthonormal columns, one after another.
+    /// The orthonormal factor Q of the matrix of active generators, column after column.
     q: Vec<f64>,
-    /// The triangular factor; its column k starts at entry `size k`.
+    /// The triangular factor R of the matrix of active generators. Column k starts at entry `size k`.
     r: Vec<f64>,
-    /// Components of Qᵀt, one per column of Q, with the target t.
+    /// Components of Qᵀt, one per column of Q, for the target t, the point to which the closest point of the cone is sought.
     components: Vec<f64>,
 }
 
@@ -55,7 +55,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         &self.residual
     }
 
-    /// Norm of the residual.
+    /// Norm of the residual: the distance of the target from the closest point so far.
     pub(crate) fn distance(&self) -> f64 {
         dot(&self.residual, &self.residual).sqrt()
     }

@@ -18,7 +18,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     if x < 0.0 {
         return 1.0 - normal_tail(-x);
     }
-    // Below 3 the series of the integral converges in some tens of terms; above 3 the continued fraction of the tail is used.
+    // For x below 3 the series of the integral converges in some tens of terms. For larger x the continued fraction of the tail is used.
     if x < 3.0 {
         // Φ(x) - 1/2 = φ(x) (x + x³/3 + x⁵/(3·5) + …)
         let (mut term, mut sum, mut k) = (x, x, 1.0);
@@ -31,7 +31,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    // The number of terms after which the result no longer changes.
+    // The number of terms of the continued fraction after which its value no longer changes.
     let mut k = (1080.0 / (x * x)).ceil() + 4.0;
     while k > 0.0 {
         fraction = x + k / fraction;

@@ -10,7 +10,7 @@ use super::harmonic::Harmonic;
 use super::tolerances::ROUNDED_SUM;
 use super::trigonometric::{FirstZero, Trigonometric};
 
-/// The number N and the vector v as functions of an angle.
+/// A number N and a vector v as functions of an angle, whose difference `N - |v|` is studied.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Turning<const C: usize> {
     pub(crate) number: Harmonic<f64>,
@@ -50,7 +50,7 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// The local minimum of N - |v| that is reached downhill from an angle, between 0 and `most` unless `most` is a full turn.
+    /// The angle of the local minimum of N - |v| that is reached downhill from the angle `start`, between 0 and `most` unless `most` is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
         // First step of the search for the minimum, rad.

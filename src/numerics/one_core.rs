@@ -13,7 +13,7 @@ pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T
     items.for_each(f);
 }
 
-/// Results of both functions.
+/// Results of both functions, called one after the other.
 pub(crate) fn both<R: Send>(a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     (a(), b())
 }

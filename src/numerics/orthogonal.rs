@@ -48,7 +48,7 @@ impl Orthogonal {
         Self { q: Vec::new(), r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
-    /// Factorises other rows in the same memory.
+    /// Factorises the matrix with other rows in the same memory.
     pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
             *self = Self { q: core::mem::take(&mut self.q), ..Self::of(size) };
@@ -128,7 +128,7 @@ impl Orthogonal {
         }
     }
 
-    /// The product of row i of Q with y.
+    /// The dot product of row i of Q and a vector y of coordinates.
     pub(crate) fn along_row(&self, i: usize, y: &Vector) -> f64 {
         product(self.row(i), y)
     }
@@ -209,7 +209,7 @@ fn subtract_rows(d: usize, q: &[f64], y: &[f64], x: &mut [f64]) {
     }
 }
 
-/// The dot product over the common length.
+/// The dot product of a row and y over their common length.
 fn product(row: &[f64], y: &[f64]) -> f64 {
     let mut sum = 0.0;
     for (entry, y) in row.iter().zip(y) {

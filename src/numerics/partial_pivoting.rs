@@ -83,7 +83,7 @@ fn eliminate(
                 pivot = i;
             }
         }
-        // The condition also fails for NaN.
+        // This condition is false for NaN, too, so that such a matrix has no factors.
         let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
         if !large_enough {
             return None;
@@ -109,7 +109,7 @@ fn eliminate(
     Some(())
 }
 
-/// Replaces a right-hand side, whose rows are in pivot order, by the solution.
+/// Replaces the right-hand side in `x`, whose entries are in the order of the pivot rows, by the solution.
 #[inline(always)]
 fn substitute(d: usize, lu: &[f64], reciprocal_pivots: &[f64], x: &mut [f64]) {
     let (lu, reciprocal_pivots, x) = (&lu[..d * d], &reciprocal_pivots[..d], &mut x[..d]);

@@ -53,7 +53,7 @@ impl Singular {
         }
     }
 
-    /// Components of a vector along the left singular vectors; zero where the singular value is zero.
+    /// Components of a vector along the unit left singular vectors; zero where the singular value is zero.
     pub(crate) fn along(&self, vector: &DVector<f64>) -> Vec<f64> {
         numbered(self.values.len(), &|k| {
             if self.values[k] > 0.0 {

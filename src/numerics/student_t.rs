@@ -1,4 +1,4 @@
-//! Quantiles of Student's distribution. They give the error of a mean if the scatter is estimated from the same few numbers.
+//! Quantiles of Student's distribution. They give the confidence interval of a mean whose standard deviation is estimated from the same few numbers.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,7 +17,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
             let middle = 0.5 * (low + high);
             if within(middle) < probability { (middle, high) } else { (low, middle) }
         };
-        // Bisection steps, enough for all digits.
+        // Sixty bisection steps determine all digits.
         let (low, high) = (0..60).fold((least, most), halve);
         0.5 * (low + high)
     };
@@ -37,7 +37,7 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // Chooses between two continued fractions; the chosen fraction converges faster.
+    // Of two continued fractions for the probability, the one that converges faster is used.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {
@@ -57,7 +57,7 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
     };
     // Convergents p / q by their recurrence, normalised to q = 1.
     let ([mut p, mut before], mut q_before) = ([1.0, 1.0], 0.0);
-    // The fraction needs some √ν terms.
+    // The continued fraction needs some √ν terms for ν degrees of freedom.
     for k in 1..500 {
         let d = term(k);
         let (next, q) = (p + d * before, 1.0 + d * q_before);

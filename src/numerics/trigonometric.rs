@@ -36,7 +36,7 @@ pub(crate) enum FirstZero {
 }
 
 impl Trigonometric {
-    /// The value at an angle.
+    /// The value of the polynomial at an angle, rad.
     #[cfg(test)]
     pub(crate) fn at(&self, angle: f64) -> f64 {
         let ([sin, cos], [sin2, cos2]) =
@@ -48,7 +48,7 @@ impl Trigonometric {
             + self.second[1] * sin2
     }
 
-    /// Value, slope and second derivative at φ = 0.
+    /// Value, slope and second derivative of the polynomial at φ = 0.
     pub(crate) fn at_the_beginning(&self) -> [f64; 3] {
         let ([a, b], [a2, b2]) = (self.first, self.second);
         [self.constant + a + a2, b + 2.0 * b2, -a - 4.0 * a2]
@@ -103,7 +103,7 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // With the roots at φ = 0 divided out, values near the start have no rounding error larger than themselves, so no value counts as zero.
+            // With the roots at φ = 0 divided out, values near φ = 0 have no rounding error larger than themselves. No value then counts as zero.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {
@@ -126,7 +126,7 @@ impl Trigonometric {
 /// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`; `None` without
 /// such a zero.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
-    // No zero exists if the constant exceeds the sum of all negative coefficients.
+    // No zero in (0, 1] exists if the constant coefficient exceeds the magnitude of the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {
         return None;
     }
@@ -241,7 +241,7 @@ mod tests {
         let mut drawn = 0;
         let (mut falls, mut none) = (0, 0);
         for k in 0..6_000 {
-            // Numbers between -1 and 1.
+            // Pseudorandom numbers between -1 and 1.
             let mut number = || {
                 drawn += 1;
                 2.0 * generic(drawn) - 2.0

@@ -61,7 +61,7 @@ impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
 /// The text form of a field of type `T` that consists of numbers of kind `K`.
 pub(crate) struct As<K, T>(PhantomData<(K, T)>);
 
-/// The text form of a field of a question: finite numbers of moderate size.
+/// The text form of a field that the user gives, in a scene or a question: finite numbers of moderate size.
 pub(crate) type AsGiven<T> = As<Given, T>;
 /// The text form of a field of an answer: any numbers, also infinite ones and NaN.
 pub(crate) type AsComputed<T> = As<Computed, T>;

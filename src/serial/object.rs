@@ -8,7 +8,7 @@ use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
 /// Reads an object of the text as `W` and converts it by `make` to a `T`. If the text is no object, the message says that `what` is expected. An
 /// error of the conversion is returned before the deserializer has left the object. A format with lines and columns then adds the position of the
-/// object's end; to a later error it would add a position after the object.
+/// object's end to the message. To a later error the format would add a position after the object.
 pub(crate) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,

@@ -1,7 +1,7 @@
 //! Whether the text that is read or written belongs to a planar or a spatial scene.
 //!
 //! Text forms are compiled only for vectors of three components. In the text of a planar scene a row nevertheless has two numbers, and a moment is
-//! one number. A thread-local variable therefore says which space the text belongs to.
+//! one number. A thread-local variable therefore holds the space, planar or spatial, to which the text belongs.
 
 use std::cell::Cell;
 
@@ -24,7 +24,7 @@ pub(crate) fn in_text_of<T>(space: Space, act: impl FnOnce() -> T) -> T {
     act()
 }
 
-/// Keeps the space of the surrounding text, which it restores when it is dropped.
+/// Keeps the space of the surrounding text, planar or spatial, which is restored when this value is dropped.
 struct TextOf {
     outer: Option<Space>,
 }

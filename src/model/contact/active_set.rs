@@ -1,5 +1,6 @@
 //! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. An event is a load at which some
-//! contact changes its state. The active set determines the law for the rates of force and stretch beyond the event.
+//! contact changes its state. The active set determines the law for the rates of force and stretch, their derivatives with respect to the growing
+//! load, beyond the event.
 //!
 //! A contact with its force inside the cone keeps sticking just beyond the event. With its force on facets of the cone it sticks, or slides along the
 //! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
@@ -20,7 +21,8 @@ use crate::prelude::*;
 /// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the active facets: the facets on which the contact slides, and the facets at which the margin of its force is zero.
+    /// Normals of the active facets: the facets on which the contact slides, and the facets at which the friction margin `μ F_n - h·F_t` (h the
+    /// normal) is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
@@ -45,7 +47,8 @@ impl ActiveSet {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds the facet, or the apex, that the force reaches at each of these exits. An open contact leaves its state at the apex, when its gap closes.
+    /// Adds to the set the facet, or the apex, that the contact reaches at each exit. An exit is the end of a state under a growing load. An open
+    /// contact leaves its state at the apex, when its gap closes.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding count
@@ -62,8 +65,8 @@ impl ActiveSet {
 }
 
 impl LocalLaw<'_> {
-    /// The law for the rates of force and stretch of a contact with this active set. It is [`Law::Bonded`] if the force lies inside the cone,
-    /// [`Law::Edge`] on facets, and the whole law at the apex. For an open contact with a positive gap it is [`Law::Absent`].
+    /// The law for the rates of force and stretch, per change of the load, of a contact with this active set. It is [`Law::Bonded`] if the force lies
+    /// inside the cone, [`Law::Edge`] on facets, and the whole law at the apex. For an open contact with a positive gap it is [`Law::Absent`].
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -78,8 +81,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact under the force of `line`: the facets whose margin is zero up to rounding. If the force is zero up to
-    /// rounding, the set also contains the apex.
+    /// The active set of a closed contact under the force of `line`: the facets whose friction margin `μ F_n - h·F_t` is zero up to rounding. If the
+    /// force is zero up to rounding, the set also contains the apex.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;
@@ -100,8 +103,8 @@ impl LocalLaw<'_> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
-    /// The sliding state with the same force as a sticking contact whose force lies on an edge of its cone; `None` if the force lies inside the cone
-    /// or at its apex.
+    /// The sliding state that a sticking contact may also have without a change of its force, which lies on an edge of the friction cone. `None` if
+    /// the force lies inside the cone or at the apex.
     pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
         let ActiveSet { facets, apex } = self.active_set(line);
         if apex || facets.is_empty() {
@@ -114,8 +117,8 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes from the active set the facets whose margin grows at the rates of `line`, and the apex if the normal force or the gap grows. Facets on
-    /// which the contact slides stay in the set. If the force leaves the apex, the facets along which it then moves stay, too.
+    /// Removes from the active set the facets whose friction margin grows at the force rate of `line`. Also removes the apex if the normal force or
+    /// the gap grows. Facets on which the contact slides stay in the set. If the force leaves the apex along facets, these facets stay, too.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -147,7 +150,7 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Removes from the active set the facets, or the apex, that the force of `line` does not reach. Facets on which the contact slides stay in the
+    /// Removes from the active set the facets, or the apex, on which the force of `line` does not lie. Facets on which the contact slides stay in the
     /// set.
     pub(crate) fn drop_by_force(&self, active: &mut ActiveSet, state: &State, line: &Line) {
         let reached = self.active_set(line);
@@ -159,14 +162,14 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Whether the contact slides on this facet.
+    /// Whether a contact in this state slides on the facet with this normal.
     fn slides_on(&self, state: &State, facet: &SVector<f64, 3>) -> bool {
         let facets = self.facets();
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
-    /// Whether these rates move the force of a sticking contact, which is on the edge of the round cone, along a tangent of the cone. A tangent leads
-    /// out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero.
+    /// Whether the force rate `rate` moves the force of a sticking contact along a tangent of the round cone. The force is on the edge of this cone.
+    /// A tangent leads out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -185,17 +188,18 @@ impl LocalLaw<'_> {
         let (p, weight) = (friction.normalize(), cone.round_weight());
         let rate = tangential(&line.rate);
         let across = (rate - p * p.dot(&rate)).norm();
-        // At the end of a slip the margin and its rate are zero only up to the error of the integration steps.
+        // At the end of a slip the friction margin and the rate of this margin are zero only up to the error of the integration steps.
         let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
-        // If the force rate across the friction direction is below this fraction of the rate, the force moves radially, outwards or inwards.
+        // If the force rate across the friction direction is below this fraction of the whole force rate, the force moves radially, outwards or
+        // inwards.
         on_the_edge
             && cone.facet_margin(&line.rate, &p) <= NEGLIGIBLE * line.rate_size * weight
             && across > 1e-6 * line.rate_size * weight
     }
 
-    /// Translates a state under the law `rates` to the corresponding state under the whole contact law. [`Law::Edge`] numbers facets by their index
-    /// in its list, the whole law by their index on the polygon. On the round cone the result is a slide along the facet's normal. `None` for facets
-    /// that the whole law does not have.
+    /// Translates a state under the law of the rates, `rates`, to the corresponding state under the whole contact law. [`Law::Edge`] numbers facets
+    /// by their index in its list, the whole law by their index on the polygon. On the round cone a slide on a facet becomes a slide along the normal
+    /// of the facet. `None` for facets that the whole law does not have.
     pub(crate) fn of_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         let Law::Edge(edge) = rates else { return Some(state) };
         let [first, second] = state.own_facets(edge.len());
@@ -210,8 +214,8 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&[one.min(other), one.max(other)]))
     }
 
-    /// Translates a state under the whole contact law to the corresponding state under the law `rates`: the inverse of [`Self::of_the_rates`]. `None`
-    /// if `rates` has no corresponding state, or does not determine its slip direction.
+    /// Translates a state under the whole contact law to the corresponding state under the law of the rates, `rates`: the inverse of
+    /// [`Self::of_the_rates`]. `None` if `rates` has no corresponding state, or does not determine its slip direction.
     pub(crate) fn in_the_rates(&self, rates: &Law, state: State) -> Option<State> {
         if !state.slides() {
             return Some(state);

@@ -41,8 +41,8 @@ impl ContactResponse {
 }
 
 impl LocalLaw<'_> {
-    /// State and force at a stretch on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per force λ starts at
-    /// `near`: λ at a nearby stretch, or zero.
+    /// State and force of the contact at a stretch, m, on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per
+    /// force λ starts at `near`: λ at a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -71,8 +71,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Replaces the tangential part of a trial force by friction of the size r, and returns the slide. The friction has the direction of `S v_t`, the
-    /// traction in springs that the slip per force λ has softened.
+    /// Replaces the tangential part of a trial force by friction of the size r, the limit μ F_n in N, and returns the slide. The friction has the
+    /// direction of `S v_t`, the traction in springs that the slip per force λ has softened.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
@@ -82,13 +82,15 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// State and force at a stretch on the cone in use, round or polygonal. `near` is the start of the iteration as in [`Self::answer`].
+    /// State and force of the contact at a stretch, m, on the cone in use, round or polygonal. `near` is the start of the iteration as in
+    /// [`Self::answer`].
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
     }
 
-    /// State and force at a stretch on the polygonal cone. The force is the point of the cone that is closest to the trial force in the metric K⁻¹.
+    /// State and force of the contact at a stretch, m, on the polygonal cone. The force is the point of the cone that is closest to the trial force
+    /// in the metric K⁻¹.
     #[inline]
     fn answer_on_polygon(&self, stretch: &SVector<f64, 3>) -> ContactResponse {
         if self.is_absent() {
@@ -128,7 +130,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The state at the point of the polygon `h·F_t <= r` that is closest to a trial force.
+    /// The state, sticking or sliding, at the point of the polygon `h·F_t <= r` that is closest to a trial force. The h are the normals of `facets`,
+    /// and r is the friction limit, N.
     fn nearest_of_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>, r: f64) -> State {
         let after = |j: u16| if usize::from(j) + 1 == facets.len() { 0 } else { j + 1 };
         let (mut facet, mut last, mut most) = (0_u16, 0, f64::NEG_INFINITY);
@@ -142,8 +145,8 @@ impl LocalLaw<'_> {
         if most <= r {
             return Mode::Sticking;
         }
-        // Moves from facet to facet, each time to the neighbour whose condition the projected force violates. With equal tangential springs the first
-        // facet is final.
+        // Moves from facet to facet, each time to the neighbour whose condition `h·F_t <= r` the projected force violates. With equal tangential
+        // springs the first facet is final.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);
@@ -171,8 +174,8 @@ impl LocalLaw<'_> {
     }
 }
 
-/// The slip per force λ with `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive
-/// if `traction` exceeds r. Newton's method starts at `near`.
+/// The slip per force λ, m/N, of a sliding contact with the friction limit r: `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and v_t is the tangential
+/// stretch. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive if `traction` exceeds r. Newton's method starts at `near`.
 ///
 /// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
 /// left of the root. From there the steps increase towards the root and never pass it.

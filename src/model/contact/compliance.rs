@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// The springs of one contact along the axes of its frame, the normal first. Each is the object's spring and the finger's spring in series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Compliance {
-    /// Stiffness, N/m; zero along an axis without a spring.
+    /// Stiffness along each axis of the contact frame, N/m; zero along an axis without a spring.
     k: SVector<f64, 3>,
     /// Number of axes with a spring: 1 without friction, else 2 in the plane and 3 in space.
     axes: usize,
@@ -30,7 +30,7 @@ impl Compliance {
         Self { k: by_axis(|a| if a < axes { series[a] } else { 0.0 }), axes }
     }
 
-    /// Number of axes with a spring.
+    /// Number of axes along which the contact has a spring.
     #[inline(always)]
     pub(crate) fn axes(&self) -> usize {
         self.axes

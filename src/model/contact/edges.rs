@@ -60,7 +60,7 @@ impl Edges {
         }
     }
 
-    /// Whether a force satisfies all conditions up to rounding, which scales with `size`.
+    /// Whether a force satisfies all conditions up to rounding. `size` scales the rounding error of the force.
     pub(crate) fn hold(&self, force: &SVector<f64, 3>, size: f64) -> bool {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
@@ -79,8 +79,8 @@ impl Edges {
         }
     }
 
-    /// The coefficients of all conditions. For a round cone, the coefficients of its facets at the angles at which `value` has a local minimum. If
-    /// `value` has no minimum, four angles are used.
+    /// The coefficients of all conditions. For a round cone, only the coefficients of the facets at which `value`, a function of the coefficients,
+    /// has a local minimum over the angle. If `value` has no minimum, the facets at four angles are used.
     pub(crate) fn least(&self, value: &dyn Fn(&SVector<f64, 3>) -> f64) -> Vec<SVector<f64, 3>> {
         self.rows(&|around| {
             let angles = local_minima(&|angle| value(&around.at(angle)));
@@ -88,8 +88,9 @@ impl Edges {
         })
     }
 
-    /// The coefficients a of the conditions that forces `F + A x` with `|x| = size` may violate. For a round cone only the coefficients with the
-    /// least `a·F - size |Aᵀa|`. F is `force` and A is `influence`.
+    /// The coefficients a of conditions that contact forces `F + A x` with `|x| = size` may violate. F is `force`, and A is `influence`. `a·F - size
+    /// |Aᵀa|` is the least value of a condition over all these x. For a round cone, one facet at which this value has a negative local minimum is
+    /// returned, or none. Otherwise all conditions are returned.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,
@@ -102,8 +103,8 @@ impl Edges {
         })
     }
 
-    /// For each condition the angle, at most `most`, at which the contact force violates it most while the load turns. `force` is the force as a
-    /// function of the angle.
+    /// For each condition that the contact force violates while the load turns, an angle of the load at which the violation has a local maximum.
+    /// Angles are from 0 to `most`, rad, and `force` is the contact force as a function of the angle.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {

@@ -1,5 +1,5 @@
-//! The step along a straight line of contact forces at which a contact leaves its state. While a load grows and all contacts keep their states, the
-//! contact forces follow such a line.
+//! The step along a straight line of contact forces at which a contact leaves its state: sticking, sliding or open. While a load grows and all
+//! contacts keep their states, the contact forces follow such a line.
 
 use crate::numerics::Each;
 use crate::numerics::IntoList;
@@ -11,12 +11,12 @@ use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::prelude::*;
 
-/// An exit of a straight line of forces from the cone.
+/// An exit: the point at which a contact force on a straight line leaves the friction cone, or at which the gap closes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit {
-    /// Parameter of the line at the exit.
+    /// The parameter `step` of the line `force + step rate` at the exit.
     pub(crate) step: f64,
-    /// Rounding error of `step`.
+    /// Estimated rounding error of the parameter `step`.
     pub(crate) uncertainty: f64,
     /// Outward normal h of the facet `h·F_t <= μ F_n` that is reached; zero if the normal force or the gap vanishes.
     pub(crate) facet: SVector<f64, 3>,
@@ -42,7 +42,8 @@ impl Line {
     }
 }
 
-/// A gap and its rate along a line of forces, m. Both are differences of displacements, whose magnitudes are `size` and `rate_size`.
+/// The gap of a contact, m, and its rate per unit of the parameter `step` of a line of forces, m. Gap and rate are differences of displacements,
+/// whose magnitudes are `size` and `rate_size`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -63,7 +64,8 @@ impl GapLine {
 }
 
 impl LocalLaw<'_> {
-    /// All exits from a state. A closed contact may reach a facet on which it does not slide; an open contact may close its gap.
+    /// All exits of a contact from its state along a line of forces. A closed contact may reach a facet on which it does not slide; an open contact
+    /// may close its gap.
     pub(crate) fn ways_out(&self, state: &State, line: &Line, gap: &GapLine) -> Vec<Exit> {
         match state {
             Mode::Open => gap.closing().into_iter().list(),
@@ -133,7 +135,8 @@ impl LocalLaw<'_> {
         slack(force) / -slack(rate)
     }
 
-    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`: the first root of a quadratic,
+    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`. Its step s is the first root of a quadratic, in which a prime marks the rates of
+    /// the line:
     ///
     /// ```text
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
@@ -177,7 +180,7 @@ impl LocalLaw<'_> {
             }
         }
         // For a line through the apex the quadratic has a double root at the apex, which costs half the digits. Beyond the apex the line continues in
-        // the opposite nappe of the cone, F_n < 0. The exit is then the root of F_n, which is linear in the step.
+        // the opposite nappe of the cone, F_n < 0. The exit is then the root of the normal force F_n, which is linear in the step.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
@@ -202,7 +205,7 @@ impl LocalLaw<'_> {
         let facet = leaves(&(t0 + t1 * step));
         let closing = facet.dot(&t1) - n1;
         if closing <= ZERO_SLACK * line.rate_size * weight {
-            // The line touches the cone from inside, or its rates are zero up to rounding.
+            // The line touches the cone from inside, or the rates of the force are zero up to rounding.
             return None;
         }
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
@@ -214,8 +217,8 @@ impl LocalLaw<'_> {
 /// slope. `None` if no step leads down.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    // Upper bound of the number of Newton steps. Near the apex the margin is curved over distances of the order of rounding; farther away each step
-    // doubles the correct digits.
+    // Upper bound of the number of Newton steps. Near the apex the margin μF_n - |F_t| is curved over distances of the order of rounding; farther
+    // away each step doubles the correct digits.
     for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;
@@ -246,7 +249,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Rounding error of margins of about one, divided by the rate of the margin at the edge.
+            // Rounding error of friction margins of about one, divided by the rate of the margin at the edge.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));

@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon circumscribed about the arc replaces the directions p. The hull thus contains all stretches and forces that the law allows, and slightly
-//! more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
+//! A polygon circumscribed about the arc of unit vectors p that the label allows replaces these directions. The hull thus contains all stretches and
+//! forces that the law allows, and slightly more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -44,7 +44,8 @@ pub(crate) enum Label {
     Sliding(Sector),
 }
 
-/// A generator of the hull in energy units, `K^{-1/2}ξ` and `K^{-1/2}F`, scaled so that both together have length one.
+/// A generator of the hull, a pair of stretch and force in energy units: `K^{-1/2}ξ`, with ξ = K v for the stretch v, and `K^{-1/2}F`. It is scaled
+/// so that both together have length one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HullRay {
     pub(crate) stretch: SVector<f64, 3>,
@@ -106,9 +107,10 @@ impl Sector {
         [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
     }
 
-    /// Vertices of a polygon that encloses the arc: its ends, and the intersections of tangents between them.
+    /// Vertices of a polygon that encloses the arc of the unit circle over this sector: the ends of the arc, and intersections of tangents between
+    /// them.
     fn around(&self) -> Vec<[f64; 2]> {
-        // The enclosing polygon has one vertex for every part of the arc of at most this angle.
+        // The arc is divided into equal parts of at most this angle. The tangents at the ends of each part give one vertex.
         let pieces = self.pieces(FRAC_PI_8);
         let half = 0.5 * self.width() / f64::from(pieces);
         let reach = 1.0 / half.cos();
@@ -128,7 +130,7 @@ impl Sector {
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
     }
 
-    /// The angle of a direction from the start of the sector; for a direction outside, the angle of the nearer end.
+    /// The angle, rad, from the start of the sector to a direction; for a direction outside the sector, the angle to the nearer end of the sector.
     fn inside(&self, angle: f64) -> f64 {
         let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
         if along <= width {

@@ -1,7 +1,7 @@
 //! Friction that decreases as a contact begins to slide.
 //!
 //! ```text
-//! at rest   |F_t| <= μ_s F_n
+//! sticking  |F_t| <= μ_s F_n
 //! sliding    F_t  =  μ_k F_n p,      μ_k <= μ_s
 //! ```
 //!
@@ -15,8 +15,8 @@ use super::answer::ContactResponse;
 use super::law::LocalLaw;
 
 impl LocalLaw<'_> {
-    /// State and force of a contact that has just begun to slide: on the kinetic cone, at the stretch at which it left the static cone. `None` if the
-    /// contact does not slide at this stretch, as at the apex, where its force is zero.
+    /// State and force of a contact that has just begun to slide, on the kinetic cone. `stretch` is the stretch at which the force left the static
+    /// cone, m. `None` if the contact does not slide at this stretch, as at the apex, where the force is zero.
     pub(crate) fn relaxed(&self, stretch: &SVector<f64, 3>) -> Option<ContactResponse> {
         let answer = self.response(stretch, 0.0);
         answer.state.slides().then_some(answer)

@@ -13,7 +13,7 @@ use super::state::{Mode, State};
 use crate::numerics::least;
 use crate::prelude::*;
 
-/// The set of conditions that a contact obeys.
+/// The set of conditions that a contact obeys, in an equilibrium or by the rates of its force and stretch.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
     /// The contact stays open: no conditions, no force.
@@ -30,7 +30,7 @@ pub(crate) enum Law {
     Edge(Vec<SVector<f64, 3>>),
 }
 
-/// One contact with its law, independent of the grasp.
+/// One contact with the law that its force and stretch obey, independent of the grasp.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LocalLaw<'c> {
     pub(crate) springs: &'c Compliance,
@@ -139,7 +139,7 @@ impl<'c> LocalLaw<'c> {
         usize::from(self.may_open()) + self.facets().len()
     }
 
-    /// The state of the elastic trial, without slip or opening: sticking. An absent contact is open.
+    /// The state in the elastic trial, in which no contact slips or opens: sticking. An absent contact is open.
     pub(crate) fn trial_state(&self) -> State {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
@@ -200,8 +200,8 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin of a contact under a force, N: the margin on the round cone, or the least margin of all facets of a polygonal cone. Infinite
-    /// for infinite friction.
+    /// Friction margin of a contact under a force, N: `μ F_n - |F_t|` on the round cone, or the least `μ F_n - h·F_t` of all facets of a polygonal
+    /// cone, h the normal. Infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

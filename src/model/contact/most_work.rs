@@ -25,7 +25,8 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// Largest work along φ (N) and u (m) over all stretches and forces that the label allows, of length one in energy units.
+    /// Largest work `φ·v + u·F` over all stretches v and forces F that the label allows, of length one in energy units. φ (N) is the virtual force,
+    /// and u (m) the virtual motion.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;

@@ -59,7 +59,7 @@ impl PolygonCone {
     /// Largest number of facets; with more facets, neighbouring facets would differ by little more than rounding.
     pub const MOST_FACETS: usize = 4096;
 
-    /// A polygon of `facets` facets.
+    /// A polygonal cone with this number of facets.
     ///
     /// # Errors
     /// [`Error::Facets`] unless 3 <= facets <= [`Self::MOST_FACETS`].
@@ -71,7 +71,7 @@ impl PolygonCone {
         }
     }
 
-    /// The square with corners on both tangents.
+    /// The polygon of a square friction cone, with corners on both tangents.
     pub(crate) const fn square() -> Self {
         Self { facets: 4, fit: PolygonFit::Inscribed }
     }
@@ -167,7 +167,7 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
     p
 }
 
-/// Cosine and sine of an angle.
+/// Cosine and sine of an angle, rad: the direction of a facet or corner in the tangent plane.
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     // Cosines and sines below this limit are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.

@@ -31,9 +31,9 @@ use crate::prelude::*;
 pub(super) struct RelaxingSlide {
     /// Tangential stiffnesses k₁ and k₂, N/m.
     pub(super) tangential: [f64; 2],
-    /// Rate of the tangential stretch, v_t', m.
+    /// Rate of the tangential stretch, v_t', in m per unit of the time τ.
     pub(super) stretched: [f64; 2],
-    /// Rate of the cone's radius, r', N.
+    /// Rate r' of the friction limit r = μ F_n, in N per unit of the time τ.
     pub(super) growth: f64,
 }
 
@@ -70,14 +70,15 @@ impl RelaxingSlide {
         self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
-    /// The direction after the increment s of the path parameter, and the integral `∫ p·K p ds` over it.
+    /// The unit direction p of the friction force after the increment s of the path parameter, and the integral `∫ p·K p ds` over this increment.
     fn split_step(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let (p, first) = self.under_stretch(start, 0.5 * s);
         let (p, second) = self.under_stretch(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
-    /// Direction p after the increment s of the path parameter, and the integral `∫ p·K p ds` over it, at a constant normal force.
+    /// The unit direction p of the friction force after the increment s of the path parameter, and the integral `∫ p·K p ds` over this increment. The
+    /// normal force is constant.
     fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
@@ -98,7 +99,8 @@ impl RelaxingSlide {
         ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], integral)
     }
 
-    /// The direction after the increment s of the path parameter, if the tangential stretch is constant and the normal force changes.
+    /// The unit direction of the friction force after the increment s of the path parameter, if the tangential stretch is constant and the normal
+    /// force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
         // Largest exponent. For a larger exponent no digit of the previous direction would remain; up to this exponent squares do not overflow.
         let far = 300.0;
@@ -113,7 +115,7 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// Reference solution: the differential equation integrated by a million steps of the midpoint rule, from the radius 1.
+    /// Reference solution: the differential equation integrated by a million steps of the midpoint rule, from the friction limit r = 1.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);
@@ -131,7 +133,7 @@ mod tests {
         [phi.cos(), phi.sin()]
     }
 
-    /// The direction after the path is divided into `steps` steps, each by the closed forms.
+    /// The direction of friction if the stretch is divided into `steps` steps, each solved by the closed forms.
     fn in_steps(slide: &RelaxingSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
         let h = 1.0 / f64::from(steps);
         for i in 0..steps {

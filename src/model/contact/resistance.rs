@@ -29,7 +29,7 @@ pub(crate) enum Resistance {
 }
 
 impl LocalLaw<'_> {
-    /// The bound on the contact's power against a velocity u of the body in the contact frame.
+    /// The upper bound on the contact's power `-F·u` against a velocity u of the body in the contact frame, with the contact force F.
     pub(crate) fn resistance(&self, u: &SVector<f64, 3>) -> Resistance {
         if self.is_bonded() || self.may_pull() {
             return Resistance::BySprings(-self.springs.force(u));

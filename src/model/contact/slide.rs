@@ -14,12 +14,12 @@ use nalgebra::SVector;
 use super::compliance::Compliance;
 use super::tangential::{right_angle, tangential, tangential_norm};
 
-/// The data of a slide on the round cone.
+/// A slide of a contact on the round cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide {
     /// Unit direction p of the friction force and of the slip; no normal component.
     pub(crate) direction: SVector<f64, 3>,
-    /// Slip per force λ, m/N.
+    /// Slip per friction force λ, m/N.
     pub(crate) lambda: f64,
 }
 
@@ -36,7 +36,7 @@ pub(crate) struct Edge {
 }
 
 impl Edge {
-    /// An edge without stiffness across the slip.
+    /// An edge of the friction cone without stiffness across the slip; `pull` is the friction force for μ F_n = 1.
     #[inline]
     pub(super) fn without_spring(pull: SVector<f64, 3>) -> Self {
         Self { pull, across: SVector::zeros(), stiffness: 0.0 }

@@ -25,9 +25,10 @@ use crate::prelude::*;
 pub(crate) struct Spring {
     pub(crate) right: SVector<f64, 3>,
     pub(crate) left: SVector<f64, 3>,
-    /// Rounding error of `right`. With this correction the product of `left` and `right` along an axis equals the axis's stiffness to the last digit.
+    /// Rounding error of `right`. With this correction the product of `left` and `right` along an axis equals the stiffness along this axis to the
+    /// last digit.
     pub(crate) right_rest: SVector<f64, 3>,
-    /// Rounding error of `left`. With this correction the friction force equals μ F_n to the last digit.
+    /// Rounding error of `left`. With this correction the friction force of a sliding contact equals μ F_n to the last digit.
     pub(crate) left_rest: SVector<f64, 3>,
 }
 

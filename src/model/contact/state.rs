@@ -63,12 +63,13 @@ impl<R> Mode<R> {
 }
 
 impl State {
-    /// The data of the slide on the round cone; `None` in any other state.
+    /// Direction and slip per force of a slide on the round cone; `None` in any other state.
     pub(crate) fn slide(&self) -> Option<&Slide> {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with friction along a tangent. Its earlier slip is already part of the contact's offset, so λ = 0.
+    /// A slide on the round cone with friction along a tangent. Any earlier slip is already part of the contact's offset (its commanded
+    /// displacement), so the slip per force λ is 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

@@ -8,9 +8,10 @@
 //! ```
 //!
 //! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins, it continues to the end, since |d| cos ψ grows and r'
-//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. This map is exact if sliding starts at the apex, where
-//! the traction keeps its direction; otherwise the map is correct to first order. For the same closed form with a constant radius see R. D. Krieg and
-//! D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
+//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. The return map is exact if sliding starts at the apex,
+//! where the traction keeps its direction; otherwise the return map is correct to first order. For the same closed form with a constant radius see R.
+//! D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99
+//! (1977) 510.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -26,9 +27,10 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// State and force after a straight stretch from `before`, which satisfies the contact's law, to `stretch`. Any earlier slip must be subtracted
-    /// from `before`; [`Compliance::slip`](super::Compliance::slip) returns it. In the plane, or without sliding, the result equals [`Self::answer`].
-    /// The exception is a contact that closes between `before` and `stretch`: its friction starts when it closes.
+    /// State and force of a contact whose stretch has grown along a straight line from `before` to `stretch`, m. Any slip before must be subtracted
+    /// from `before`, so that the springs alone carry the force there; [`Compliance::slip`](super::Compliance::slip) returns that slip. In the plane,
+    /// or without sliding, the result equals [`Self::answer`] at `stretch`. The exception is a contact that closes between `before` and `stretch`:
+    /// friction starts when the contact closes.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -57,13 +59,14 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The time τ at which the traction reaches its limit. It is zero if the traction is at the limit and grows faster than the limit; `None` if the
-    /// limit is not reached.
+    /// The time τ from 0 to 1 at which the traction reaches the friction limit μ F_n. τ is zero if the traction is at the limit and grows faster than
+    /// the limit. `None` if the limit is not reached.
     fn stops_sticking(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction that differs from its limit by this fraction or less is on the cone: a previous step leaves rounding errors of this size.
+        // A traction that differs from the friction limit by this fraction or less is on the cone: a previous step along the load path leaves
+        // rounding errors of this size.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
@@ -83,7 +86,7 @@ impl LocalLaw<'_> {
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));
-        // The integral ∫dτ/r over the remaining time.
+        // The integral ∫dτ/r over the remaining time, with the friction limit r.
         let x = (r1 - r0) / r0;
         // Below this relative difference of the radii the first terms of the series replace the logarithm.
         let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };

@@ -26,15 +26,15 @@ pub(crate) enum Tangent {
     Sliding {
         /// Change of force per normal stretch, `k_n (e_n + μ P)`, N/m.
         drag: SVector<f64, 3>,
-        /// d, the tangent across the slip.
+        /// d, the tangent vector across the slip direction.
         across: SVector<f64, 3>,
-        /// κ, the stiffness across the slip, N/m.
+        /// κ, the stiffness of the contact across the slip direction, N/m.
         stiffness: f64,
     },
 }
 
 impl Tangent {
-    /// The tangent stiffness C as a full matrix.
+    /// The tangent stiffness C, the derivative of the force with respect to the stretch, as a full matrix, N/m.
     pub(crate) fn matrix(&self) -> SMatrix<f64, 3, 3> {
         match self {
             Self::Open => SMatrix::zeros(),
@@ -63,7 +63,7 @@ impl Tangent {
 }
 
 impl LocalLaw<'_> {
-    /// The tangent stiffness of the contact in a state.
+    /// The tangent stiffness of the contact in a state: the derivative of its force with respect to its stretch, N/m.
     #[inline]
     pub(crate) fn tangent(&self, state: &State) -> Tangent {
         match state {

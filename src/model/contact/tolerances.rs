@@ -1,8 +1,8 @@
 //! Limits below which a quantity of a contact counts as zero, in all solvers that use the contact law. The size of a quantity is the magnitude of the
 //! terms whose difference it is.
 
-/// A friction margin or a gap below this fraction of the terms from which it is computed is zero. Forces and gaps from one linear solve have rounding
-/// errors of this order. Symmetric grasps reach several edges at once, and these must count as one event.
+/// A friction margin `μ F_n - |F_t|` or a gap counts as zero below this fraction of the terms from which it is computed. Forces and gaps from one
+/// linear solve have rounding errors of this order. Symmetric grasps reach several edges at once, and these must count as one event.
 pub(crate) const ZERO_SLACK: f64 = 5e-14;
 
 /// Largest allowance for the rounding error of a condition, relative to the terms of the condition. The allowance grows with the condition number of

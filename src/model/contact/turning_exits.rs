@@ -1,7 +1,8 @@
 //! The angle by which a load can turn before a contact leaves its state.
 //!
-//! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and margins at
-//! facets, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
+//! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and friction
+//! margins `μ F_n - h·F_t` at facets with normal h, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree
+//! two.
 
 use nalgebra::SVector;
 
@@ -19,7 +20,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size of the vector, N or m, that scales the rounding error of its values.
+    /// Size of the vector, N or m, which scales the rounding error of the values of the vector.
     pub(crate) size: f64,
     /// Size of the terms with cos φ and sin φ, N or m, that scales the rounding error of the rates.
     pub(crate) turning_size: f64,
@@ -32,7 +33,7 @@ impl Wave {
     }
 }
 
-/// An event of a contact while the load turns.
+/// An event of a contact while the load turns: the contact leaves its state, or its force only touches an edge of the friction cone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TurningExit {
     /// The contact leaves its state; `step` of the exit is the angle, rad.
@@ -75,7 +76,7 @@ impl LocalLaw<'_> {
     }
 
     /// The angles at which a sliding contact stops sliding, at most one for each facet on which it slides. At such an angle the rate of the slip
-    /// component along the facet's normal becomes negative. Until then the contact stays on its facets.
+    /// component along the facet's normal, per radian of the turn, becomes negative. Until then the contact stays on its facets.
     fn stops(
         &self,
         state: &State,
@@ -100,8 +101,8 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or F_n at the apex. `None`
-    /// without such an angle.
+    /// The exit of a force from the round cone while the load turns: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or
+    /// F_n at the apex. `None` without such an angle.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -109,7 +110,7 @@ impl LocalLaw<'_> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge of the cone, the margin at the tangent facet decides whether the force moves inwards or outwards.
+            // On the edge of the cone, the friction margin at the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
             let margin = wave.component(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
@@ -134,8 +135,8 @@ impl LocalLaw<'_> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// The first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or touches zero. `None` without such an angle, and if the
-    /// difference is not positive just after the start.
+    /// The first angle of the load up to `most`, rad, at which `(μF_n)² - |F_t|²` becomes negative, or touches zero. `None` without such an angle,
+    /// and if the difference is not positive just after the start.
     fn fall_of_the_square(&self, wave: &Wave, most: f64) -> Option<FirstZero> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
@@ -175,23 +176,24 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
 
-/// The behaviour of a margin at the start of a turn of the load, φ = 0.
+/// The behaviour of a margin, a quantity that must stay positive, at the start of a turn of the load, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
     /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
     Above { roots: usize },
     /// The margin is zero at φ = 0 and negative just after it.
     Falls,
-    /// The margin is zero at every angle.
+    /// The margin is zero at every angle of the load.
     Stays,
 }
 
 impl Start {
-    /// Classifies a margin at the start of a turn of the load. A value up to `slack` counts as zero, and so does a rate up to `rate_slack`.
+    /// Classifies a margin, a quantity that must stay positive, at the start of a turn of the load. A value up to `slack` counts as zero, and so does
+    /// a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The load at φ = 0 has a rounding error, since it is the computed end of the previous part of the path. A margin that will grow may first
-        // decrease, but by no more than the slack.
+        // The load at φ = 0 has a rounding error, since this load is the computed end of the previous part of the load path. A margin that will grow
+        // may first decrease, but by no more than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }

@@ -38,7 +38,7 @@ impl Rotation {
         }
     }
 
-    /// Unit vector of the axis; zero in the plane.
+    /// Unit vector along the axis of rotation; zero in the plane.
     pub(crate) fn axis(&self) -> SVector<f64, 3> {
         match self {
             Self::Plane(_) => SVector::zeros(),

@@ -6,13 +6,14 @@ use core::fmt;
 
 use crate::numerics::Once;
 
-/// A value that depends only on the contacts and drives of a grasp, computed on first use by a caller in a higher module.
+/// A value that depends only on the contacts and drives (springs of joints and tendons) of a grasp, computed on first use by a caller in a higher
+/// module.
 #[derive(Clone, Default)]
 pub(crate) struct CachedValue(Once<Arc<dyn Any + Send + Sync>>);
 
 impl CachedValue {
-    /// The stored value, computed by `make` on first use. If a value of another type is stored, `make` computes the value anew, and the result is not
-    /// stored.
+    /// The stored value, computed by `make` on first use. If a value of another type is stored, `make` computes the value at every call, without
+    /// storing it.
     pub(crate) fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
         let kept = self.0.get_or_init(|| Arc::new(make())).clone();
         kept.downcast().unwrap_or_else(|_| Arc::new(make()))

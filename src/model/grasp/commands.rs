@@ -1,11 +1,11 @@
-//! Commands of a finger, as a position or as a force, and its clearance.
+//! Commands of a finger, as a position or as a force, and the clearance between finger and object.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::contact::Contact;
 use crate::numerics::{by_axis, dot};
 
-/// The axes along which a command is given.
+/// The axes along which a command, the commanded displacement of a finger, is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CommandAxes {
     /// Axes of the contact frame, the normal first.
@@ -137,7 +137,7 @@ impl<const C: usize> Contact<C> {
         (self.command_axes == CommandAxes::World).then_some(&self.command)
     }
 
-    /// The contact with its command in the contact frame and its pressing force converted to a command.
+    /// This contact with the command given in the contact frame, and with the force of [`Self::pressed_with`] converted to a command.
     pub(super) fn resolved(mut self) -> Self {
         (self.command, self.command_axes, self.press) = (self.commanded(), CommandAxes::Frame, None);
         self

@@ -73,16 +73,16 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: CommandAxes,
     /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Given normal force in the equilibrium without the load of a question, after all springs have deflected, N. When the grasp is made, it computes
-    /// the command that leads to this force.
+    /// Prescribed normal force in the equilibrium under the constant loads alone, after all springs have deflected, N. When the grasp is made, the
+    /// command that leads to this force is computed.
     pub(crate) at_rest: Option<f64>,
-    /// Constant normal force, independent of the object's motion, N.
+    /// Constant normal force that is independent of the object's motion, N; `None` if no such force is given.
     pub(crate) force: Option<f64>,
     /// Constant force with which a vacuum pulls the object onto the contact, N.
     pub(crate) suction: f64,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
-    /// Number of the point in its soft fingertip, from 0.
+    /// Number of this point, from 0, in its soft fingertip or link; `None` for a contact that is a single point.
     pub(crate) point_of_pad: Option<usize>,
     /// Name of the body into which the normal of the contact points, if the grasp has several bodies.
     pub(crate) on: Option<Arc<str>>,
@@ -167,10 +167,10 @@ impl<const C: usize> Contact<C> {
         /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
         ///
         /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
-        /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not depend
-        /// on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
-        /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions concern contacts that do not
-        /// slide.
+        /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not
+        /// depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+        /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions of a grasp concern
+        /// contacts that do not slide.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

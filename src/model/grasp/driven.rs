@@ -52,12 +52,12 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// The constant torques that act on the joints in addition to the drives, N m or N.
+    /// The constant torques that act on the joints in addition to the torques of their springs, N m or N.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
         self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held_torque))
     }
 
-    /// A copy of the grasp with other constant joint torques, one per joint.
+    /// A copy of the grasp with other constant torques on the joints, N m or N, one per joint.
     pub(crate) fn with_held_torques(&self, torques: &[f64]) -> Self {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
@@ -169,7 +169,7 @@ impl Engine {
         offsets
     }
 
-    /// [`Self::offsets`], written into existing memory.
+    /// The offsets that [`Self::offsets`] returns, the commanded displacements of the springs of contacts and drives, written into existing memory.
     pub(crate) fn offsets_into(&self, offsets: &mut Vec<SVector<f64, 3>>) {
         self.offsets_under(
             self.contacts.iter().map(|contact| contact.command),
@@ -178,7 +178,8 @@ impl Engine {
         );
     }
 
-    /// Offsets of all contacts and drives under the given commands, which may differ from the commands of the grasp.
+    /// Offsets of all contacts and drives, the commanded displacements that stretch their springs, under the given commands. These may differ from
+    /// the commands of the grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,
@@ -195,7 +196,8 @@ impl Engine {
         }
     }
 
-    /// Changes of all offsets, m, for given changes of the commands of contacts and of joints; `None` means that these commands do not change.
+    /// Changes of the offsets of all contacts and drives, m, for given changes of the commands of contacts and of joints. An offset is the commanded
+    /// displacement that stretches a spring. `None` means that these commands do not change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,

@@ -16,7 +16,8 @@ use crate::numerics::Space;
 use crate::numerics::{Size, moved};
 use crate::prelude::*;
 
-/// A grasp with validated contacts. Its coordinates are the 3 or 6 coordinates of the object, then the coordinates of joints and of other bodies.
+/// A grasp with validated contacts. The coordinates of the grasp are the 3 or 6 coordinates of the object, then the coordinates of joints and of
+/// other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
     /// Whether the grasp is in the plane or in space.
@@ -32,13 +33,14 @@ pub(crate) struct Engine {
     /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
     /// translations have comparable size for any unit of the caller.
     pub(super) length: f64,
-    /// The joints, tendons and bodies behind the contacts; `None` for a single object that contacts without a hand hold.
+    /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(super) linkage: Option<Box<Linkage>>,
     /// Total pull of all vacuums on the object, which acts in addition to the caller's loads; `None` without a vacuum.
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: CachedValue,
-    /// Contact states in which a similar grasp is at rest. Searches with many coordinates begin near these states. Empty if no such states are known.
+    /// Contact states of a similar grasp in equilibrium under its base load. Searches for an equilibrium of many coordinates begin near these states.
+    /// Empty if no such states are known.
     pub(crate) near: Vec<State>,
 }
 
@@ -110,7 +112,8 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp with these contacts. Its origin is the centroid of the contacts with the indices for which `is_meant` is true.
+    /// A grasp with these contacts. The origin of the engine's coordinates is the centroid of the contacts with the indices for which `is_meant` is
+    /// true.
     fn of(
         space: Space,
         size: Size,
@@ -146,7 +149,7 @@ impl Engine {
         self.space
     }
 
-    /// Number of coordinates of the grasp.
+    /// Number of coordinates of the grasp: of the object, joints and other bodies.
     #[inline]
     pub(crate) fn size(&self) -> Size {
         self.size
@@ -195,12 +198,14 @@ impl Engine {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
-    /// Returns an error for a grasp of a hand or of several bodies, in questions that accept only contacts on a single object.
+    /// Returns an error for a grasp of a hand or of several bodies, for computations that accept only contacts on a single object. `question` names
+    /// the computation in the message.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Returns an error if a contact has kinetic friction, for questions whose answers would give sliding contacts their static friction.
+    /// Returns an error if a contact has kinetic friction, for computations that would give sliding contacts their static friction. `question` names
+    /// the computation in the message.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -213,7 +218,8 @@ impl Engine {
         (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
-    /// Returns an error if the grasp has joints; several bodies without joints and drives are allowed.
+    /// Returns an error if the grasp has joints, for computations that allow several bodies only without joints and drives. `question` names the
+    /// computation in the message.
     ///
     /// # Errors
     /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] for several bodies that a hand holds or a given force presses.
@@ -227,7 +233,8 @@ impl Engine {
         }
     }
 
-    /// Drives of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints first, then tendons.
+    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints
+    /// first, then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()
@@ -236,12 +243,12 @@ impl Engine {
             .map(move |(k, offset)| (first + k, offset))
     }
 
-    /// The joints, tendons and bodies behind the contacts; `None` for a single object that contacts without a hand hold.
+    /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(crate) fn linkage(&self) -> Option<&Linkage> {
         self.linkage.as_deref()
     }
 
-    /// Storage for the matrix factors of the elastic trial, in which all contacts stick.
+    /// Storage for the factors of the stiffness matrix of the elastic trial, a state in which all contacts stick.
     pub(crate) fn remembered_trial(&self) -> &CachedValue {
         &self.trial
     }

@@ -1,4 +1,4 @@
-//! Conversion of questions and answers between the public interface, with vectors of two or three components, and the engine, with three.
+//! Conversion of arguments and answers between the public interface, with vectors of two or three components, and the engine, with three.
 //!
 //! A vector of the plane gets a third component of zero. A wrench or a twist of the plane becomes a wrench or a twist of space whose moment or
 //! rotation is about z. The engine is thus compiled only once, and values for space need no conversion.
@@ -20,7 +20,7 @@ use crate::numerics::{Harmonic, Space, by_axis};
 use crate::prelude::*;
 use crate::words::LinkKind;
 
-/// A type of the public interface, of questions or answers, that can be converted to the engine's type and back.
+/// A type of the public interface, of arguments or answers, that can be converted to the engine's type and back.
 pub(crate) trait Face: Sized + Clone + 'static {
     /// The corresponding type in the engine, with three components per vector.
     type Inside: Clone + 'static;

@@ -245,7 +245,7 @@ impl SoftFingertip<3> {
         Self::of_layers(width, &pressure.layers(Space::Planar, strips))
     }
 
-    /// [`SoftFingertip::contacts`] in the engine, for the plane or space.
+    /// Implements [`SoftFingertip::contacts`] in the engine, for contacts of the plane or of space.
     pub(crate) fn contacts_inside(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;

@@ -24,8 +24,8 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // A load is a single force along some line if its moment m is normal to its force f. This limit is the largest `|f·m|/(|f||m|)` that counts
-        // as normal.
+        // A load is a single force along some line if its moment m is normal to its force f. The limit below is the largest `|f·m|/(|f||m|)` that
+        // counts as normal.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
@@ -70,7 +70,7 @@ impl Words {
         words.motion_text(&twist, Some((mean, largest(&moved, &|u| (u - mean).norm()))))
     }
 
-    /// [`Self::motion`] of one of several bodies, with its name.
+    /// [`Self::motion`] for one of several bodies, after the name of this body.
     #[must_use]
     pub fn body_motion<const C: usize>(self, motion: &BodyMotion<C>) -> String {
         let (words, motion) = (self.in_space(self.space::<C>()), inside(motion));
@@ -78,7 +78,8 @@ impl Words {
         format!("{} {text}", printable(&motion.body))
     }
 
-    /// [`Self::motion`] from the mean displacement of points and the largest deviation from this mean, m; `None` if no points are known.
+    /// The sentence of [`Self::motion`] for a small motion `twist`. `points` are the mean displacement of points of the object and the largest
+    /// deviation from this mean, m; `None` if no points are known.
     fn motion_text(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));

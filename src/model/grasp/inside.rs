@@ -1,8 +1,8 @@
 //! The engine's coordinates, called inside coordinates. Moments and rotations refer to the centroid of the contact points, and arms are measured in
 //! units of their root mean square distance from the centroid.
 //!
-//! Wrenches and twists of questions are converted to these coordinates, and answers are converted back. Neither a distant origin nor the user's
-//! unit of length thus costs digits.
+//! Wrenches and twists that the caller passes are converted to these coordinates, and answers are converted back. Neither a distant origin nor the
+//! user's unit of length thus costs digits.
 
 use nalgebra::SVector;
 
@@ -94,7 +94,8 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// Converts all coordinates to the user's units. Coordinates of saturating drives follow the coordinates of the joints.
+    /// Converts all coordinates to the user's units. The coordinates of saturating drives, springs of joints and tendons with a limited force, follow
+    /// the coordinates of the joints.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }

@@ -1,4 +1,4 @@
-//! The parts of a question: contacts, soft fingertips, hands, several bodies, wrenches and twists.
+//! The parts of a grasp problem: contacts, soft fingertips, hands, several bodies, wrenches and twists.
 //!
 //! `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the short names in [`crate::planar`] and [`crate::spatial`]. The
 //! engine itself uses vectors of three components for both.

@@ -16,18 +16,18 @@ use super::wrench::Wrench;
 pub(crate) struct PointsOfAction(Option<SMatrix<f64, 3, 3>>);
 
 impl PointsOfAction {
-    /// The sum without forces. A pure moment has no point of action and adds nothing to V.
+    /// The sum V without forces. A pure moment has no point of action and adds nothing to V.
     pub(crate) const NO_FORCE: Self =
         Self(Some(SMatrix::from_array_storage(nalgebra::ArrayStorage([[0.0; 3]; 3]))));
     /// The points of a force of which only the line is known.
     pub(crate) const UNKNOWN: Self = Self(None);
 
-    /// The sum for one force at one point; in the plane the third components are zero.
+    /// The sum V for one force, N, at one point, m; in the plane the third components are zero.
     pub(crate) fn of<const C: usize>(force: &SVector<f64, C>, point: &SVector<f64, C>) -> Self {
         Self::NO_FORCE.moved(force, point)
     }
 
-    /// The sum after all points have moved by `shift`; `force` is the resultant of the forces.
+    /// The sum V after all points have moved by `shift`, m; `force` is the resultant of the forces, N.
     pub(crate) fn moved<const C: usize>(self, force: &SVector<f64, C>, shift: &SVector<f64, C>) -> Self {
         self.map(|mut sum| {
             for (i, j) in (0..C).flat_map(|i| (0..C).map(move |j| (i, j))) {
@@ -37,25 +37,26 @@ impl PointsOfAction {
         })
     }
 
-    /// The sum with forces and points that are rotated by the matrix `rotation`.
+    /// The sum V if forces and points are rotated by the matrix `rotation`.
     pub(crate) fn rotated<const C: usize>(self, rotation: &SMatrix<f64, C, C>) -> Self {
         let mut turn = SMatrix::<f64, 3, 3>::identity();
         turn.fixed_view_mut::<C, C>(0, 0).copy_from(rotation);
         self.map(|sum| turn * sum * turn.transpose())
     }
 
-    /// The sum for the forces times `factor`.
+    /// The sum V if all forces are multiplied by `factor`.
     pub(crate) fn times(self, factor: f64) -> Self {
         // No force acts anywhere, even where the points of the whole force are not known.
         if factor == 0.0 { Self::NO_FORCE } else { self.map(|sum| sum * factor) }
     }
 
-    /// The sum for the forces of both loads; unknown if either sum is unknown.
+    /// The sum V over the forces of both loads; unknown if it is unknown for either load.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self(self.0.zip(other.0).map(|(a, b)| a + b))
     }
 
-    /// The matrix M of the second derivative of the potential, N m; `None` if the points are not known.
+    /// The matrix M of the second derivative of the load's potential with respect to rotations of the body, N m: `½ θ·Mθ` for the rotation vector θ;
+    /// `None` if the points are not known.
     pub(crate) fn stiffness(self) -> Option<SMatrix<f64, 3, 3>> {
         self.0.map(|sum| SMatrix::identity() * sum.trace() - (sum + sum.transpose()) * 0.5)
     }
@@ -71,7 +72,7 @@ impl<const C: usize> Wrench<C> {
         Self(self.0, points)
     }
 
-    /// The points of action of the forces.
+    /// The points of action of the forces of this wrench.
     pub(crate) fn points_of_action(&self) -> PointsOfAction {
         self.1
     }

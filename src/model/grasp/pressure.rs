@@ -32,7 +32,7 @@ pub enum Pressure {
 pub(super) struct Layer {
     /// Distance from the centre, in units of the radius.
     pub(super) distance: f64,
-    /// Share of the load; the shares sum to one.
+    /// Share of the normal load at this distance; the shares of all nodes sum to one.
     pub(super) share: f64,
 }
 

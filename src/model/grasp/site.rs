@@ -14,27 +14,28 @@ use crate::error::Error;
 use crate::numerics::DoubleDouble;
 use crate::numerics::Space;
 
-/// One contact or drive, in the engine's coordinates.
+/// One contact, or one drive (the spring of a joint or tendon), in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
     /// Grasp map G_i of this site. A column holds the forces in all coordinates due to a unit force of the site along one axis of its frame.
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rest: Map,
-    /// Norm of the grasp map G_i.
+    /// Norm of the grasp map G_i, which scales rounding errors of displacements at the contact.
     size: f64,
     /// Coordinates in which the grasp map G_i has nonzero entries.
     pub(crate) support: Support,
     /// Contact frame: its columns are the normal, the first tangent and, in space, the second tangent.
     pub(crate) frame: SMatrix<f64, 3, 3>,
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     pub(crate) space: Space,
     pub(crate) springs: Compliance,
     pub(crate) friction: Coulomb,
     /// Kinetic friction cone; `None` if it equals the static friction cone.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// Polygon that replaces the friction cone even where the settings ask for the round cone; used for drives that slip.
+    /// Polygon that replaces the friction cone even where the settings ask for the round cone. It is used for drives, springs of joints and tendons,
+    /// that slip at a force limit.
     pub(crate) polygon: Option<Arc<Polygon>>,
 }
 
@@ -71,14 +72,14 @@ impl Site {
         })
     }
 
-    /// A copy of this site with another grasp map, whose rounding error counts as zero.
+    /// A copy of this site, a contact or drive, with another grasp map. The rounding error of this map counts as zero.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
     }
 
-    /// The site of a drive of a hand, whose force acts along only one of its axes.
+    /// The site of a drive, the spring of a joint or tendon, whose force acts along only one axis of its frame.
     pub(super) fn of_axis(
         space: Space,
         size: Size,
@@ -149,7 +150,7 @@ impl Site {
         Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
     }
 
-    /// Number of coordinates.
+    /// Number of coordinates of the grasp to which this site belongs.
     #[inline]
     pub(crate) fn coordinates(&self) -> Size {
         self.map.size()
@@ -170,21 +171,21 @@ impl Site {
         offset - self.map.tr_mul(twist)
     }
 
-    /// Upper bound of the terms of a displacement at the contact, to which its rounding error is proportional. Translation and rotation may cancel at
-    /// the contact; their rounding errors do not.
+    /// Upper bound of the terms of the stretch `a - Gᵀq`, m, to which the rounding error of the stretch is proportional. `offset` is a, and `twist`
+    /// is q. Translation and rotation may cancel at the contact; their rounding errors do not.
     #[inline(always)]
     pub(crate) fn span(&self, offset: &SVector<f64, 3>, twist: &Vector) -> f64 {
         self.span_moved(offset, twist.norm())
     }
 
-    /// [`Self::span`] for a twist with this norm.
+    /// [`Self::span`], an upper bound of the terms of the stretch, from the norm of the motion in place of the motion.
     #[inline(always)]
     pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
         offset.norm() + self.size * twist
     }
 }
 
-/// Number of coordinates of a grasp with these contacts and drives.
+/// Number of coordinates of a grasp with these contacts and drives (springs of joints and tendons).
 #[inline]
 pub(crate) fn size_of(sites: &[Site]) -> Size {
     sites.first().map_or(Size::default(), Site::coordinates)

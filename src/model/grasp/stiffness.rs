@@ -35,7 +35,7 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// These springs in series with an additional compliance of the finger, axis by axis, m/N.
+    /// The springs of the contact in series with an additional compliance of the finger, given axis by axis, m/N.
     pub(super) fn softened(&self, compliance: &SVector<f64, C>) -> Self {
         let soften = |k: &SVector<f64, C>| k.zip_map(compliance, |k, more| in_series(k, 1.0 / more));
         match self {
@@ -51,7 +51,7 @@ impl<const C: usize> Stiffness<C> {
         self.each(|k| k * factor)
     }
 
-    /// Tangential stiffnesses multiplied by `factor`.
+    /// These springs with the tangential stiffnesses multiplied by `factor`.
     pub(crate) fn scaled_tangentially(&self, factor: f64) -> Self {
         self.each(|k| by_axis(|axis| if axis == 0 { k[0] } else { k[axis] * factor }))
     }

@@ -76,7 +76,7 @@ impl SuctionCup {
         self.force
     }
 
-    /// The lip, a ring of points.
+    /// The lip of the cup, a ring of contact points.
     #[must_use]
     pub fn lip(&self) -> &SoftFingertip<3> {
         &self.lip

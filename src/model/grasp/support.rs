@@ -7,15 +7,15 @@ use crate::numerics::Space;
 use crate::prelude::*;
 
 /// Coordinates in which a grasp map has nonzero entries, as two ranges. For a contact with the object, one range holds the object's coordinates and
-/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. A drive depends on its own
-/// joints.
+/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. The ranges of a drive, the
+/// spring of a joint or tendon, hold the joints on which it acts.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     ranges: [Range<usize>; 2],
 }
 
 impl Support {
-    /// Common support of a grasp map and its rounding error, which then store only the rows of these ranges.
+    /// Common support of a grasp map and of the rounding error of this map. Map and error then store only the rows in the ranges of the support.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let count = map.size().count();
         let object = space.of_the_object().min(count);
@@ -40,14 +40,14 @@ impl Support {
         Self { ranges }
     }
 
-    /// Both ranges of coordinates. If the grasp has no joints the first range contains all coordinates.
+    /// Both ranges of coordinates in which the grasp map has nonzero entries. If the grasp has no joints, the first range contains all coordinates.
     #[inline]
     pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
         self.ranges.clone()
     }
 }
 
-/// Divides a range at its longest gap between the coordinates in `indices`.
+/// Divides a range of coordinates at the longest gap between the coordinates in `indices`, where a grasp map has nonzero entries.
 fn split_at_gap(range: Range<usize>, indices: &[usize]) -> [Range<usize>; 2] {
     let Range { start, end } = range;
     let (mut gap, mut last) = (end..end, start);

@@ -12,8 +12,8 @@ pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 /// If smaller, sentences describe motions that are hardly visible; if larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;
 
-/// Magnitude up to which a component counts as rounding. For a load it is relative to the largest component. For a point on an axis of rotation it is
-/// in m; this applies if the points of the object are unknown.
+/// Magnitude up to which a component counts as rounding. For a load this number is relative to the largest component. For a point on an axis of
+/// rotation it is in m, if no points of the object are known.
 ///
 /// If smaller, sentences show rounding errors; if larger, they omit small components.
 pub(super) const LITTLE_ROUNDING: f64 = 1e-13;

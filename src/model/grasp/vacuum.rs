@@ -17,17 +17,17 @@ pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
     format!("{} {opens} all around, and {its} vacuum is gone", listed(cups))
 }
 
-/// Total pull of the vacuums of all contacts.
+/// Total pull of the vacuums of all contacts, a constant load.
 #[derive(Debug, Clone)]
 pub(crate) struct Vacuum {
-    /// Generalised force on object and joints, in the engine's coordinates.
+    /// Generalised force of the vacuums on object and joints, in the engine's coordinates.
     pub(crate) inside: Vector,
-    /// Wrench on the object, in the caller's coordinates.
+    /// Wrench of the vacuums on the object, in the caller's coordinates.
     pub(crate) on_object: Wrench<3>,
 }
 
 impl Vacuum {
-    /// Sums the forces between fingers and object along the contact normals; `None` without a vacuum.
+    /// Sums the forces of the vacuums, which act between fingers and object along the contact normals; `None` without a vacuum.
     pub(super) fn of(space: Space, contacts: &[Contact<3>], sites: &[Site]) -> Option<Box<Self>> {
         if contacts.iter().all(|contact| contact.suction == 0.0) {
             return None;
@@ -49,7 +49,7 @@ impl Contact<3> {
 }
 
 impl Engine {
-    /// Total pull of the vacuums; `None` without a vacuum.
+    /// Total pull of the vacuums of the grasp; `None` without a vacuum.
     pub(crate) fn vacuum(&self) -> Option<&Vacuum> {
         self.vacuum.as_deref()
     }
@@ -71,7 +71,7 @@ impl Engine {
         cups.first().map(|cup| self.wholes()[cup.contact].label.clone())
     }
 
-    /// Indices of all points of these contacts.
+    /// Indices of all contact points that belong to the whole contacts in `parts`.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         let mut points = Vec::new();
         for part in parts {

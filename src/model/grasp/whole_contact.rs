@@ -39,13 +39,13 @@ impl WholeContact {
         self.points == self.of
     }
 
-    /// The name, safe to print.
+    /// The name of the contact, safe to print.
     pub(crate) fn text(&self) -> Cow<'_, str> {
         printable(&self.label)
     }
 }
 
-/// "left", or "left (3 of 12 points)".
+/// Writes the name, with the number of points if not all are meant: "left", or "left (3 of 12 points)".
 impl fmt::Display for WholeContact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text())?;
@@ -108,7 +108,7 @@ impl WholeContacts {
         Self(all.into())
     }
 
-    /// The contact to which a point belongs.
+    /// The whole contact to which the contact point with this index belongs.
     pub(crate) fn at(&self, point: usize) -> &ContactPoints {
         &self.0[self.0.partition_point(|contact| contact.range.end <= point)]
     }

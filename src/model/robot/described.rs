@@ -36,7 +36,7 @@ pub struct RobotJoint {
     /// Pose of the joint's frame in the frame of its parent link.
     pub(super) origin: Isometry3<f64>,
     pub(super) axis: UnitVector3<f64>,
-    /// Kind of motion; `None` for a fixed joint.
+    /// Kind of the joint's motion; `None` for a fixed joint.
     pub(super) kind: Option<JointKind>,
     pub(super) range: [f64; 2],
     pub(super) effort: f64,
@@ -125,7 +125,7 @@ impl Robot {
             .iter()
             .map(|link| read.joints.iter().all(|joint| joint.child.link != *link))
             .collect();
-        // Joints are added from the roots outwards, each after its parent link.
+        // Joints are added from the root links outwards, each after the joint that carries its parent link.
         let mut left: Vec<&urdf_rs::Joint> = read.joints.iter().collect();
         while !left.is_empty() {
             let before = left.len();

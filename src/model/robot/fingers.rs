@@ -12,7 +12,7 @@ pub(crate) struct JointGroup {
     pub(crate) contacts: Vec<usize>,
 }
 
-/// How joints of a finger move a contact.
+/// How the joints of a finger move one of its contacts.
 pub(crate) enum Mover {
     /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
     Link(usize),
@@ -106,8 +106,8 @@ impl Robot {
         (fixed, fingers)
     }
 
-    /// The independent joint that a joint follows, and the factor between both displacements. For an independent joint these are the joint itself and
-    /// 1.
+    /// The independent joint that a joint follows, and the factor from its displacement to the displacement of the follower. For an independent joint
+    /// the result is the joint itself and 1.
     fn coordinate(&self, joint: usize) -> (usize, f64) {
         self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
     }
@@ -128,7 +128,7 @@ impl Robot {
         finger.joints.iter().map(joint).collect()
     }
 
-    /// How the joints of its finger move a contact.
+    /// How the joints of a finger move a contact on the link `link`.
     pub(crate) fn mover(&self, finger: &JointGroup, link: usize, contact: &Contact<3>) -> Mover {
         let movers = self.movers_of(link);
         if finger.joints.starts_with(&movers) {

@@ -121,7 +121,7 @@ impl Robot {
         movers
     }
 
-    /// The joints that move a link, from the root outwards.
+    /// The joints that move a link, from the root link outwards, including joints that mimic others.
     ///
     /// # Errors
     /// [`Error::Robot`] for an unknown link.

@@ -18,7 +18,7 @@ const BANDS: usize = 90;
 /// A collision shape of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
-    /// Pose in the frame of the link.
+    /// Pose of the shape in the frame of the link.
     origin: Isometry3<f64>,
     form: Form,
 }

@@ -20,7 +20,7 @@ pub struct Touch {
     contact: Contact<3>,
 }
 
-/// A point of the pad, and where it meets the part.
+/// A point of the pad, and the point at which it meets the part.
 struct PadPointHit<'p> {
     point: &'p PadPoint,
     hit: RayHit,
@@ -29,7 +29,7 @@ struct PadPointHit<'p> {
 }
 
 impl Touch {
-    /// A pad with the position, closing direction and other properties of a contact.
+    /// A pad with the position, closing direction, name, friction, stiffness and command of a contact.
     #[must_use]
     pub fn new(pad: Pad, contact: Contact<3>) -> Self {
         Self { pad, contact }

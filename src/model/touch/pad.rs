@@ -31,7 +31,7 @@ pub struct Pad {
 enum Outline {
     Rectangle([f64; 2]),
     Disc(f64),
-    /// An outline that is known only at the sampled points.
+    /// The outline of a surface that is known only at sampled points.
     Sampled,
 }
 
@@ -59,14 +59,14 @@ impl Profile {
     }
 }
 
-/// A point of the pad, in the frame of the contact.
+/// A sample point of the pad, in the frame of the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PadPoint {
     /// Position relative to the centre, m; the first component is along the closing direction.
     pub(super) offset: Vector3<f64>,
     /// Outward unit normal of the pad's surface at this point.
     pub(super) facing: Vector3<f64>,
-    /// Fraction of the pad's area.
+    /// Fraction of the pad's area that this point represents.
     pub(super) share: f64,
 }
 

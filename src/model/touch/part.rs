@@ -134,7 +134,7 @@ impl Part {
         self.triangles.iter().map(|triangle| triangle.map(Into::into))
     }
 
-    /// Least and largest coordinates along the columns of a frame, m.
+    /// Least and largest coordinates of all vertices along the columns of a frame, m.
     pub(super) fn along(&self, frame: &Matrix3<f64>) -> [Vector3<f64>; 2] {
         let mut ends = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
         for corner in self.triangles.iter().flatten() {

@@ -13,12 +13,12 @@ use super::part::Part;
 /// Points outside a triangle by less than this fraction of the mesh's size still meet it: pads may be flush with an edge of the part.
 pub(super) const FLUSH: f64 = 1e-9;
 
-/// The point where a ray meets the part.
+/// The point where a ray from the pad first meets the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RayHit {
     /// Distance along the ray from the pad's plane, m.
     pub(super) depth: f64,
-    /// Unit normal of the triangle, into the part.
+    /// Unit normal of the triangle that the ray meets, pointing into the part.
     pub(super) normal: Vector3<f64>,
     /// Whether the ray leaves the part at this triangle, which means that the ray started inside the part.
     pub(super) leaves: bool,
@@ -28,7 +28,8 @@ pub(super) struct RayHit {
 pub(super) struct PadHits {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<RayHit>>,
-    /// Least travel, m, at which a point of the pad or its centre meets the part, or the pad meets a vertex of the mesh.
+    /// Least travel of the pad along the closing direction, m, at which it touches the part. Sample points and centre of the pad, and vertices of the
+    /// mesh, are considered.
     pub(super) foremost: f64,
 }
 
@@ -55,7 +56,7 @@ impl Part {
             }
             let normal = (b - a).cross(&(c - a));
             let length = normal.norm();
-            // Skips a triangle that has no area or is parallel to the rays.
+            // A triangle that has no area, or is parallel to the rays, is skipped.
             if normal[0].abs() <= FLUSH * length {
                 continue;
             }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::error::Error;
 use crate::grasp::Contact;
 
-/// The contacts of a pad on a part.
+/// The contacts at which a pad touches a part, and measures of how well the pad fits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touched {
     pub(super) contacts: Vec<Contact<3>>,
@@ -33,7 +33,7 @@ impl Touched {
     }
 
     /// Largest angle between the surfaces of pad and part over the points that press, rad. If the pad does not press, only the points that touch
-    /// first count.
+    /// first are considered.
     #[must_use]
     pub fn steepest(&self) -> f64 {
         self.steepest

@@ -54,7 +54,7 @@ impl MapEntries {
         }
     }
 
-    /// Sets an entry. A nonzero entry adds its row to the stored rows; a zero does not.
+    /// Sets the entry in row `k` and column `a`. A nonzero entry adds its row to the stored rows; a zero does not.
     #[inline]
     pub(super) fn set(&mut self, k: usize, a: usize, x: f64) {
         match self {

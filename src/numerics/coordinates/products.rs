@@ -32,11 +32,11 @@ pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
     ((a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5])
 }
 
-/// The four interleaved sums of [`dot`], filled term by term: each term comes with its index.
+/// The four interleaved sums of the dot product [`dot`], to which terms are added one by one, each with its index.
 pub(super) struct SumLanes {
     sums: [f64; 4],
     rest: f64,
-    /// The greatest multiple of four up to the number of terms; later terms are added in `rest`.
+    /// The greatest multiple of four that does not exceed the number of terms. Terms from this index on are added to `rest`.
     whole: usize,
 }
 

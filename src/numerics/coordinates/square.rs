@@ -121,7 +121,7 @@ impl Square {
         &mut self.as_mut_slice()[j * n..(j + 1) * n]
     }
 
-    /// Adds the dyad `a bᵀ`.
+    /// Adds the dyad `a bᵀ` of two vectors to this matrix.
     #[inline]
     pub(crate) fn add_product(&mut self, a: &[f64], b: &[f64]) {
         let n = self.size.count();

@@ -11,7 +11,7 @@ use super::size::{Size, WHOLE};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A vector over coordinates: a motion, or a generalised force.
+/// A vector over the coordinates of a grasp: a motion, or a generalised force.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Vector(pub(super) List);
 
@@ -60,7 +60,7 @@ impl Vector {
         self.0.grow(size.count());
     }
 
-    /// Adds `times` times another vector.
+    /// Adds another vector, multiplied by `times`, to this vector.
     #[inline]
     pub(crate) fn add_times(&mut self, other: &Self, times: f64) {
         let other = other.as_slice();

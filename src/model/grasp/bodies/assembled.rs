@@ -1,4 +1,4 @@
-//! Adds the bodies to a grasp that is being assembled.
+//! Adds several bodies to a grasp that is being assembled from contacts and joints.
 
 use super::place::PlacedBodies;
 use crate::error::Error;

@@ -9,7 +9,8 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// A body with its name, its mass, and a load of its own that acts in addition to the load of a question.
+/// A body with its name, its mass, and a constant load of its own. This load acts in addition to the load passed to a question such as
+/// [`hold`](crate::ask::Grasp::hold).
 ///
 /// ```
 /// use grasp_lcp::planar::{Body, Wrench};
@@ -40,7 +41,8 @@ impl<const C: usize> Body<C> {
             (self.mass, self.centre) = (mass, SVector::from(centre.into()));
         }
 
-        /// Sets a constant load that acts in addition to the load of a question: N, and N m about the origin of the scene.
+        /// Sets a constant load of the body: N, and N m about the origin of the scene. It acts in addition to the load passed to a question such as
+        /// [`hold`](crate::ask::Grasp::hold).
         pub fn load(mut self, load: Wrench<C>) { self.load = load; }
     }
 }

@@ -18,9 +18,9 @@ use crate::prelude::*;
 /// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp, which answers the same questions as any other
 /// grasp.
 ///
-/// [`Contact::on`] names the body into which a contact's normal points, [`Contact::against`] the body on its other side. Without `against`, the
-/// other side is the ground or a finger. The load of a question acts on one body: the first, or the body named by [`loaded`](Self::loaded). With
-/// [`shared_by_mass`](Self::shared_by_mass) it acts on all bodies in proportion to their masses.
+/// [`Contact::on`] names the body into which a contact's normal points, [`Contact::against`] the body on its other side. Without `against`, the other
+/// side is the ground or a finger. The load passed to a question such as [`hold`](crate::ask::Grasp::hold) acts on one body: the first, or the body
+/// named by [`loaded`](Self::loaded). With [`shared_by_mass`](Self::shared_by_mass) that load acts on all bodies in proportion to their masses.
 ///
 /// ```
 /// use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
@@ -49,7 +49,7 @@ pub struct Bodies<const C: usize> {
     loaded: LoadedBodies,
 }
 
-/// The bodies on which the load of a question acts.
+/// The bodies on which the load acts that the caller passes to a question such as `hold`.
 #[derive(Debug, Clone, PartialEq)]
 enum LoadedBodies {
     First,
@@ -81,23 +81,24 @@ impl<const C: usize> Bodies<C> {
         /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
         pub fn held_by(mut self, hand: Hand<C>) { self.hand = hand; }
 
-        /// Sets gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
+        /// Sets gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load passed to a question such as
+        /// [`hold`](crate::ask::Grasp::hold).
         pub fn gravity(mut self, gravity: impl Into<[f64; C]>) {
             self.gravity = SVector::from(gravity.into());
         }
 
-        /// Makes the loads of questions act on this body.
+        /// Makes the loads that are passed to questions, such as [`hold`](crate::ask::Grasp::hold), act on this body.
         pub fn loaded(mut self, body: impl Into<String>) {
             self.loaded = LoadedBodies::Body(body.into().into());
         }
 
-        /// Shares the loads of questions among all bodies in proportion to their masses. Each share of the force acts at the centre of mass of its body.
-        /// The moment that remains is shared in the same proportion. A load parallel to gravity thus scales all weights, and a turning load turns all
-        /// weights.
+        /// Shares the loads that are passed to questions, such as [`hold`](crate::ask::Grasp::hold), among all bodies in proportion to their masses.
+        /// Each share of the force acts at the centre of mass of its body. The moment that remains is shared in the same proportion. A load parallel
+        /// to gravity thus scales all weights, and a turning load turns all weights.
         pub fn shared_by_mass(mut self) { self.loaded = LoadedBodies::ByMass; }
     }
 
-    /// Total weight of the bodies under this gravity (m/s²), as a load for questions whose load is [shared by mass](Self::shared_by_mass).
+    /// Total weight of the bodies under this gravity (m/s²), as a load to pass to questions if loads are [shared by mass](Self::shared_by_mass).
     pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
         let gravity = SVector::from(gravity.into());
         self.list.iter().fold(Wrench::ZERO, |sum, body| sum + body.weight(&gravity))

@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, Size, Vector, indexed, paired};
 use crate::prelude::*;
 
 impl Engine {
-    /// The bodies; `None` for a single object.
+    /// The bodies of the grasp; `None` for a single object.
     pub(crate) fn bodies(&self) -> Option<&PlacedBodies> {
         self.linkage()?.bodies.as_deref()
     }
@@ -23,7 +23,8 @@ impl Engine {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// The load on each body: its constant load, and its share of the load of a question. The object's load alone without bodies.
+    /// The total load on each body: the body's constant load plus its share of `load`, the load that the caller asks about. For a single object the
+    /// list holds only `load`.
     pub(crate) fn loads_of_bodies(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         self.bodies().map_or_else(
             || vec![*load],
@@ -58,7 +59,7 @@ impl Engine {
     ) -> Vector {
         let angular = self.space.axes()..self.space.of_the_object();
         if contact >= self.len() {
-            // The force of a drive acts on no body.
+            // The force of a drive, the spring of a joint or tendon, acts on no body.
             return Vector::zeros();
         }
         let in_unit = self.space.wrench_of(&(point / self.length()), force);
@@ -79,9 +80,9 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. The load of a question then serves only as a
-    /// factor: the number f of newtons in its first force component. Each body carries f times the sum of its constant load and its share of `base`.
-    /// `None` for a single object.
+    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. A load that is passed to the new grasp then
+    /// serves only as a factor f, the number of newtons in its first force component. Each body carries f times the sum of its constant load and its
+    /// share of `base`. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -116,8 +117,8 @@ impl Engine {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. It serves further
-    /// questions about the answer that lists these loads.
+    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. The copy serves to ask
+    /// further about an answer of that load program, which lists these loads.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -175,8 +176,8 @@ impl Engine {
         lengths
     }
 
-    /// A copy of the coordinates in which the coordinates of all bodies except one are zero. This body is the body into which the contact's normal
-    /// points, or the single object. For the force of a drive all coordinates are kept.
+    /// A copy of the coordinates in which the coordinates of all bodies except one are zero. The exception is the body into which the normal of
+    /// `contact` points, or the single object. If `contact` is the index of a drive, the spring of a joint or tendon, all coordinates are kept.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

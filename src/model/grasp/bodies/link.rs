@@ -50,8 +50,8 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
-    /// Pull of a cable or spring in the equilibrium without the load of a question, after all springs have deflected, N. It replaces the pretension;
-    /// `None` if a pretension is given.
+    /// Pull of a cable or spring in the equilibrium under the constant loads alone, after all springs have deflected, N. This pull replaces the
+    /// pretension; `None` if a pretension is given.
     pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }
@@ -104,7 +104,7 @@ impl<const C: usize> LinkPlace<C> {
 }
 
 impl Link<2> {
-    /// A hinge at this point, m.
+    /// A hinge of the plane at this point, m.
     pub fn hinge(point: impl Into<[f64; 2]>) -> Self {
         Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings: None })
     }
@@ -133,8 +133,8 @@ impl<const C: usize> Link<C> {
         Self { name, place, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
     }
 
-    /// A slide: relative motion of the bodies is only possible along this direction. Its bearings are `length` apart, m, with this point in the
-    /// middle.
+    /// A slide: relative motion of the bodies is only possible along this direction. The bearings of the slide are `length` apart, m, with this point
+    /// in the middle.
     pub fn slide(point: impl Into<[f64; C]>, direction: impl Into<[f64; C]>, length: f64) -> Self {
         let (point, direction) = (SVector::from(point.into()), SVector::from(direction.into()));
         Self::at(LinkPlace::Slide { point, direction, length })
@@ -183,7 +183,7 @@ impl<const C: usize> Link<C> {
             (self.on, self.against) = (Some(body.into().into()), None);
         }
 
-        /// Sets the total stiffness of the link's points along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
+        /// Sets the total stiffness of all contacts that model the link, along each direction that the link blocks, N/m; [`Self::STIFF`] by default.
         pub fn stiffness(mut self, stiffness: f64) { self.stiffness = Some(stiffness); }
 
         /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the

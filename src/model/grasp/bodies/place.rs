@@ -15,7 +15,7 @@ use crate::numerics::{IntoList, Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// The coordinates of one body in the engine.
+/// The position of one body's coordinates among all coordinates of the engine, and the point to which its rotations refer.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPlace {
     /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
@@ -26,19 +26,19 @@ pub(crate) struct BodyPlace {
     pub(crate) reach: f64,
 }
 
-/// How the load of a question is shared among the bodies.
+/// How a load that the caller passes to a question such as `hold` is shared among the bodies.
 #[derive(Debug, Clone)]
 pub(super) enum LoadSharing {
-    /// One body carries the whole load.
+    /// The body that has the object's coordinates carries the whole load.
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
-    /// If the question's load is `one`, each body carries its entry of `loads`. If it is a multiple of `one`, each body carries the same multiple of
-    /// its entry.
+    /// If the caller's load is `one`, each body carries its entry of `loads`. If the caller's load is a multiple of `one`, each body carries the same
+    /// multiple of its entry.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
-/// Several bodies in the engine.
+/// Several bodies in the engine, with their coordinates, loads and contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies {
     /// Whether the bodies are in the plane or in space.
@@ -46,7 +46,7 @@ pub(crate) struct PlacedBodies {
     pub(crate) names: Vec<Arc<str>>,
     /// Index of the body that has the object's coordinates.
     pub(crate) object: usize,
-    /// Constant load on each body, in addition to the load of a question.
+    /// Constant load on each body, in addition to the loads that are passed to questions.
     pub(crate) loads: Vec<Wrench<3>>,
     /// The part of `loads` that the user gave as loads of bodies; weights are not included.
     pub(crate) user_loads: Vec<Wrench<3>>,
@@ -143,8 +143,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Displacement of a contact's finger relative to its body, per unit of each coordinate of the bodies other than the object. The coordinates are
-    /// counted from the first coordinate after the object's coordinates.
+    /// Displacement of the finger's side of a contact relative to the body's side, per unit of each coordinate of the bodies other than the object.
+    /// The coordinates are counted from the first coordinate after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -163,7 +163,7 @@ impl PlacedBodies {
         columns
     }
 
-    /// For each body the load that follows from the load of a question, without constant loads.
+    /// The share of each body in `load`, the load that the caller asks about; constant loads of bodies are not included.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             LoadSharing::OnObject => {
@@ -187,7 +187,8 @@ impl PlacedBodies {
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
 
-    /// The wrench on each body other than the object, with moments about the user's origin, from forces in all coordinates, in the user's units.
+    /// The wrench on each body other than the object, with moments about the user's origin. `outside` holds the generalised forces in all
+    /// coordinates, in the user's units.
     pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<3>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
             let first = place.first;
@@ -209,26 +210,27 @@ impl PlacedBodies {
         })
     }
 
-    /// These bodies with the loads `program_loads` added to their constant loads; one load for each body.
+    /// These bodies with the loads `program_loads` added to their constant loads; `program_loads` has one load for each body.
     pub(super) fn under(&self, program_loads: Vec<Wrench<3>>) -> Self {
         let loads = paired(&self.loads, &program_loads, &|(always, more)| *always + *more);
         Self { loads, program_loads, ..self.clone() }
     }
 
-    /// Whether the load of a question may act on more than one body.
+    /// Whether the load that is passed to a question may act on more than one body.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, LoadSharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor: the number of newtons in the first force
-    /// component of the question's load.
+    /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor. The factor is the number of newtons in the
+    /// first force component of the load passed to a question.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = LoadSharing::Together { one: Wrench::from_components(&[1.0]), loads };
         Self { loads: none, sharing, ..self.clone() }
     }
 
-    /// These bodies with the further loads `others`, which are scaled by the same factor if the question's load is a multiple of `one`.
+    /// These bodies with the further loads `others`, named by body. If the load passed to a question is a multiple of `one`, they are scaled by the
+    /// same factor.
     ///
     /// # Errors
     /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.

@@ -94,8 +94,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. The drives are rescaled to the
-        // reference lengths of these coordinates.
+        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. These springs are rescaled to the
+        // reference lengths of their coordinates.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -127,7 +127,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Adds the stiffness matrix of a finger's joints: one drive for each column l of the factorisation `K = Σ l lᵀ`.
+    /// Adds the stiffness matrix K of a finger's joints: one drive, a spring along one axis, for each column l of the factorisation `K = Σ l lᵀ`.
     fn couple(
         &mut self,
         matrix: &DMatrix<f64>,
@@ -207,7 +207,8 @@ impl Assembly {
         })
     }
 
-    /// A spring that acts on joints with these moment arms, in the engine's coordinates, and the power of two by which the arms were divided.
+    /// A spring, in the engine's coordinates, that acts on joints with these moment arms. The second value is the power of two by which the arms were
+    /// divided.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -218,7 +219,7 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive; a drive that saturates is added as two halves.
+    /// Adds a drive, the spring of a joint or tendon. A drive that saturates is added as two halves, two springs in series.
     fn drive(
         &mut self,
         owner: DriveOwner,
@@ -263,7 +264,7 @@ impl Assembly {
         }
     }
 
-    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives that were collected.
+    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives (springs of joints and tendons) that were collected.
     fn grasp(
         self,
         tendons: Vec<NamedPart>,
@@ -300,7 +301,7 @@ impl Assembly {
     }
 }
 
-/// A spring of one axis in the engine's coordinates; its force acts along `along`.
+/// A spring of one axis in the engine's coordinates. `along` is the generalised force per newton of the spring's force.
 struct Spring {
     along: Vector,
     stiffness: f64,

@@ -1,4 +1,4 @@
-//! The parts of a grasp, collected from a hand.
+//! The parts of a grasp, contacts, joints and drives (springs of joints and tendons), collected from a hand.
 
 use nalgebra::SVector;
 
@@ -18,13 +18,13 @@ pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 /// The parts of a grasp while it is assembled.
 pub(in crate::model::grasp) struct Assembly {
-    /// Plane or space.
+    /// Whether the grasp is in the plane or in space.
     pub(in crate::model::grasp) space: Space,
     pub(in crate::model::grasp) contacts: Vec<Contact<3>>,
     pub(in crate::model::grasp) motions: Vec<Columns>,
     /// Joints of all fingers, then the slides of contacts with a constant force.
     pub(super) joints: Vec<Joint<3>>,
-    /// Number of coordinates in use after the coordinates of the object.
+    /// Number of coordinates assigned so far to joints, drives and bodies, after the coordinates of the object.
     pub(in crate::model::grasp) used: usize,
     pub(in crate::model::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,
@@ -57,7 +57,8 @@ impl Assembly {
     }
 }
 
-/// The error for a matrix that is not symmetric positive semidefinite.
+/// The error for a stiffness or compliance matrix that is not symmetric positive semidefinite. `what` names the finger in the message, and `field`
+/// the matrix.
 pub(super) fn refuse<T>(fault: NotPositive, what: String, field: &'static str) -> Result<T, Error> {
     Err(match fault {
         NotPositive::Shape { rows, columns, size } => Error::Shape {

@@ -10,7 +10,7 @@ use crate::numerics::Space;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// The part of the hand to which a drive belongs.
+/// The part of the hand to which a drive, a spring with its command, belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveOwner {
     /// The joint with this index.
@@ -21,22 +21,25 @@ pub(crate) enum DriveOwner {
     Nobody,
 }
 
-/// How the force of a drive is bounded, and the contact law that models this bound.
+/// How the force of a drive, the spring of a joint or tendon, is bounded, and the contact law that models this bound.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveLaw {
-    /// Pushes and pulls without limit.
+    /// The drive pushes and pulls without limit.
     Holds,
-    /// Only pulls: its force obeys the law of a frictionless contact.
+    /// The drive only pulls. Its force obeys the law of a frictionless contact.
     Pulls,
-    /// Slips when its force reaches a bound. It is modelled by a contact whose normal force is the bound and whose friction coefficient is one.
+    /// The drive slips when its force reaches a bound. The drive is modelled by a contact whose normal force is the bound and whose friction
+    /// coefficient is one.
     Slips,
-    /// The upper half of a saturating drive: a frictionless contact that carries the upper bound minus the force.
+    /// The upper half of a saturating drive, which two springs in series model. This half is a frictionless contact that carries the upper bound
+    /// minus the drive's force.
     EndsAbove,
-    /// The lower half of a saturating drive: a frictionless contact that carries the force minus the lower bound.
+    /// The lower half of a saturating drive: a frictionless contact that carries the drive's force minus the lower bound.
     EndsBelow,
 }
 
-/// A drive in the engine's coordinates: its force is in N and its displacement a length, for any units of its joints.
+/// A drive, the spring of a joint or tendon, in the engine's coordinates. The force of a drive is in N and the displacement in m, for any units of
+/// the joints.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
     pub(crate) owner: DriveOwner,
@@ -48,9 +51,9 @@ pub(crate) struct Drive {
     pub(super) bound: f64,
     /// Torque or tension of the owner per newton of the drive's force.
     pub(super) unit: f64,
-    /// Index of each command that stretches the drive, and stretch per unit of the command.
+    /// Index of each joint or tendon command that stretches the drive, and stretch in m per unit of this command.
     pub(super) commands: Vec<(usize, f64)>,
-    /// Stretch of the drive's spring if all commands are zero.
+    /// Stretch of the drive's spring, m, if all commands and displacements are zero.
     pub(super) rest: f64,
 }
 
@@ -71,7 +74,7 @@ impl Drive {
         }
     }
 
-    /// The axis of the drive's frame along which the spring acts.
+    /// The axis of the drive's contact frame along which the spring acts: the first tangent if the drive slips, otherwise the normal.
     fn axis(&self) -> usize {
         usize::from(self.role == DriveLaw::Slips)
     }
@@ -95,7 +98,7 @@ impl Drive {
         site
     }
 
-    /// Stretch of the drive's springs under these commands, along the axes of the drive's contact frame, m.
+    /// Stretch of the drive's spring under these commands of joints and tendons, along the axes of the drive's contact frame, m.
     pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
@@ -105,15 +108,16 @@ impl Drive {
         stretch
     }
 
-    /// Change of the stretch of the drive's spring for a change of the commands, along the axes of the drive's contact frame, m.
+    /// Change of the stretch of the drive's spring for a change of the commands of joints and tendons, along the axes of the drive's contact frame,
+    /// m.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
         stretch
     }
 
-    /// Torque of the drive's joint, or tension of its tendon, for a force of the drive. `None` for the lower half of a saturating drive, since the
-    /// upper half returns the value.
+    /// Torque of the drive's joint (N m or N), or tension of its tendon (N), for a force of the drive, N. `None` for the lower half of a saturating
+    /// drive, since the upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             DriveLaw::EndsBelow => None,
@@ -122,7 +126,7 @@ impl Drive {
         }
     }
 
-    /// Multiplies the stiffness of the spring by `times`; bounds do not change.
+    /// Multiplies the stiffness of the drive's spring by `times`; bounds of the force do not change.
     pub(super) fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.rest /= times;
@@ -148,8 +152,8 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon: of the drive's stretch, and of the constant
-    /// generalised forces on the coordinates.
+    /// The derivatives of the drive's stretch and of the constant generalised forces on the coordinates. They are taken with respect to the torque
+    /// limit of the joint or the tension limit of the tendon.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -157,7 +161,7 @@ impl Drive {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
-            // The limit enters both the stretch of a half and its constant force. The lower half of a drive that only pulls has the bound zero,
+            // The limit enters both the stretch and the constant force of each half. The lower half of a drive that only pulls has the bound zero,
             // whatever the limit.
             DriveLaw::EndsAbove | DriveLaw::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
@@ -168,7 +172,7 @@ impl Drive {
         (stretch, held)
     }
 
-    /// Stretch of the drive's spring under a force.
+    /// Stretch of the drive's spring, m, under a force, N.
     pub(crate) fn deflection(&self, force: f64) -> f64 {
         force / self.stiffness
     }
@@ -178,7 +182,7 @@ impl Drive {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
     }
 
-    /// Stored energy, J, at a force of the drive. The upper half of a saturating drive returns the energy of both halves.
+    /// Energy stored in the drive's spring, J, at a force of the drive, N. The upper half of a saturating drive returns the energy of both halves.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
@@ -188,7 +192,7 @@ impl Drive {
         }
     }
 
-    /// Displacement of the joint or tendon, or change of its command, for a displacement of the drive.
+    /// Displacement of the joint or tendon (rad or m) for a displacement of the drive, m. Changes of commands are converted in the same way.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
         // The work, force times displacement, is the same for the drive as for its joint or tendon.
         along / self.unit

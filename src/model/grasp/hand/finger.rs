@@ -64,9 +64,9 @@ impl<const C: usize> Finger<C> {
         Self::new([]).contact(contact)
     }
 
-    /// A finger given by the compliance matrix of its contacts, m/N, symmetric and positive definite. It describes a finger, a hand or a
-    /// structure whose displacements under a load at each contact are known. Rows and columns are ordered contact by contact, along the axes of
-    /// the contact frames, the normal first. Springs of the contacts themselves act in series.
+    /// A finger given by the compliance matrix of its contacts, m/N, symmetric and positive definite. The matrix gives the displacements of all
+    /// contact points per unit force at each contact. Use it for a finger, a hand or a structure of known compliance. Rows and columns are ordered
+    /// contact by contact, along the axes of the contact frames, the normal first. The contacts' own springs act in series with this compliance.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::DMatrix;

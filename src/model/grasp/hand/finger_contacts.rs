@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, numbered, vector_of};
 use crate::prelude::*;
 
 impl Assembly {
-    /// Adds the contacts of a finger whose first joint has the index `first`.
+    /// Adds the contacts of a finger to the grasp. `first` is the index of the finger's first joint.
     pub(super) fn add_contacts(
         &mut self,
         finger: &Finger<3>,
@@ -41,8 +41,8 @@ impl Assembly {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // The compliance matrix is C = D + V Vᵀ with a diagonal D. The columns of V couple the contacts. Each column gets one more coordinate,
-            // which is no displacement of a joint.
+            // The compliance matrix of the finger is C = D + V Vᵀ with a diagonal D. The columns of V couple the contacts. Each column gets one more
+            // coordinate, which is no displacement of a joint.
             for (k, column) in own.iter().enumerate() {
                 let along = of_axes(axes, |a| column[axes * place + a]);
                 columns.push((self.used + k, frame * along));

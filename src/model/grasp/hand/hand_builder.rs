@@ -50,14 +50,15 @@ impl<const C: usize> Hand<C> {
         pub fn tendon(mut self, tendon: Tendon) { self.tendons.push(tendon); }
     }
 
-    /// Largest number of coordinates of a grasp by this hand. It counts the coordinates of the object, one per joint, one per drive that saturates,
-    /// and one per contact axis of a finger with a compliance matrix. The slide of a contact with a constant force counts as a joint.
+    /// Largest number of coordinates of a grasp by this hand. It counts the coordinates of the object, one per joint, one per joint or tendon whose
+    /// drive saturates, and one per contact axis of a finger with a compliance matrix. The slide of a contact with a constant force counts as a
+    /// joint.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         self.coordinates_in(Space::of::<C>())
     }
 
-    /// Plane or space.
+    /// Whether the contacts of this hand are in the plane or in space.
     pub(crate) fn space(&self) -> Space {
         for finger in &self.fingers {
             if let Some(carried) = finger.contacts.first() {

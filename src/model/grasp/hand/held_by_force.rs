@@ -23,8 +23,8 @@ fn begins_a_slide<const C: usize>(contact: &Contact<C>) -> bool {
 }
 
 impl Assembly {
-    /// Motion of a contact with its slide, a prismatic joint without a spring, if the contact has a constant force. This force is added to the
-    /// constant force on the slide.
+    /// Motion of a contact with its slide, a prismatic joint without a spring, if the contact has a constant force. The constant force is added to
+    /// the force on the slide.
     pub(super) fn on_slide(
         &mut self,
         finger: &Finger<3>,

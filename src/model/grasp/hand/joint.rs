@@ -24,9 +24,9 @@ pub(crate) enum JointMotion<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum JointKind {
-    /// Rotation: rad and N m.
+    /// Rotation: displacement in rad, torque in N m.
     Turns,
-    /// Translation: m and N.
+    /// Translation: displacement in m, force in N.
     Slides,
     /// A motion known only through the Jacobians of the contacts, in the units of these Jacobians.
     #[default]
@@ -46,7 +46,7 @@ pub enum Limit {
 }
 
 impl Limit {
-    /// The bound, N m or N.
+    /// The bound on the torque or force, N m or N.
     #[must_use]
     pub fn bound(self) -> f64 {
         let (Self::Slips(bound) | Self::Saturates(bound)) = self;

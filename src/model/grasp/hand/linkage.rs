@@ -13,7 +13,8 @@ use crate::numerics::{IntoList, Space, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons and drives behind the contacts of a grasp, and its bodies, in the engine's coordinates.
+/// Joints, tendons and drives (springs of joints and tendons) behind the contacts of a grasp, and the bodies of the grasp, in the engine's
+/// coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<NamedPart>,
@@ -24,7 +25,7 @@ pub(crate) struct Linkage {
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
     /// Drives, in the order in which they follow the contacts in the list of sites.
     pub(crate) drives: Vec<Drive>,
-    /// Constant generalised forces on the coordinates, from joint torques, tensions and contacts with a constant force.
+    /// Constant generalised forces on the coordinates: from joint torques, from tensions of tendons, and from contacts with a constant force.
     pub(crate) held_forces: Vector,
     /// External torques on the joints, in the engine's coordinates.
     pub(crate) external_torques: Vector,
@@ -45,14 +46,14 @@ pub(crate) struct NamedPart {
     pub(crate) limit: Option<Limit>,
     /// Kind of the joint's motion; not used for a tendon.
     pub(crate) kind: JointKind,
-    /// Constant torque or tension, N m or N.
+    /// Constant torque on the joint, N m or N, or constant tension of the tendon, N.
     pub(crate) held_torque: f64,
-    /// Generalised force on the coordinates per unit of the torque or tension.
+    /// Generalised force on the coordinates of the grasp per unit of the joint's torque or the tendon's tension.
     pub(crate) along: Vector,
 }
 
 impl NamedPart {
-    /// Multiplies the constant torque or tension by `factor`, and adjusts the generalised forces `held_forces` to it.
+    /// Multiplies the constant torque or tension by `factor`, and adds the change to the generalised forces `held_forces`.
     fn hold(&mut self, factor: f64, held_forces: &mut Vector) {
         *held_forces += &self.along * ((factor - 1.0) * self.held_torque);
         self.held_torque *= factor;
@@ -105,17 +106,17 @@ impl PartLabel {
 }
 
 impl Linkage {
-    /// Stretches of all drives under these commands.
+    /// Stretches of the springs of all drives under these commands of joints and tendons, m.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
 
-    /// Changes of the stretches of all drives for a change of the commands.
+    /// Changes of the stretches of the springs of all drives, m, for a change of the commands of joints and tendons.
     pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.change(commands))
     }
 
-    /// This linkage with the springs of joints and tendons multiplied by `times(index)`; tendons are numbered after the joints.
+    /// This linkage with the stiffnesses of the springs of joints and tendons multiplied by `times(index)`; tendons are numbered after the joints.
     pub(crate) fn stiffened(&self, times: &dyn Fn(usize) -> f64) -> Self {
         let mut linkage = self.clone();
         let joints = self.joints.len();
@@ -183,7 +184,7 @@ impl Linkage {
         PartLabel { part, name: named.name.clone() }
     }
 
-    /// Drives of an actuator with their indices. Actuators are the joints, then the tendons.
+    /// Drives (springs of joints and tendons) of an actuator, with their indices. Actuators are the joints, then the tendons.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
         let owner = if actuator < joints {
@@ -194,7 +195,7 @@ impl Linkage {
         self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)
     }
 
-    /// The joint or tendon to which the drive belongs, if any.
+    /// The joint or tendon to which the drive with this index belongs; `None` for a spring of a stiffness or compliance matrix.
     pub(crate) fn part(&self, drive: usize) -> Option<HandPart> {
         match self.drives[drive].owner {
             DriveOwner::Joint(joint) => Some(HandPart::Joint(joint)),
