@@ -12,7 +12,8 @@ use super::tolerances::INDISTINCT;
 use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
-/// The answer from one fit: estimates with standard errors and intervals, combinations that stay free, residuals and weights.
+/// The answer from one fit: estimates with standard errors and intervals, combinations of unknowns that the slips do not determine, residuals and
+/// weights.
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
@@ -76,7 +77,7 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     }
 }
 
-/// The errors at the solution, as variances and covariances of the logarithms of the unknowns, and the data for them.
+/// The data at the solution from which the standard errors of the logarithms of the unknowns are computed.
 struct Spread {
     /// Singular values of the weighted derivatives, the largest first.
     values: Vec<f64>,
@@ -164,7 +165,7 @@ impl Spread {
         Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
-    /// The root mean square of the residuals divided by the given scatter; `None` as for the field `square`.
+    /// The root mean square of the residuals, each divided by the given standard deviation; `None` if none was given or no degrees of freedom remain.
     fn misfit(&self) -> Option<f64> {
         self.square.map(f64::sqrt)
     }

@@ -13,7 +13,7 @@ use crate::grasp::{Contact, Hold, Space, WholeContacts};
 use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
-/// One variable of the search: the place of a contact along one direction, or its squeeze.
+/// One variable of the search: the place of a contact along one direction, or the squeeze (normal force due to the command) of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
@@ -24,7 +24,7 @@ pub(super) struct DesignVariable {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum DesignKind {
-    /// The position of the contact along the tangent direction of its surface with this index.
+    /// The position of the contact along one of the tangent directions of its surface, given by the index of the direction.
     Along(usize),
     /// The normal force that the command of the contact causes with the object held in place, from 0 to `most`, N.
     Press { most: f64 },
@@ -54,8 +54,8 @@ pub(super) struct DesignPoint {
 }
 
 impl<'q> DesignSpace<'q> {
-    /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface or has another
-    /// normal.
+    /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface, or whose normal
+    /// differs from the normal of the surface.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, DesignPoint), Error> {
         let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
@@ -155,8 +155,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The first tangent of the contact frame at the place `location`; `from` if there is no such place. The frame results from the frame with the
-    /// tangent `from` by a tilt with the normal, without a rotation about the normal.
+    /// The first tangent of the contact frame at the place `location`; `from` if there is no such place. The frame with the tangent `from` tilts with
+    /// the normal, without a rotation about the normal.
     fn tangent(
         &self,
         contact: usize,

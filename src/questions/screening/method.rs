@@ -1,9 +1,9 @@
 //! Two methods for the contact forces of three contacts in space: forces along the edges of their triangle, or the motion of the object.
 //!
 //! In the first method some set of contact forces that balances the load is chosen. Forces along the edges are added so that displacements agree with
-//! the compliances. In a slim triangle the first set is larger than the sum, which costs digits. If compliances differ much, the force of a soft
-//! contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also for contacts without friction,
-//! whose compliance is infinite.
+//! the compliances. In a slim triangle the forces chosen first are larger than the resulting contact forces, which costs digits. If compliances
+//! differ much, the force of a soft contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also
+//! for contacts without friction, whose compliance is infinite.
 //!
 //! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
 //! neighbouring lanes.

@@ -35,7 +35,7 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// Fills the memory for answers before a kernel writes them: the code for [`SqueezeVerdict::Unclear`].
+    /// The value that fills the memory for answers before they are computed: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
     /// How the screening ended: with a sufficient factor, with the result that no factor is sufficient, or without an answer.

@@ -1,9 +1,10 @@
 //! The probability that a contact stops sticking under one load, if data of the grasp are uncertain.
 //!
-//! Each facet of the friction cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard
-//! deviations, is the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the
-//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin with respect to the data, scaled to length one,
-//! turns with θ. The probability that the contact fails at any θ (its margin is negative at this θ) is at most
+//! Each facet of the friction cone has a margin, a linear function of the contact force that is positive inside the cone. The facet fails if its
+//! margin is negative. The distance of the given data from failure, in standard deviations, is the reliability β of the facet. The failure
+//! probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the round cone the facet is chosen by the angle θ of its
+//! direction. The gradient u(θ) of its margin with respect to the data, scaled to length one, turns with θ. The probability that the contact fails at
+//! any θ (its margin is negative at this θ) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
@@ -24,8 +25,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load, i.e. that its force leaves the cone. For failures whose probability is below
-/// `rare`, the correlation with other failures is neglected. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load: a failure is that the contact force leaves the friction cone. For failures
+/// whose probability is below `rare`, the correlation with other failures is neglected. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -71,8 +72,8 @@ pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f6
     }
 }
 
-/// The failure probability of a contact under one load, with its force linearised in the data. It gives the starting value for the search of the load
-/// factor.
+/// The failure probability of a contact under one load, with its force linearised in the data. The search for the load factor with the allowed
+/// failure probability uses it to find a starting value.
 pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     let first_order = here.first_order();
     match edges {

@@ -1,4 +1,5 @@
-//! The margin of one facet of a friction cone under one load, and the smallest errors of the data with which it vanishes.
+//! The margin of one facet of a friction cone under one load, and the smallest errors of the data with which this margin vanishes. A positive margin
+//! means that the contact force is on the inner side of the facet.
 //!
 //! ```text
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
@@ -195,7 +196,7 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// The margin at the present point z, N; stores its gradient and the gradient's norm.
+    /// Returns the margin of the facet at the present errors z of the data, N. Stores the gradient of this margin and the norm of the gradient.
     fn linearise(&self, known: [f64; 2], rubs: bool, margin: &mut FacetMargin) -> f64 {
         let FacetMargin { fails_at, parts, linearised_at, gradient, .. } = margin;
         let rubs = if rubs { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };

@@ -40,7 +40,8 @@ struct AddedLoad<'a> {
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,
     edges: Vec<Edges>,
-    /// Which sites share one coefficient of friction: for each point of a contact the index of its first point; for a drive its own index.
+    /// For each contact point the index of the first point of the same contact; points with one index share one coefficient of friction. For a joint
+    /// drive its own index.
     contacts: Vec<usize>,
     /// The base load, N and N m, under which no contact slides.
     base_load: Wrench<3>,
@@ -57,7 +58,7 @@ pub(super) struct StuckGrasp {
     sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficients of friction.
     friction: f64,
-    /// The relative growth of the load with an error of each multiple of `sigmas` in [`LOOKED_AT`].
+    /// The relative growth of the load for errors of [`LOOKED_AT`] times `sigmas` standard deviations of its logarithm.
     load: [f64; LOOKED_AT.len()],
     /// For each motion that nothing resists, the work that 1 N or 1 N m of each component of the load does along it.
     unresisted: Vec<Wrench<3>>,
