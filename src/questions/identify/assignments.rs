@@ -30,8 +30,8 @@ const MOST_FITS: usize = 12;
 /// Upper limit of the number of sets of values of the unknowns at which all slips are predicted to find other assignments. It limits the work.
 const MOST_LOOKS: usize = 240;
 
-/// If two contacts slip at once, for example at equal friction, the predictions have a kink and no derivatives. To evaluate them next to this kink,
-/// the logarithm of one unknown is changed by this step.
+/// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To
+/// evaluate them next to this kink, the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.

@@ -121,7 +121,8 @@ impl Unknown {
         Ok(())
     }
 
-    /// An error for contacts that a layout of the unknown does not have. For a carried force, also an error for contacts that a given force presses.
+    /// Returns an error for contacts of this unknown that a layout (arrangement of the contact points) does not have. For a carried force, also an
+    /// error for contacts whose pressing force is given.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.iter().flatten();

@@ -95,7 +95,7 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    // If all powers are 1 or -1 to this precision, the sentence says product or ratio.
+    // If all powers are 1 or -1 to this precision, the sentence about the combination names a product or a ratio.
     let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),

@@ -211,8 +211,8 @@ impl LinearisedFit {
         Self { values, directions, along }
     }
 
-    /// The step for the damping `damping`, a fraction of the square of the largest singular value. Zero along combinations of unknowns that the slips
-    /// do not determine.
+    /// The step in the logarithms of the unknowns for the damping `damping`, a fraction of the square of the largest singular value. Zero along
+    /// combinations of unknowns that the slips do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());

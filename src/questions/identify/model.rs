@@ -293,8 +293,9 @@ impl SlipToPredict<'_> {
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// The derivatives with respect to the logarithms of all unknowns, in order. `by` returns the derivative for the kind, index and value of an
-    /// unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one derivative is not known or not finite.
+    /// The derivatives of the logarithm of a predicted load factor or angle with respect to the logarithms of all unknowns, in order. `by` returns
+    /// the derivative for the kind, index and value of an unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one
+    /// derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

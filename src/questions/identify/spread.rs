@@ -114,7 +114,7 @@ impl Spread {
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
         // `counts` is a factor on the weight of each slip that accounts for clamped residuals. With groups the covariance is computed from the
-        // clamped residuals themselves. For independent slips the mean square of clamped normal residuals takes their place.
+        // clamped residuals of the slips. Without groups the mean square of clamped normal residuals is used instead.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);

@@ -14,7 +14,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// The goal, whose values in the given and in the best grasp are `before` and `after`.
+    /// The goal of the search, first slip or reserve. Its values in the given and in the best grasp are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
     /// Value of the goal for the given grasp, the least over all loads. It is the load factor of first slip, or the reserve, N (the margin of a

@@ -70,7 +70,8 @@ impl AscentProblem<'_> {
     }
 
     /// The [`EvaluatedDesign`] of a design point. If a contact's normal force under the base load exceeds its limit, all variable squeezes are
-    /// reduced by a common factor. `None` if no such factor is sufficient, or some contact does not stick under the base load.
+    /// reduced by a common factor. `None` if a force exceeds its limit even without these squeezes, or some contact does not stick under the base
+    /// load.
     pub(super) fn evaluate(&self, mut design_point: DesignPoint) -> Result<Option<EvaluatedDesign>, Error> {
         let (LoadSet { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of =
@@ -212,7 +213,8 @@ impl AscentProblem<'_> {
         }
     }
 
-    /// The quadratic program of a step, and the contacts of its last bounds, which are due to edges of surfaces, segments or triangles.
+    /// Returns the quadratic program of a step. The last of its constraints are due to edges of surfaces, segments or triangles; the contacts on
+    /// these edges are returned, too.
     fn program(
         &self,
         design: &EvaluatedDesign,

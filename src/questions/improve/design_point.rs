@@ -35,7 +35,7 @@ pub(super) enum DesignKind {
 pub(super) struct DesignSpace<'q> {
     pub(super) question: &'q Improve<3>,
     pub(super) contacts: &'q [Contact<3>],
-    /// The contacts of the given grasp, each with its points.
+    /// The contacts of the given grasp, each with its points; a soft fingertip has several points.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
     /// For each contact the first tangent of its frame in the given grasp.
@@ -49,7 +49,7 @@ pub(super) struct DesignPoint {
     pub(super) spots: Vec<Option<SurfaceLocation>>,
     /// For each contact the first tangent of its frame, a unit vector.
     pub(super) tangents: Vec<SVector<f64, 3>>,
-    /// For each contact the normal force of its command, N; `None` if the squeeze may not change.
+    /// For each contact the normal force that its command causes with the object held in place, N; `None` if the squeeze may not change.
     pub(super) presses: Vec<Option<f64>>,
 }
 
@@ -129,8 +129,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the
-    /// surfaces, squeezes within limits.
+    /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Each contact stays on its segment or
+    /// triangle of the surface, and each squeeze within its limits.
     pub(super) fn stepped(&self, from: &DesignPoint, step: &[f64]) -> DesignPoint {
         let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {

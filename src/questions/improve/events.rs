@@ -28,7 +28,7 @@ pub(super) struct ConeRow {
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,
-    /// The load factor at which the condition is broken, or for the goal of a reserve the margin of the condition under the load, N.
+    /// The load factor at which the sticking condition is broken, or for the goal of a reserve the margin of this condition under the load, N.
     pub(super) value: f64,
     /// The derivatives of the value with respect to each variable.
     pub(super) gradient: DVector<f64>,

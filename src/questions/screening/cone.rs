@@ -28,7 +28,7 @@ impl<X: Packed> StickingCone<X> {
 }
 
 impl<X: Packed> StickingCone<X> {
-    /// The scaled friction force `β F_t` of a contact, N.
+    /// The scaled friction force `β F_t` of a contact, N. Here β is 1 for a contact with friction, and 0 for a contact that cannot slide.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
         let mut t = force.tangential;

@@ -1,4 +1,4 @@
-//! Factors `T = L D Lᵀ` of symmetric matrices, one matrix in each lane.
+//! Factors `T = L D Lᵀ` of several symmetric matrices, one matrix in each lane of a vector.
 
 use super::lanes::Packed;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;

@@ -1,4 +1,5 @@
-//! One contact in each lane: its springs, and conversions of its force and displacement to coordinate axes.
+//! One contact of each of several grasps, one grasp in each lane of a vector: the springs of the contact, and conversions of its force and
+//! displacement to coordinate axes.
 
 use super::lanes::{Packed, dot};
 

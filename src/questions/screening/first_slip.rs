@@ -12,7 +12,7 @@ pub(super) struct SlipCode {
     /// The load factor at first slip, infinite if no contact ever stops sticking, or one of the negative codes of this file, such as
     /// [`NOT_STICKING`].
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that stop sticking at this load factor. A soft fingertip is one contact.
+    /// Sum of 2^i over the contacts i that stop sticking at the load factor of first slip. A soft fingertip is one contact.
     pub(super) leaving: f64,
 }
 

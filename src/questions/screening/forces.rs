@@ -1,4 +1,4 @@
-//! The contact forces of the grasp in each lane.
+//! The contact forces of several grasps, one grasp in each lane of a vector.
 
 use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;

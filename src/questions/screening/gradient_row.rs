@@ -10,8 +10,9 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. First come four numbers on the first slip. The derivatives with respect to points, normals,
-/// commands, stiffness and friction follow, each contact by contact. The derivatives with respect to the load come last.
+/// The layout of a gradient as a row of numbers. First come four numbers: load factor, contacts that leave their cones, contact whose margin is
+/// differentiated, and kink. The derivatives with respect to points, normals, commands, stiffness and friction follow, each contact by contact. The
+/// derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {

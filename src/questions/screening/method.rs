@@ -83,7 +83,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
     // A bound of the forces along edges that contact forces P of size one cause if they balance each other: `|N| |A⁻¹| |Nᵀ| C P` by absolute values.
-    // N, A and C are defined in [`super::triangle`].
+    // N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];

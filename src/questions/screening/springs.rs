@@ -57,7 +57,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Computes the contact forces that a load alone causes, with the fingers at rest.
+    /// Computes the contact forces that a load alone causes, with all commands zero.
     pub(super) fn load<V: Vectors>(
         &self,
         v: V,

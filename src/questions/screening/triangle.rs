@@ -187,8 +187,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the forces of all contacts: for each contact the sum of `lambda` times the edges that meet at it, and of the forces `borne`, which
-    /// balance the load.
+    /// Stores the force of each contact: the forces along the two edges that meet at the contact (`lambda` times the edges), plus its entry of
+    /// `borne`. The forces `borne` balance the load.
     #[inline(always)]
     fn forces(
         &self,

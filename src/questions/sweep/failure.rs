@@ -47,7 +47,7 @@ pub(super) fn failures(
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
             // If the reliability exceeds `sigmas`, the required reliability, by three, failures are a thousand times rarer than allowed, and the
-            // first-order probability is accurate enough. If it is not positive, the contact is taken as sure to fail.
+            // first-order probability is accurate enough. If the reliability is not positive, the contact is taken as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -84,7 +84,8 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β in this direction.
+/// The direction in which a contact with a round cone most probably fails to first order, rad. Also the first-order reliability β in this direction:
+/// the margin over its standard deviation.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {

@@ -32,8 +32,8 @@ pub(super) struct PerturbedGrasp {
 }
 
 impl PerturbedGrasp {
-    /// The exact force on contact or joint drive `i` under `load`, N, if the data and last the load factor have the errors `z`, in standard
-    /// deviations. `None` if a datum leaves its allowed range.
+    /// The exact force on contact or joint drive `i` under `load`, N. The entries of `z` are the errors of the uncertain data, the last one of the
+    /// load factor, in standard deviations. `None` if a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
