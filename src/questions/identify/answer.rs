@@ -1,4 +1,5 @@
-//! Estimates of unknown data of a grasp (friction, squeeze, forces, stiffness) from observed slips, with their errors.
+//! Estimates of unknown data of a grasp (friction, squeeze, carried forces, stiffness), with standard errors. They are computed from loads at which
+//! the grasp was observed to slip.
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;
@@ -7,48 +8,52 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::sweep::Uncertainty;
 
-/// The estimates of unknown data of a grasp from observed slips, with their errors; its [`Display`](std::fmt::Display) is a sentence.
+/// Estimates of unknown data of a grasp, such as coefficients of friction, with standard errors. They are computed from loads at which the grasp was
+/// observed to slip. The [`Display`](std::fmt::Display) of this answer is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Identified {
-    /// The estimates of the unknowns, in the order of the question.
+    /// The estimates of the unknowns, in the order in which the question lists the unknowns.
     pub estimates: Vec<Estimate>,
     /// How the search for the unknowns ended: converged, out of steps, or with a slip that the model does not predict.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: FitEnding,
     /// Number of observed slips from which the unknowns are estimated.
     pub slips: usize,
-    /// Number of groups of slips that may share errors; `None` if the slips have no groups.
+    /// Number of groups of slips; slips of one group may share an error, as slips of one specimen do. `None` if the slips have no groups.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are no [degrees of freedom](Self::degrees_of_freedom).
+    /// The relative standard deviation of the observed loads or angles, estimated from the residuals. `None` if the question gives it, or if there
+    /// are no [degrees of freedom](Self::degrees_of_freedom).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Root mean square of the residuals divided by the given scatter; `None` if the scatter was not given. If it is much more than one, the model is
-    /// wrong, or the given scatter too small.
+    /// Root mean square of the residuals, outliers clamped, each divided by the given standard deviation of its slip. If this number is much more
+    /// than one, the model is wrong, or the given standard deviations are too small. `None` if no standard deviations were given, or no degrees of
+    /// freedom remain.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Number of observations minus the number of independent combinations of unknowns that the observations determine. Observations are the observed
     /// slips, and the sums of unknowns that the question gives as known from other measurements.
     pub degrees_of_freedom: usize,
-    /// Combinations of unknowns along which no predicted slip changes, so that the slips do not determine them.
+    /// Combinations of unknowns that may change together while the predicted load of every slip stays the same. The observed slips do not determine
+    /// them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
-    /// If several assignments of slips to unknowns fit equally well, the estimates of all unknowns in each assignment, the best first. Assignments
-    /// differ in which contact slips first. Empty if only one assignment fits.
+    /// The estimates of all unknowns in each assignment of slips to unknowns, the best first, if several assignments fit equally well. An assignment
+    /// says which contact slips first in each observation, and so on which unknowns the predicted load depends. Empty if only one assignment fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub residuals: Vec<f64>,
-    /// The weight of each slip in the search: 1, or less if its residual is large.
+    /// The weight of each slip in the least-squares search: 1, or less if the residual of the slip is large.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub weights: Vec<f64>,
     /// Number of slips without exact derivatives with respect to the unknowns. Their derivatives are difference quotients of predictions.
     pub by_differences: usize,
-    /// Number of steps of the search from the first starting point to the estimates.
+    /// Number of steps of the search that ended at these estimates.
     pub iterations: usize,
 }
 
@@ -68,7 +73,8 @@ pub struct Estimate {
     /// Whether the slips determine the unknown: accurately enough for an error to be given, and with the same value in all
     /// [`Identified::assignments`].
     pub is_fixed: bool,
-    /// The standard error of the estimate, in its unit; `None` if the slips do not determine the unknown, or if their scatter is not known.
+    /// The standard error of the estimate, in the unit of `value`. `None` if the slips do not determine the unknown, or if the standard deviation of
+    /// the observations is not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub standard_error: Option<f64>,
     /// The confidence interval of 95 % for the unknown; `None` without a standard error.
@@ -98,7 +104,8 @@ pub enum FitEnding {
         /// The limit of steps of the search.
         iterations: usize,
     },
-    /// The model predicts no load for one slip, at the start of the search, or next to the point where the search had to stop.
+    /// The model of the grasp predicts no load (or angle) for one of the observed slips. This happened at the start of the search, or next to the
+    /// point where the search had to stop.
     NotPredicted {
         /// The number of the slip for which the model predicts no load, from 0.
         slip: usize,
@@ -108,14 +115,16 @@ pub enum FitEnding {
 }
 
 impl Identified {
-    /// The largest relative decrease from an estimated coefficient of friction to the low end of its interval; 0 if no interval is known. It is the
-    /// argument of [`Need::if_lower_by`](crate::need::Need::if_lower_by).
+    /// The fraction by which friction may be lower than estimated. It is the largest relative decrease from an estimated coefficient of friction to
+    /// the lower end of its confidence interval; 0 if no interval is known. [`Need::if_lower_by`](crate::need::Need::if_lower_by) takes this number
+    /// as its first argument.
     #[must_use]
     pub fn friction_less(&self) -> f64 {
         self.less(UnknownKind::Friction)
     }
 
-    /// The largest relative decrease from an estimated squeeze factor to the low end of its interval; 0 if no interval is known.
+    /// The fraction by which the squeeze may be lower than estimated. It is the largest relative decrease from an estimated squeeze factor to the
+    /// lower end of its confidence interval; 0 if no interval is known.
     #[must_use]
     pub fn squeeze_less(&self) -> f64 {
         self.less(UnknownKind::Squeeze)
@@ -128,7 +137,7 @@ impl Identified {
 
     /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
     /// errors of friction, squeeze and stiffness are the largest among all unknowns of that kind. Carried forces are treated as squeezes. `seed` is
-    /// the seed of the samples.
+    /// the seed of the random samples.
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {
             let part = |estimate: &Estimate| estimate.standard_error.map(|error| error / estimate.value);

@@ -17,22 +17,25 @@ use crate::error::Error;
 use crate::numerics::{Each, IntoList, two_sided};
 use crate::prelude::*;
 
-/// From one fit at most this many pairs of unknowns exchange their values: all pairs of five unknowns.
+/// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
 const MOST_PAIRS: usize = 10;
-/// After an exchange, this many values of the smaller unknown are tried: its value, then halved each time, down to a sixteenth.
+/// After two unknowns have exchanged their values, this many values of the smaller one are tried. The first is the value as it is; it is then halved
+/// each time, down to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
-/// Between two points at which slips depend on different unknowns, a third assignment is sought by at most this many bisections.
+/// Upper limit of the number of bisections between two sets of values of the unknowns at which slips depend on different unknowns. The bisections
+/// seek a third assignment of slips to the unknowns on which they depend.
 const MOST_BISECTIONS: usize = 4;
-/// Upper limit of the number of fits, which limits the work.
+/// Upper limit of the number of fits (local minima of the loss) that are kept, to limit the work.
 const MOST_FITS: usize = 12;
-/// Upper limit of the number of points at which all slips are predicted to find other assignments, which limits the work.
+/// Upper limit of the number of sets of values of the unknowns at which all slips are predicted to find other assignments. It limits the work.
 const MOST_LOOKS: usize = 240;
 
-/// If two contacts slip at once, for example at equal friction, the predictions have a kink and no derivatives. To evaluate them next to this kink,
-/// the logarithm of one unknown is changed by this step.
+/// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To
+/// evaluate them next to this kink, the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
-/// The search for other assignments of slips to unknowns. Each fit found is a starting point for further exchanges.
+/// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.
+/// Each fit found is a starting point for further exchanges.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,
@@ -40,8 +43,8 @@ struct Assignments<'a> {
 }
 
 impl Assignments<'_> {
-    /// The predictions of all slips and their derivatives, at these logarithms of the unknowns. `None` if the model does not predict some slip, or a
-    /// limit of the work is reached.
+    /// Predicts all slips, and their derivatives with respect to the unknowns, for unknowns with the logarithms `logs`. `None` if the model does not
+    /// predict some slip, or a limit of the work is reached.
     fn evaluate(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
@@ -54,8 +57,8 @@ impl Assignments<'_> {
         self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
     }
 
-    /// Starts a search from this point if its assignment is new, and keeps the fit if its assignment is new, too. Returns whether the point's
-    /// assignment is new.
+    /// Starts a search for a fit from the logarithms `begin` of the unknowns, if the assignment there (on which unknowns each slip depends) is new.
+    /// Keeps the fit if the assignment at the fit is new, too. Returns whether the assignment at `begin` is new.
     fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
         if self.is_known(&linear) {
             return Ok(false);
@@ -68,8 +71,9 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches by bisection between two points for a third assignment, and starts a search for a fit from the point where it finds one. As one
-    /// unknown falls from one point to the other, slips begin to depend on it one after the other.
+    /// Searches by bisection between the points `low` and `high` (logarithms of the unknowns) for a third assignment of slips to unknowns. If
+    /// bisection finds one, a search for a fit starts there. One unknown falls from one point to the other, so slips begin to depend on this unknown
+    /// one after the other.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -86,8 +90,8 @@ impl Assignments<'_> {
         Ok(())
     }
 
-    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until slips depend on other unknowns, and starts
-    /// searches for fits from these points.
+    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until slips depend on other unknowns. Starts
+    /// searches for fits from the values reached.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -106,7 +110,7 @@ impl Assignments<'_> {
     }
 }
 
-/// The answer of the best fit, with the estimates of all assignments that fit equally well.
+/// The answer to the question of identification: the best fit, and the estimates for all assignments of slips to unknowns that fit equally well.
 pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, Error> {
     let mut search = Assignments { model, fits: vec![first], looks: 0 };
     let mut at = 0;
@@ -147,7 +151,8 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     Ok(united(first, &answers.list()))
 }
 
-/// The logarithms of the unknowns of a fit after two have exchanged values: `weak` has the smaller value, divided by 2 to the power `halved`.
+/// The logarithms of the unknowns of a fit after two of them have exchanged values. The unknown `strong` gets the larger value; the unknown `weak`
+/// gets the smaller value, divided by 2 to the power `halved`.
 fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), halved: u8) -> Vec<f64> {
     let unknowns = &model.asked.unknowns;
     let (low, high) = (logs[weak].min(logs[strong]), logs[weak].max(logs[strong]));
@@ -178,9 +183,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair either some slip depends on one unknown of
-/// the pair alone, and no slip on both, or the fit ended on the kink between the two. A slip that depends on both unknowns would distinguish them,
-/// unless the slips leave some unknown undetermined.
+/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair some slip depends on one unknown of the
+/// pair alone, and no slip on both. Or the fit ended on a kink of the predicted loads, where both unknowns are equal. A slip that depends on both
+/// unknowns would distinguish them, unless the slips leave some unknown undetermined.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -199,8 +204,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink at which these two unknowns are equal. On the kink a slip depends on both unknowns, because its derivative is the
-/// mean of one-sided derivatives. Next to the kink it depends on one of the two.
+/// Whether the fit is on a kink of the predicted loads, at which these two unknowns are equal. On the kink a slip depends on both unknowns, because
+/// its derivative is the mean of one-sided derivatives. Next to the kink it depends on one of the two.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -226,8 +231,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Each of these slips may change its
-/// unknowns at its own point between the two.
+/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Between the two points, each of
+/// these slips may begin to depend on other unknowns at a place of its own.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };

@@ -1,4 +1,5 @@
-//! Errors for questions of identification that no search can answer. A layout is an arrangement of the contact points, with a grasp of its own.
+//! Checks of a question of identification (which data of a grasp explain its observed slips). They return errors for questions that no search can
+//! answer. A layout is an arrangement of the contact points, with a grasp of its own.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;
@@ -14,7 +15,7 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// An error for contacts that the grasps of the layouts do not have, and for two unknowns that one contact cannot have at once.
+    /// Returns an error for contacts that the grasps of the layouts do not have, and for two unknowns that one contact cannot have at once.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
@@ -38,7 +39,7 @@ impl Identify<3> {
         Ok(())
     }
 
-    /// An error for numbers of the question that are out of range for every grasp; `layouts` is the number of layouts.
+    /// Returns an error for numbers of the question that are out of range, whatever the grasp; `layouts` is the number of layouts.
     pub(crate) fn check_numbers(&self, space: Space, layouts: usize) -> Result<(), Error> {
         for (list, given) in [("unknowns", self.unknowns.len()), ("slips", self.slips.len())] {
             if given == 0 {
@@ -120,7 +121,8 @@ impl Unknown {
         Ok(())
     }
 
-    /// An error for contacts that a layout of the unknown does not have. For a carried force, also an error for contacts that a given force presses.
+    /// Returns an error for contacts of this unknown that a layout (arrangement of the contact points) does not have. For a carried force, also an
+    /// error for contacts whose pressing force is given.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.iter().flatten();

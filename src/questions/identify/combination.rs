@@ -17,7 +17,7 @@ use crate::words::listed;
 pub struct FreeCombination {
     /// The names of the unknowns in this combination.
     pub unknowns: Vec<String>,
-    /// The power of each unknown; the largest in size is 1 or -1.
+    /// For each unknown the power to which the common factor is raised; the largest power in size is 1 or -1.
     pub powers: Vec<f64>,
     /// A sentence about the combination: which function of its unknowns the slips determine.
     pub says: String,
@@ -33,7 +33,8 @@ impl FreeCombination {
     ) -> Vec<Self> {
         let mut all = Vec::new();
         for k in 0..free.ncols() {
-            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. Its unknown then has a component in this direction alone.
+            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. The unknown of the pivot's row then has a component in this
+            // direction alone.
             let (row, column) = free.columns_range(k..).icamax_full();
             free.swap_columns(k, k + column);
             let pivot = free[(row, k)];
@@ -94,7 +95,7 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    // If all powers are 1 or -1 to this precision, the sentence says product or ratio.
+    // If all powers are 1 or -1 to this precision, the sentence about the combination names a product or a ratio.
     let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),

@@ -1,5 +1,5 @@
-//! Conversion of the question of identification between the engine, whose vectors have three components in the plane, too, and callers, with `C`
-//! components.
+//! Conversion of the question of identification between the engine's vectors, which have three components even in the plane, and the caller's, which
+//! have `C`.
 
 use super::question::{Identify, KnownSum, OtherLayouts};
 use super::slip::{Slip, SlipKind};

@@ -11,8 +11,8 @@ use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::numerics::numbered;
 use crate::prelude::*;
 
-/// The load factor or angle, rad, at which the model predicts first slip for one observation, with derivatives if asked for. The inner error is the
-/// reason why no slip is predicted.
+/// The load factor or angle, rad, at which the model predicts first slip for one observation. Derivatives with respect to the unknowns are computed
+/// if asked for. The inner error is the reason why no slip is predicted.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, PredictionFailure>, Error> {
     let onset = match target.slip.growing_load() {
         SlipLoad::Load(load) => target.grasp.onset(Ramp::load(target.base, load))?,

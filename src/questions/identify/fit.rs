@@ -1,4 +1,5 @@
-//! The search for the unknowns with the least Huber loss (see `robust`): damped Gauss-Newton steps in the logarithms of the unknowns.
+//! The search for the unknowns with the least Huber loss, by damped Gauss-Newton steps in the logarithms of the unknowns. This loss is quadratic in
+//! small residuals and linear in large ones.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,8 +11,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The result of a search for the unknowns with the least loss. `linear` has the predictions and derivatives at the result, if all slips are
-/// predicted.
+/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips there, and
+/// derivatives; `None` if the model does not predict all slips.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -43,7 +44,7 @@ impl Model<'_> {
     }
 
     /// Relative standard deviations of the observations. For slips they are given, or one standard deviation common to all slips is estimated from
-    /// the residuals, with `rank` combinations of unknowns fitted.
+    /// the residuals. `rank` is the number of combinations of unknowns that the observations determine.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -74,10 +75,10 @@ impl Model<'_> {
 /// the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
-/// The first point, in the logarithms of the unknowns, at which the model predicts all slips: the given values of the unknowns, or these values with
-/// all friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled if the object is lost
-/// before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes and carried forces
-/// are multiplied instead.
+/// The first point, in the logarithms of the unknowns, at which the model predicts all slips. It is given by the start values of the unknowns,
+/// perhaps with all unknown friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled
+/// if the object is lost before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes
+/// and carried forces are multiplied instead.
 fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -132,7 +133,7 @@ impl Fitted {
 /// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
-    // Levenberg's damping, as a fraction of the square of the largest singular value.
+    // Levenberg's damping, as a fraction of the square of the largest singular value of the weighted derivatives.
     let mut damping = 1e-3;
     loop {
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
@@ -190,7 +191,7 @@ pub(super) fn rank(linear: &Linear) -> usize {
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one point, as a singular value decomposition, from which damped steps follow.
+/// The linearised least-squares problem at one set of values of the unknowns, as a singular value decomposition, from which damped steps follow.
 struct LinearisedFit {
     /// Singular values of the weighted derivatives.
     values: Vec<f64>,
@@ -210,8 +211,8 @@ impl LinearisedFit {
         Self { values, directions, along }
     }
 
-    /// The step for the damping `damping`, a fraction of the square of the largest singular value. Zero along combinations of unknowns that the slips
-    /// do not determine.
+    /// The step in the logarithms of the unknowns for the damping `damping`, a fraction of the square of the largest singular value. Zero along
+    /// combinations of unknowns that the slips do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());

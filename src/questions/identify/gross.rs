@@ -1,6 +1,6 @@
 //! Prediction of gross slip, the loss of the object.
 //!
-//! The observer sees an object slip as soon as it leaves, even if a gap closes afterwards and its load path continues. The gross slip that the model
+//! The observer sees an object slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that the model
 //! predicts is therefore the first event at which the object leaves.
 
 use core::f64::consts::TAU;
@@ -16,8 +16,8 @@ use crate::load_path::{Leg, PathEnd};
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// The load factor or angle, rad, at which the model predicts gross slip for one observation, with derivatives if asked for. The inner error is the
-/// reason why no slip is predicted.
+/// The load factor or angle, rad, at which the model predicts gross slip for one observation. Derivatives with respect to the unknowns are computed
+/// if asked for. The inner error is the reason why no slip is predicted.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, PredictionFailure>, Error> {
     let (start, leg, most) = match target.slip.growing_load() {
         SlipLoad::Load(load) => {

@@ -1,4 +1,4 @@
-//! Errors of estimates from slips that share errors in groups, by a sandwich estimator.
+//! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator.
 //!
 //! The rows U_g are the derivatives of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns with
 //! `Σ U_g'U_g = 1`. Let e be the residuals and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the
@@ -19,20 +19,21 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
-/// The groups of slips that share errors, with the contribution of each group to the solution and to its error.
+/// Groups of slips (slips of one group may share an error), with the contribution of each group to the estimates and to their standard errors.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// Information matrix (sum of squares of rows) of the known sums, which are in no group.
+    /// The information matrix `UᵀU` of the known sums of unknowns, which are in no group. The rows U are the derivatives of these sums, each divided
+    /// by a standard deviation.
     known: DMatrix<f64>,
 }
 
-/// One group of slips that share errors.
+/// One group of slips that may share an error.
 struct Group {
-    /// The information matrix `Q = U'U` of the group, from the rows U of its slips.
+    /// The information matrix `Q = U'U` of the group. The rows U are the derivatives of its slips, divided by standard deviations.
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the solution.
     made_up: DMatrix<f64>,
-    /// The contribution w of the group to the solution, corrected by `made_up`.
+    /// The contribution w of the group to the estimated logarithms of the unknowns, corrected by `made_up`.
     moves: DVector<f64>,
 }
 
@@ -72,8 +73,8 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or more than 1 %
-    /// of its variance.
+    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or determines
+    /// parts of it with more than 1 % of the expected variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
@@ -91,8 +92,8 @@ impl Grouped {
                 squares += covariance(g, h).powi(2);
             }
         }
-        // Directions that one group alone determines have no known error. If they contribute more than 1 % of the expected variance, the unknown has
-        // no known error.
+        // Directions in the logarithms of the unknowns that one group alone determines have no known error. If they contribute more than 1 % of the
+        // expected variance, the unknown has no known error.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
@@ -114,7 +115,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// These rows in a basis of the unknowns in which their columns are orthonormal.
+    /// The rows of derivatives `rows`, in a basis of the unknowns in which their columns are orthonormal.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }
@@ -167,7 +168,7 @@ mod tests {
         assert!((found.degrees / degrees - 1.0).abs() < 1e-9, "{} {degrees}", found.degrees);
     }
 
-    /// A direction that one group alone determines gets no error from the other groups.
+    /// Each of two groups determines one unknown alone; no error is known for such an unknown.
     #[test]
     fn what_one_group_tells_alone() {
         let rows = DMatrix::from_fn(4, 2, |k, j| if k / 2 == j { 0.5_f64.sqrt() } else { 0.0 });

@@ -38,7 +38,7 @@ pub(super) struct GrossSlip<'a, 's> {
 
 impl<'a, 's> GrossSlip<'a, 's> {
     /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a pressing contact opens as the object
-    /// leaves. Also `None` if the equations of this module do not describe the grasp or have no root near that end.
+    /// leaves. Also `None` if the equations of this module do not describe the grasp or have no root near the end of the path.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -193,7 +193,7 @@ struct Equations {
     turns: DMatrix<f64>,
     /// The matrix of the linearised equations with columns scaled to length one.
     matrix: DMatrix<f64>,
-    /// The factors by which the columns were multiplied.
+    /// The factors by which the columns of `matrix` were multiplied.
     scales: DVector<f64>,
     /// The singular value decomposition of `matrix`.
     parts: Singular,

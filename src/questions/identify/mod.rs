@@ -7,7 +7,7 @@
 //! | sought | meaning | unit |
 //! |---|---|---|
 //! | [`Unknown::friction`] | one coefficient of friction common to some contacts | |
-//! | [`Unknown::carried`] | the normal force that a contact carries at rest: the load of a support | N |
+//! | [`Unknown::carried`] | the normal force that a contact carries before the load grows, such as the load of a support | N |
 //! | [`Unknown::squeeze`] | factor on the given squeeze of some contacts | |
 //! | [`Unknown::stiffness`] | factor on the given tangential stiffness of some contacts; their normal stiffness and other contacts stay as given | |
 //!
@@ -27,8 +27,8 @@
 //!
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
 //! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. If nothing but the
-//! load of a slip presses on the contacts, its component along the normals acts from the start, and only the rest grows: an object that is dragged
-//! over a table lies on it first.
+//! load of a slip presses on the contacts, the component of this load along the normals acts from the start, and only the rest grows. An example is
+//! an object that is dragged over a table: it lies on the table first.
 //!
 //! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw
 //! this is may depend on the start of the search. Therefore pairs of unknowns of one kind exchange their values at the solution, and the search is
@@ -38,8 +38,8 @@
 //! # Errors
 //!
 //! The errors are those of the linearised problem at the solution. If the scatter of slips is not given, it is estimated from the residuals, and
-//! confidence intervals use Student's distribution. The singular values of all derivatives show directions in which no slip changes. Such a direction
-//! is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
+//! confidence intervals use Student's distribution. The singular values of all derivatives show directions, in the logarithms of the unknowns, along
+//! which no predicted slip changes. Such a direction is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is
 //! rougher one way, or a finger that slides along the object. Their mean is then less certain than their number suggests. For slips with

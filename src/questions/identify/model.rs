@@ -1,4 +1,4 @@
-//! The model of a grasp: predicted loads at slips, and their derivatives with respect to the unknowns.
+//! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns.
 
 use nalgebra::DMatrix;
 
@@ -22,7 +22,8 @@ pub(super) struct Model<'a> {
     pub(super) asked: &'a Identify<3>,
 }
 
-/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the load at rest that balances unknown carried forces.
+/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the constant load that balances the unknown forces that
+/// contacts carry before the load of a slip grows.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
@@ -31,9 +32,9 @@ pub(super) struct LayoutGuess {
 /// The reason why the model predicts no load or angle for a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PredictionFailure {
-    /// The object holds however far the load goes: friction, or the squeeze, is too large for the slip.
+    /// The object holds however far the load goes: friction, or the squeeze, is too large for the observed slip.
     HoldsTooWell(&'static str),
-    /// Something slides or is lost before the load grows: friction, or the squeeze, is too small.
+    /// A contact slides, or the object is lost, before the load grows: friction, or the squeeze, is too small.
     HoldsTooLittle(&'static str),
 }
 
@@ -46,7 +47,7 @@ impl PredictionFailure {
     }
 }
 
-/// A predicted slip.
+/// The load factor or angle at which the model predicts a slip, with derivatives.
 #[derive(Clone)]
 pub(super) struct Predicted {
     /// The load factor, or the angle of a turning load, rad.
@@ -67,7 +68,7 @@ pub(super) struct Linear {
 }
 
 impl Model<'_> {
-    /// The grasps of all layouts with the unknowns whose logarithms are `logs`, each with the load at rest of carried forces.
+    /// The grasps of all layouts with the unknowns whose logarithms are `logs`, each with the constant load that balances the unknown carried forces.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
@@ -286,14 +287,15 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The contact points that have an unknown among their data, in the layout of this slip.
+    /// The contact points to which the unknown with this index belongs, in the layout (arrangement of the contact points) of this slip.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
         let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout());
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// The derivatives with respect to the logarithms of all unknowns, in order. `by` returns the derivative for the kind, index and value of an
-    /// unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one derivative is not known or not finite.
+    /// The derivatives of the logarithm of a predicted load factor or angle with respect to the logarithms of all unknowns, in order. `by` returns
+    /// the derivative for the kind, index and value of an unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one
+    /// derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

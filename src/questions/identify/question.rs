@@ -29,9 +29,9 @@ use crate::serial::AsGiven;
 )]
 #[must_use]
 pub struct Identify<const C: usize> {
-    /// The unknowns.
+    /// The unknown numbers of the grasp that are estimated from the slips.
     pub(crate) unknowns: Vec<Unknown>,
-    /// The observed slips.
+    /// The observed slips, each with its load or angle.
     pub(crate) slips: Vec<Slip<C>>,
     /// Contact points of other layouts in which slips were observed, m. A layout is one arrangement of the contact points; the first one here is
     /// layout 1.
@@ -59,7 +59,8 @@ pub struct Identify<const C: usize> {
     pub(super) others: OtherLayouts<C>,
 }
 
-/// The grasps of other layouts. Two such lists are equal if the contacts of all their grasps are equal, whatever their joints and settings.
+/// The grasps of other layouts (arrangements of the contact points) in which slips were observed. Two such lists are equal if the contacts of all
+/// their grasps are equal, whatever their joints and settings.
 #[derive(Debug, Clone)]
 pub(super) struct OtherLayouts<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
@@ -143,7 +144,8 @@ impl<const C: usize> Identify<C> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }
 
-    /// Whether normal forces that contacts carry at rest are sought. The load that presses at rest then need not be given.
+    /// Whether the unknowns include normal forces that contacts carry before the load of a slip grows. The load that presses on the contacts then
+    /// need not be given.
     #[cfg(feature = "serde")]
     pub(crate) fn seeks_carried(&self) -> bool {
         self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
@@ -168,8 +170,8 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// This question with the pressing component of each slip's load [acting from the start](Slip::with_weight_at_rest) if nothing else presses. A
-    /// slip keeps its load if carried forces are sought in its layout.
+    /// Returns this question in which the component of each slip's load that presses on the contacts [acts from the
+    /// start](Slip::with_weight_at_rest), if nothing else presses. A slip keeps its load if carried forces are sought in the layout of the slip.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -188,8 +190,8 @@ impl Identify<3> {
         self.outliers.unwrap_or(2.0)
     }
 
-    /// The upper limit of the number of steps of the search. The default of 100 is enough; a longer search would creep along combinations that the
-    /// slips hardly determine.
+    /// The upper limit of the number of steps of the search. The default of 100 is enough; a longer search would creep along combinations of unknowns
+    /// that the slips hardly determine.
     pub(super) fn iterations(&self) -> usize {
         self.iterations.unwrap_or(100)
     }
@@ -204,8 +206,8 @@ impl Identify<3> {
         Ok(all)
     }
 
-    /// This question after a check of its values, with the points of soft fingertips in place of the fingertips: points are contacts of their own in
-    /// the engine.
+    /// Checks the values of this question. Returns the question with the contact points of soft fingertips in place of the fingertips. Each such
+    /// point is a contact of its own in the engine.
     fn of_points(&self, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         self.check_numbers(layouts[0].engine.space(), layouts.len())?;
         let mut asked = self.clone();
@@ -216,8 +218,8 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// The load at rest with which a scene checks whether anything presses on the contacts. It is the load at rest of the first slip if carried
-    /// forces are sought, or if every slip has a load at rest; else zero.
+    /// The load before any load grows, with which a scene checks whether anything presses on the contacts. It is the initial load of the first slip
+    /// if carried forces are sought, or if every slip has an initial load; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
@@ -227,8 +229,8 @@ impl Identify<3> {
 }
 
 impl Grasp<3> {
-    /// This grasp with its contacts, links not counted, at other points. A soft fingertip moves as a whole, so that the mean of its points is the
-    /// given point.
+    /// Returns this grasp with its contacts at other points. Links between bodies (such as cables) get no point and stay in place. A soft fingertip
+    /// moves as a whole, so that the mean of its points is the given point.
     fn moved_to(&self, points: &[SVector<f64, 3>]) -> Result<Self, Error> {
         if self.refuse_hands("identify").is_err() {
             return Err(LAYOUTS_OF_HANDS);

@@ -5,7 +5,7 @@ use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Huber's loss. The number is the residual, in standard deviations, beyond which it is linear; infinity gives least squares.
+/// Huber's loss. The number is the residual, in standard deviations, beyond which the loss is linear; infinity gives least squares.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 

@@ -8,7 +8,7 @@ use crate::grasp::{Contact, Hold, Space, Wrench};
 use crate::load_path::Turn;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The kind of an observed slip.
+/// The kind of an observed slip: of the first contact, or of the whole object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -125,8 +125,9 @@ impl Slip<3> {
             && self.turn == other.turn
     }
 
-    /// This slip with its load split in two if nothing but this load presses. The component against the mean of the contact normals, as a rule a
-    /// weight, becomes the base load; only the rest grows. If both grew together, the object would slide at once, or never.
+    /// Returns this slip with its load split in two, if nothing but this load presses on the contacts. The component against the mean of the contact
+    /// normals, as a rule a weight, becomes the base load; only the rest grows. If both parts grew together, the object would slide at once, or
+    /// never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let SlipLoad::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;

@@ -12,7 +12,8 @@ use super::tolerances::INDISTINCT;
 use crate::numerics::{IntoList, mapped, numbered, two_sided};
 use crate::prelude::*;
 
-/// The answer from one fit: estimates with standard errors and intervals, combinations that stay free, residuals and weights.
+/// The answer from one fit: estimates with standard errors and intervals, combinations of unknowns that the slips do not determine, residuals and
+/// weights.
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
@@ -76,7 +77,7 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     }
 }
 
-/// The errors at the solution, as variances and covariances of the logarithms of the unknowns, and the data for them.
+/// The data at the solution from which the standard errors of the logarithms of the unknowns are computed.
 struct Spread {
     /// Singular values of the weighted derivatives, the largest first.
     values: Vec<f64>,
@@ -113,7 +114,7 @@ impl Spread {
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
         // `counts` is a factor on the weight of each slip that accounts for clamped residuals. With groups the covariance is computed from the
-        // clamped residuals themselves. For independent slips the mean square of clamped normal residuals takes their place.
+        // clamped residuals of the slips. Without groups the mean square of clamped normal residuals is used instead.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -164,7 +165,7 @@ impl Spread {
         Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
-    /// The root mean square of the residuals divided by the given scatter; `None` as for the field `square`.
+    /// The root mean square of the residuals, each divided by the given standard deviation; `None` if none was given or no degrees of freedom remain.
     fn misfit(&self) -> Option<f64> {
         self.square.map(f64::sqrt)
     }

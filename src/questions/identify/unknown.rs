@@ -8,7 +8,7 @@ use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// The kind of an unknown.
+/// The kind of an unknown number of the grasp that is estimated from observed slips.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -16,7 +16,7 @@ use crate::words::listed;
 pub enum UnknownKind {
     /// A coefficient of friction.
     Friction,
-    /// The normal force that each contact carries at rest, N.
+    /// The normal force, N, that each contact carries before the load grows.
     Carried,
     /// The factor on the given squeeze.
     Squeeze,
@@ -30,7 +30,7 @@ pub enum UnknownKind {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[must_use]
 pub struct Unknown {
-    /// The kind of the unknown.
+    /// The kind of the unknown: friction, carried force, squeeze or stiffness.
     #[cfg_attr(feature = "serde", serde(rename = "quantity"))]
     pub(super) kind: UnknownKind,
     /// The contacts of the unknown, from 0, a soft fingertip counted as one; all contacts if left out.
@@ -69,8 +69,9 @@ impl Unknown {
         Self::of(UnknownKind::Friction)
     }
 
-    /// The normal force that each contact carries at rest, N: for a support, its share of a weight. The contact presses with this force, and an equal
-    /// load presses the object onto the contact, so that the object does not move. The weight must not be given again as a base load.
+    /// The normal force, N, that each contact carries before the load of a slip grows: for a support, its share of a weight. The contact presses with
+    /// this force, and an equal load presses the object onto the contact, so that the object does not move. The weight must not be given again as a
+    /// base load.
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
     }
@@ -118,7 +119,7 @@ impl Unknown {
         Ok(points)
     }
 
-    /// Whether the unknown is a datum of this contact point in this layout.
+    /// Whether this unknown (such as a coefficient of friction) belongs to this contact point in this layout (arrangement of the contact points).
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }
@@ -169,8 +170,8 @@ impl Unknown {
         }
     }
 
-    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. The caller applies a squeeze of all
-    /// contacts.
+    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. A factor on the squeeze of all
+    /// contacts is not put in here; the caller applies it.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {
@@ -196,7 +197,7 @@ fn pressed(contact: &Contact<3>) -> f64 {
     contact.stiffness.series()[0] * (contact.command[0] - contact.clearance)
 }
 
-/// The load of this size that presses the object onto a contact: a force through its point, against its normal.
+/// The load that presses the object onto a contact with the force `newtons`, N: a force through the contact point, against the contact normal.
 pub(super) fn carried_by(contact: &Contact<3>, newtons: f64) -> Wrench<3> {
     Wrench::force_through(&contact.point, &(contact.normal.normalize() * -newtons))
 }

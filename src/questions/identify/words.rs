@@ -84,7 +84,7 @@ impl Identified {
     }
 
     /// The clause about the unknowns `open`, on which equally good assignments disagree: "one of the two is 0.423 ± 0.004, which one is not fixed:
-    /// friction of left or friction of right". If their values differ, each alternative is named with its value.
+    /// friction of left or friction of right". If the estimated values differ, each alternative is named with its value.
     fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {

@@ -14,11 +14,12 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// The goal, whose values in the given and in the best grasp are `before` and `after`.
+    /// The goal of the search, first slip or reserve. Its values in the given and in the best grasp are `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Value of the given grasp: the least load factor of first slip, or the least reserve, N, over the loads. `None` if a contact slides under the
-    /// base load, no equilibrium under the base load is found, or, for a reserve, a contact slides under a load.
+    /// Value of the goal for the given grasp, the least over all loads. It is the load factor of first slip, or the reserve, N (the margin of a
+    /// contact force to the edge of its friction cone). `None` if a contact slides under the base load, no equilibrium under the base load is found,
+    /// or, for a reserve, a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// Value of the goal for the best grasp found. `None` if no grasp was found that sticks under the base load and, for a reserve, under the loads.
@@ -28,7 +29,7 @@ pub struct Improved<const C: usize> {
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// Place and command of every contact in the best grasp found; empty if no grasp was found.
+    /// Place and command (displacement commanded to the contact spring) of every contact in the best grasp found; empty if no grasp was found.
     pub contacts: Vec<Placed<C>>,
     /// The active sticking conditions, and active limits of forces, commands and places, that prevent a larger value, each with its multiplier; empty
     /// if no multipliers were found.
@@ -36,9 +37,9 @@ pub struct Improved<const C: usize> {
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
     /// The larger of two residuals of first-order optimality. One is the largest component of the sum of the gradients of sticking conditions and
-    /// limits, weighted by their multipliers; the other is that of the multipliers' complementarity. The residual is relative to the load factor of
-    /// first slip, or for a reserve to the greatest force under the base load. Places are in units of the grasp's size, squeezes in units of the
-    /// greatest allowed force. `None` if no multipliers were found.
+    /// limits, weighted by their multipliers. The other is the residual of complementarity between multipliers and the slack of their conditions and
+    /// limits. The residual is relative to the load factor of first slip, or for a reserve to the greatest force under the base load. Places are in
+    /// units of the grasp's size, squeezes in units of the greatest allowed force. `None` if no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starting grasps (the given grasp and random grasps) in which all contacts stick under the base load.
@@ -64,7 +65,7 @@ pub struct Placed<const C: usize> {
     /// Unit normal into the object in the best grasp found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub normal: SVector<f64, C>,
-    /// Unit first tangent. From the given frame, the contact frame tilts with the normal and does not turn about it.
+    /// Unit first tangent of the contact frame. Compared with the given grasp, this frame has tilted with the normal and has not turned about it.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub tangent: SVector<f64, C>,
     /// Command in the contact frame, m, the clearance included in its normal component.
@@ -73,7 +74,7 @@ pub struct Placed<const C: usize> {
     /// Straight distance from the point of this contact in the given grasp, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// Normal force that the command would cause with the object held in place, N; `None` unless the search may change it.
+    /// Normal force that the command would cause with the object held in place, N; `None` unless the search may change the command.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
     /// Normal force under the base load and the commands, N.
@@ -81,8 +82,8 @@ pub struct Placed<const C: usize> {
     pub normal_force: f64,
 }
 
-/// One active sticking condition of a contact, or one active limit of its force, command or place. It prevents a later first slip or a larger
-/// reserve.
+/// One active sticking condition of a contact, or one active limit of its force, command or place. It prevents a later first slip, or a larger
+/// reserve (least margin of a contact force to the edge of its friction cone).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -115,7 +116,7 @@ pub enum ActiveConstraintKind {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// The contact has the least friction in reserve under the load with this index.
+    /// The contact has the least reserve (margin of its force to the edge of its friction cone) under the load with this index.
     Reserve {
         /// Index of the load under which the reserve is least, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]

@@ -17,12 +17,13 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{least, mapped};
 use crate::prelude::*;
 
-/// A [`DesignPoint`] with which all contacts stick under the base load and the commands, and its contact forces by source.
+/// A [`DesignPoint`] with which all contacts stick under the base load and the commands. Its contact forces are stored separately for the base load
+/// with fixed commands, the squeeze, and each load.
 #[derive(Debug)]
 pub(super) struct EvaluatedDesign {
     pub(super) design_point: DesignPoint,
     pub(super) sticking: StickingForces,
-    /// Value of the goal: the least load factor of first slip, or the least reserve, N.
+    /// Value of the goal: the least load factor of first slip, or the least reserve (margin of a contact force to the edge of its friction cone), N.
     pub(super) value: f64,
     /// The scale by which gains of the value are divided: the load factor of first slip itself, or for a reserve the greatest contact force under the
     /// base load, N.
@@ -49,7 +50,7 @@ pub(super) struct LastStep {
     pub(super) rooms: Vec<usize>,
 }
 
-/// The data that all ascents of a search share: its variables, its loads and the given grasp.
+/// The data that all ascents of a search share: the variables (places and squeezes), the loads and the given grasp.
 pub(super) struct AscentProblem<'q> {
     pub(super) design_space: &'q DesignSpace<'q>,
     pub(super) loaded: &'q LoadSet,
@@ -69,7 +70,8 @@ impl AscentProblem<'_> {
     }
 
     /// The [`EvaluatedDesign`] of a design point. If a contact's normal force under the base load exceeds its limit, all variable squeezes are
-    /// reduced by a common factor. `None` if this is impossible or some contact does not stick under the base load.
+    /// reduced by a common factor. `None` if a force exceeds its limit even without these squeezes, or some contact does not stick under the base
+    /// load.
     pub(super) fn evaluate(&self, mut design_point: DesignPoint) -> Result<Option<EvaluatedDesign>, Error> {
         let (LoadSet { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
         let of =
@@ -111,8 +113,8 @@ impl AscentProblem<'_> {
         Ok(design.flatten().map(|design| design.value).filter(|reserve| *reserve >= 0.0))
     }
 
-    /// The [`EvaluatedDesign`] of a design point with known contact forces; `None` if some contact does not stick under the base load or its normal
-    /// force exceeds the limit in `most`.
+    /// The [`EvaluatedDesign`] of a design point with known contact forces; `None` if some contact does not stick under the base load or the normal
+    /// force of a contact exceeds the limit in `most`.
     fn evaluate_sticking(
         &self,
         design_point: DesignPoint,
@@ -140,8 +142,8 @@ impl AscentProblem<'_> {
         Ok(Some(EvaluatedDesign { design_point, sticking, value, scale }))
     }
 
-    /// Ascent from `design` to a local optimum. Each contact stays on its part of its surface, such as one triangle of a mesh. `steps` is the number
-    /// of steps tried before from the same start; the steps of this ascent are added to it.
+    /// Ascent from `design` to a local optimum. Each contact stays on the part of its surface where it starts, such as one triangle of a mesh.
+    /// `steps` is the number of steps tried before from the same start; the steps of this ascent are added to it.
     pub(super) fn ascend(&self, mut design: EvaluatedDesign, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.design_space.variables.len();
         // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size for places, the greatest force for
@@ -211,7 +213,8 @@ impl AscentProblem<'_> {
         }
     }
 
-    /// The quadratic program of a step, and the contacts of its last bounds, which are due to edges of surfaces, segments or triangles.
+    /// Returns the quadratic program of a step. The last of its constraints are due to edges of surfaces, segments or triangles; the contacts on
+    /// these edges are returned, too.
     fn program(
         &self,
         design: &EvaluatedDesign,

@@ -1,5 +1,5 @@
-//! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. They are kept apart by source: the
-//! base load with fixed commands, the variable squeeze, and each load.
+//! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. Forces are kept apart by their source,
+//! the cause of the force: the base load with fixed commands, the variable squeeze, or a load.
 
 use nalgebra::SVector;
 
@@ -12,17 +12,19 @@ use crate::numerics::Vector;
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// For each source (base load, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these forces.
+/// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
+/// forces.
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
-/// Index of the source that does not vary: the base load, and commands that are fixed.
+/// Index in [`BySource`] of the forces that do not vary with the squeeze or the loads: they are due to the base load and to fixed commands.
 pub(super) const REST: usize = 0;
-/// Index of the source of the squeeze: the normal commands that the search varies.
+/// Index in [`BySource`] of the forces due to the squeeze, the normal commands that the search varies.
 pub(super) const SQUEEZE: usize = 1;
-/// Index of the source of the first load; the sources of further loads follow.
+/// Index in [`BySource`] of the forces due to the first load; those due to further loads follow.
 pub(super) const LOADS: usize = 2;
 
-/// The contact forces of a grasp, by source, computed as if every contact stuck.
+/// The contact forces of a grasp, computed as if every contact stuck, separately for each source: base load with fixed commands, squeeze, and each
+/// load.
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
@@ -30,8 +32,8 @@ pub(super) struct StickingForces {
 }
 
 impl StickingForces {
-    /// The contact forces of a design point: those due to the base load and fixed commands, to the squeeze, and to each of `loads` alone. `None` if
-    /// nothing resists one of these loads.
+    /// The contact forces of a design point (places and squeezes of the contacts). They are computed separately for the base load with fixed
+    /// commands, the squeeze, and each of `loads`. `None` if nothing resists one of these loads.
     pub(super) fn of(
         design_space: &DesignSpace<'_>,
         design_point: &DesignPoint,
@@ -60,23 +62,23 @@ impl StickingForces {
         StickingResponse::new(&self.grasp.engine, self.grasp.settings())
     }
 
-    /// The force on a contact due to one source alone, in its frame, N.
+    /// The force on a contact due to one source alone (base load with fixed commands, squeeze, or one load), in the contact frame, N.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
         self.sources[source].forces[contact]
     }
 
-    /// The force on a contact under the base load, in its frame, N: due to fixed commands and this load, and due to the variable squeeze.
+    /// The force on a contact under the base load, in the contact frame, N. It is due to this load, to fixed commands, and to the variable squeeze.
     pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
 
-    /// The number of sources that are loads; a force of any direction has one source per axis.
+    /// The number of loads whose forces are kept apart; a force of any direction counts as one load per axis.
     pub(super) fn loads(&self) -> usize {
         self.sources.len() - LOADS
     }
 
-    /// The derivatives of all contact forces with respect to each variable in its unit, ordered by variable. `None` if a contact at another place
-    /// would leave a load without any resistance.
+    /// The derivatives of all contact forces with respect to each variable (place or squeeze), measured in its unit, in the order of the variables.
+    /// `None` if a contact at another place would leave a load without any resistance.
     pub(super) fn derivatives(
         &self,
         design_space: &DesignSpace<'_>,

@@ -1,5 +1,5 @@
-//! The Hessian of the Lagrangian of an ascent, learnt from its steps by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps
-//! it positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
+//! The Hessian of minus the Lagrangian, learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping
+//! keeps this matrix positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
 

@@ -13,7 +13,7 @@ use crate::grasp::{Contact, Hold, Space, WholeContacts};
 use crate::numerics::{Draw, largest, numbered};
 use crate::prelude::*;
 
-/// One variable of the search: the place of a contact along one direction, or its squeeze.
+/// One variable of the search: the place of a contact along one direction, or the squeeze (normal force due to the command) of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
@@ -24,7 +24,7 @@ pub(super) struct DesignVariable {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum DesignKind {
-    /// The position of the contact along the tangent direction of its surface with this index.
+    /// The position of the contact along one of the tangent directions of its surface, given by the index of the direction.
     Along(usize),
     /// The normal force that the command of the contact causes with the object held in place, from 0 to `most`, N.
     Press { most: f64 },
@@ -35,7 +35,7 @@ pub(super) enum DesignKind {
 pub(super) struct DesignSpace<'q> {
     pub(super) question: &'q Improve<3>,
     pub(super) contacts: &'q [Contact<3>],
-    /// The contacts of the given grasp, each with its points.
+    /// The contacts of the given grasp, each with its points; a soft fingertip has several points.
     pub(super) wholes: &'q WholeContacts,
     pub(super) settings: &'q Settings,
     /// For each contact the first tangent of its frame in the given grasp.
@@ -49,13 +49,13 @@ pub(super) struct DesignPoint {
     pub(super) spots: Vec<Option<SurfaceLocation>>,
     /// For each contact the first tangent of its frame, a unit vector.
     pub(super) tangents: Vec<SVector<f64, 3>>,
-    /// For each contact the normal force of its command, N; `None` if the squeeze may not change.
+    /// For each contact the normal force that its command causes with the object held in place, N; `None` if the squeeze may not change.
     pub(super) presses: Vec<Option<f64>>,
 }
 
 impl<'q> DesignSpace<'q> {
-    /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface or has another
-    /// normal.
+    /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface, or whose normal
+    /// differs from the normal of the surface.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, DesignPoint), Error> {
         let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> =
@@ -129,8 +129,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Places stay on their parts of the
-    /// surfaces, squeezes within limits.
+    /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Each contact stays on its segment or
+    /// triangle of the surface, and each squeeze within its limits.
     pub(super) fn stepped(&self, from: &DesignPoint, step: &[f64]) -> DesignPoint {
         let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -155,8 +155,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The first tangent of the contact frame at the place `location`; `from` if there is no such place. The frame results from the frame with the
-    /// tangent `from` by a tilt with the normal, without a rotation about the normal.
+    /// The first tangent of the contact frame at the place `location`; `from` if there is no such place. The frame with the tangent `from` tilts with
+    /// the normal, without a rotation about the normal.
     fn tangent(
         &self,
         contact: usize,

@@ -13,7 +13,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
-/// Identifies one sticking condition `a·F >= 0` of a contact under a load, so that it is found again after the contact has moved.
+/// Identifies one sticking condition `a·F >= 0` of a contact force F under a load, with a row a of the friction cone. The condition is thus found
+/// again after the contact has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
@@ -27,7 +28,7 @@ pub(super) struct ConeRow {
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent {
     pub(super) condition: ConeRow,
-    /// The load factor at which the condition is broken, or for a reserve its margin under the load, N.
+    /// The load factor at which the sticking condition is broken, or for the goal of a reserve the margin of this condition under the load, N.
     pub(super) value: f64,
     /// The derivatives of the value with respect to each variable.
     pub(super) gradient: DVector<f64>,
@@ -50,8 +51,8 @@ pub(super) enum ConstraintKind {
     Force,
 }
 
-/// The sticking conditions, as rows a of `a·F >= 0`, that can become active near the contact force `force`. For a polygonal cone these are all its
-/// facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction force.
+/// The sticking conditions `a·F >= 0` of a contact force F, as rows a, that can become active near the contact force `force`. For a polygonal cone
+/// these are all its facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
@@ -64,7 +65,8 @@ fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     })
 }
 
-/// A contact with its force under the base load, in its frame. `derivatives` has the derivatives of all contact forces with respect to each variable.
+/// A contact with its force under the base load, in the contact frame, N. `derivatives` has the derivatives of all contact forces with respect to
+/// each variable.
 struct PressedContact<'a> {
     number: usize,
     law: LocalLaw<'a>,

@@ -1,5 +1,5 @@
-//! Conversion of the types about finger placement between the engine, whose vectors have three components in the plane, too, and callers, with `C`
-//! components.
+//! Conversion of the types about finger placement between the engine's vectors, which have three components even in the plane, and the caller's,
+//! which have `C`.
 
 use super::answer::{ActiveConstraint, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;

@@ -1,4 +1,4 @@
-//! Ascends from the given grasp and from the best of many random ones, and returns the best result.
+//! The search for better finger places: ascents from the given grasp and from the best of many random ones, and the answer with the best grasp found.
 
 use super::answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign, LastStep};
@@ -17,8 +17,8 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
-    /// Finds places and squeezes (normal forces of the commands) of the fingers of this grasp for which the first slip comes as late as possible, or
-    /// the least friction reserve under the loads is as large as possible.
+    /// Finds places and squeezes (normal forces of the commands) of the fingers of this grasp for which the first slip comes as late as possible.
+    /// Another goal is the largest reserve under the loads: the least margin of a contact force to the edge of its friction cone.
     ///
     /// Friction cones are round in space. The result has the same bits for any number of threads.
     ///
@@ -54,7 +54,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Improve<3> {
-    /// Searches in the engine's representation, whose vectors have three components in the plane, too.
+    /// Searches for better finger places in the engine's representation, whose vectors have three components in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Improved<3>, Error> {
         self.check(grasp)?;
         let mut settings = *grasp.settings();

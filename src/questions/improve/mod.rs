@@ -1,13 +1,13 @@
 //! Optimal finger placement: positions on given curves or surfaces, and normal forces of the commands (squeezes) within limits, such that the first
-//! slip comes as late as possible, or the least friction reserve is as large as possible.
+//! slip comes as late as possible. Another goal is the largest reserve: the least margin of a contact force to the edge of its friction cone.
 //!
 //! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press.
 //! [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]: places, squeezes, the value of the [`ImproveGoal`] before and after, and
 //! the active sticking conditions, and active limits of forces, commands and places.
 //!
 //! While every contact sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹` with the load factor τ. Each sticking condition
-//! `a·F >= 0` of each contact and load is broken at a factor τ of its own. The load factor of first slip is the least of these factors, a piecewise
-//! smooth function of places and squeezes x:
+//! `a·F >= 0` (a is a row of the friction cone) of each contact and load is broken at a factor τ of its own. The load factor of first slip is the
+//! least of these factors, a piecewise smooth function of places and squeezes x:
 //!
 //! ```text
 //! τ(x) = min_k τ_k(x),      dτ_k = -a·(dF⁰ + τ dF¹) / a·F¹

@@ -11,7 +11,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl AscentProblem<'_> {
-    /// Ascent from a start, continued on adjacent triangles or segments of surfaces as long as the value grows and steps are left.
+    /// Ascent from a start, continued on adjacent triangles or segments of surfaces as long as the value of the goal grows and steps are left.
     pub(super) fn over_edges(&self, design: EvaluatedDesign) -> Result<Ascent, Error> {
         let mut best = self.ascend(design, 0)?;
         let mut steps = best.steps;
@@ -40,8 +40,8 @@ impl AscentProblem<'_> {
         Ok(None)
     }
 
-    /// Placings in which one finger at the edge of its part (triangle or segment) has moved to an adjacent part. If there are several such fingers, a
-    /// further design point has all of them moved, each to its first adjacent part.
+    /// Design points (places and squeezes of the fingers) in which one finger at the edge of its part (triangle or segment) has moved to an adjacent
+    /// part. If there are several such fingers, a further design point has all of them moved, each to its first adjacent part.
     fn adjacent(&self, from: &DesignPoint) -> Vec<DesignPoint> {
         let (mut design_points, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.design_space.question.surfaces {

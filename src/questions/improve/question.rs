@@ -130,7 +130,8 @@ impl<const C: usize> Improve<C> {
         pub fn with_goal(mut self, goal: ImproveGoal) { self.goal = Some(goal); }
     }
 
-    /// Lets contact `contact` (from 0) move along a curve or surface, on which its given point has to lie. Its normal follows the surface.
+    /// Lets contact `contact` (from 0) move along a curve or surface, on which the given contact point has to lie. The contact normal follows the
+    /// surface.
     pub fn along(mut self, contact: usize, surface: Surface<C>) -> Self {
         match place_of(&self.surfaces, contact) {
             Ok(place) => self.surfaces[place].1 = surface,
@@ -157,8 +158,8 @@ impl<const C: usize> Improve<C> {
     }
 
     setters! {
-        /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random design points on the
-        /// surfaces.
+        /// Sets the number of random starts in addition to the given grasp (default 8). They are the best of 24 times as many random choices of
+        /// places on the surfaces.
         pub fn with_starts(mut self, starts: usize) { self.starts = Some(starts); }
 
         /// Sets the upper limit of the number of steps from each start, including refused steps (default 200).

@@ -105,7 +105,7 @@ impl Spline {
 
     /// The parameter of the point of the spline that is nearest to `point`. In rare cases it is a local minimum of the distance instead.
     pub(super) fn nearest(&self, point: &SVector<f64, 3>) -> f64 {
-        // Newton's method on the distance starts from the nearest of 32 samples per piece between points.
+        // Newton's method on the distance starts from the nearest sample; there are 32 samples between each two consecutive points.
         let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
         let square_distance = |t: f64| (self.at(t)[0] - point).norm_squared();

@@ -1,5 +1,6 @@
 //! The quadratic program of one step of places and squeezes. In a box around their present values it maximises the least of the linearised event
-//! values, less a curvature term. An event is a sticking condition under a load; its value is the load factor that breaks it, or its reserve.
+//! values, less a curvature term. An event is a sticking condition under a load; its value is the load factor that breaks it, or its margin under the
+//! load.
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
@@ -16,8 +17,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
-/// The data of the quadratic program of one step. Values of events (`factors`) are divided by the load factor of first slip, or for a reserve by the
-/// greatest contact force under the base load. Variables are divided by their units.
+/// The data of the quadratic program of one step. `factors` are the values of the events (sticking conditions under loads). They are divided by the
+/// load factor of first slip, or for a reserve by the greatest contact force under the base load. Variables are divided by their units.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
@@ -31,15 +32,15 @@ pub(super) struct StepProgram {
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// Increase of the least event value that the linearised events predict, less the curvature term; divided as `factors` are.
+    /// Increase of the least event value that the linearised events predict, less the curvature term; divided by the same number as `factors`.
     pub(super) gain: f64,
     /// Multipliers of the events (sticking conditions under loads), at least 0; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
     /// For each variable the multipliers of the lower and upper end of `reach`; zero unless the variable is at that end now.
     pub(super) ends: Vec<[f64; 2]>,
-    /// First-order residual at the present values: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables that are not at an end of `reach`. If it is
-    /// larger, the complementarity residual of the multipliers λ, ν with events and constraints.
+    /// First-order residual at the present values: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables that are not at an end of `reach`. Or, if
+    /// larger, the residual of complementarity between the multipliers λ, ν and their events and constraints.
     pub(super) residual: f64,
 }
 
@@ -89,8 +90,8 @@ impl StepProgram {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }
 
-    /// Solves the quadratic program; its unknowns are the distances of the variables from the lower ends of the box, and t. `None` as for
-    /// [`Self::step`].
+    /// Solves the quadratic program. Its unknowns are the distances of the variables from the lower ends of the box, and t: the constant `top` less
+    /// the least event value. `None` as for [`Self::step`].
     fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
         let low = vector_of(n, &|j| (-radius).max(self.reach[j][0].min(0.0)));

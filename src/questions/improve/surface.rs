@@ -64,7 +64,8 @@ impl Surface<2> {
         Self(Shape::Segments(vec![[in_space(from), in_space(to)]]))
     }
 
-    /// Straight edges from point to point, m. The search moves a contact from one edge to the next if that increases the value of its goal.
+    /// Straight edges from point to point, m. The search for better places moves a contact from one edge to the next if that increases the value of
+    /// the goal.
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(in_space).list()))
     }
@@ -107,8 +108,8 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as the triangles of a mesh, by their corners, m, all in the same order seen from outside. The search moves a contact from one
-    /// triangle to the next if that increases the value of its goal.
+    /// Triangles, such as the triangles of a mesh, by their corners, m, all in the same order seen from outside. The search for better places moves a
+    /// contact from one triangle to the next if that increases the value of the goal.
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
     }

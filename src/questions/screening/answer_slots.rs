@@ -2,12 +2,12 @@
 
 use super::lanes::Packed;
 
-/// The memory for the answers of all grasps of one block to one question, such as the load factor at first slip under one pull. Each grasp has a lane
-/// of the vectors.
+/// The memory for the answers of all grasps of one block to one question, such as the load factor at first slip under one pull. Each grasp of the
+/// block has a lane, one index in every vector of numbers.
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
-    /// All answers of the block to all questions, ordered by grasp, then by question.
+    /// The answers to all questions for the grasps of the block, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, whether the present [`Method`](super::method::Method) finds the forces of the grasp in this lane.
+    /// For each lane, whether the present [`Method`](super::method::Method) is the one that finds the contact forces of the grasp in this lane.
     these: X::Each<bool>,
     question: usize,
     questions: usize,
@@ -35,7 +35,8 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         if self.these.as_ref()[scene] { self.answers.get_mut(first..first + self.each) } else { None }
     }
 
-    /// Stores the answer of each lane in the first entry for its grasp. Lanes without a grasp of this method are skipped.
+    /// Stores the answer of each lane in the first entry for its grasp. Lanes are skipped if they are unused, or if another method finds the forces
+    /// of their grasp.
     #[inline(always)]
     pub(super) fn each(&mut self, answers: X::Each<T>) {
         for (scene, &answer) in answers.as_ref().iter().enumerate() {

@@ -9,14 +9,14 @@ use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
 use super::pinch::AlongTheLine;
 
-/// The factorised stiffness matrix of the object about the centroid of its contacts, for the grasp in each lane.
+/// The factorised stiffness matrix of the object about the centroid of its contacts, for several grasps, one in each lane of a vector.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
     /// Largest absolute coordinate of the vectors from the centroid to the contacts, m.
     pub(super) reach: X,
-    /// For two contacts in space: the exchange of coordinates after which the rotation about their line, which no spring resists, comes last. `None`
-    /// for all other grasps.
+    /// For two contacts in space: the exchange of coordinates after which the rotation about the line through both contacts comes last. No spring
+    /// resists this rotation. `None` for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }
@@ -85,7 +85,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         }
     }
 
-    /// The load with its moment about the centroid of the contacts; in `load` the moment is about the origin.
+    /// Returns `load` with its moment about the centroid of the contacts instead of about the origin.
     #[inline(always)]
     pub(super) fn carried(&self, load: &[X; 6]) -> [X; 6] {
         let mut force = [X::all(0.0); C];
@@ -98,8 +98,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The part of the load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is the largest
-    /// force component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
+    /// The part of the load that `forces` leave unbalanced, as force and moment about the centroid, and the relative size of this part. The size is
+    /// the largest force component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,

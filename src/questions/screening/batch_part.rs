@@ -25,11 +25,11 @@ pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) numbers: &'a [Lanes],
     pub(super) parted: &'a [Lanes],
     pub(super) questions: &'a [Q],
-    /// The answers of these grasps, ordered by grasp, then by question.
+    /// The memory for the answers about these grasps, ordered by grasp, then by question.
     pub(super) answers: &'a mut [Q::Answer],
 }
 
-/// Answers all questions about these grasps, with the widest vector instructions of the processor.
+/// Answers all questions about the grasps of one part of a batch, with the widest vector instructions of the processor.
 pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: BatchPart<'_, C, Q>) {
     on_the_widest(part);
 }

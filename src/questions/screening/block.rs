@@ -12,7 +12,7 @@ pub(super) fn count(contacts: usize) -> usize {
     contacts.min(MOST_POINTS)
 }
 
-/// The entry of contact `i` in each of these rows.
+/// The entry of contact `i` in each of the given rows, which have one number per contact.
 #[inline(always)]
 pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X; K] {
     let mut all = [rows[0][i]; K];
@@ -22,8 +22,9 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
     all
 }
 
-/// Grasps with the same number of contacts, one in each lane. Each row has one number per contact; the three numbers of [`Sizes`] follow. The number
-/// of contacts is known only at run time, so that kernels are compiled once for the plane and once for space.
+/// The data of several grasps with the same number of contacts, one grasp in each lane of a vector. Each row of `numbers` has one entry per contact;
+/// the three numbers of [`Sizes`] follow. The number of contacts is known only at run time, so that kernels are compiled once for the plane and once
+/// for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
@@ -44,15 +45,15 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of the terms of contact forces; the rounding of these forces is proportional to them. They are zero with
-/// [`Method::Motions`](super::method::Method::Motions).
+/// Sums of the absolute values of the terms of contact forces; the rounding of these forces is proportional to them. They are zero if forces are
+/// found by [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
-    /// The sum of the terms due to the commands.
+    /// The sum of the absolute values of terms due to the commands, N.
     pub(super) commands: X,
-    /// The sum of the terms due to a unit moment.
+    /// The sum of the absolute values of terms due to a moment of 1 N m about one axis.
     pub(super) moment: X,
-    /// The sum of the terms due to a unit force.
+    /// The sum of the absolute values of terms due to a force of 1 N.
     pub(super) force: X,
 }
 
@@ -65,11 +66,11 @@ impl<const C: usize> Layout<C> {
     /// Unit normals into the object, one row per axis.
     pub(super) const NORMAL: usize = C;
     pub(super) const SHEARED: usize = 2 * C;
-    /// Normal and tangential stiffness, N/m, one row each. For grasps whose forces are found along edges between contacts
-    /// ([`Method::Edges`](super::method::Method::Edges)) compliances, m/N.
+    /// Rows of normal and of tangential stiffness, N/m. Compliances, m/N, for grasps whose forces are found along edges between contacts
+    /// ([`Method::Edges`](super::method::Method::Edges)).
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
-    /// Coefficients of friction, or one of the codes [`OPENS_ONLY`](super::cone::OPENS_ONLY) and [`STAYS`](super::cone::STAYS).
+    /// The row of coefficients of friction, or of the codes [`OPENS_ONLY`](super::cone::OPENS_ONLY) and [`STAYS`](super::cone::STAYS).
     pub(super) const FRICTION: usize = 3 * C + 3;
     const OF_A_CONTACT: usize = 3 * C + 4;
     /// The number of components of loads and of motions of the object.
@@ -166,7 +167,7 @@ impl<const C: usize, const R: usize> OneScene<C, [f64; R]> {
 }
 
 impl<const C: usize> AnyScene<C> {
-    /// Begins a grasp of this many contacts, each of them a finger of its own. Their data are written later.
+    /// Starts to store a grasp of this many contacts, each of them a finger of its own. The data of the contacts are written later.
     pub(super) fn begin(&mut self, contacts: usize) {
         (self.contacts, self.ends) = (count(contacts), u64::MAX);
         self.measure(&Sizes { commands: 0.0, moment: 0.0, force: 0.0 });

@@ -26,8 +26,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         );
     }
 
-    /// Computes the contact forces that commands and a load about the centroid cause. Without commands, the load is about the origin and the fingers
-    /// are at rest.
+    /// Computes the contact forces that commands and a load cause together; the moment of the load is about the centroid of the contacts. If
+    /// `commands` is `None`, the load acts alone, and its moment is about the origin.
     #[inline(never)]
     pub(super) fn sticking<V: Vectors>(
         &self,
@@ -74,8 +74,8 @@ fn stretch<const C: usize, X: Packed>(
     forces.free = part.above(X::all(WORKS_ON_FREE_MOTION), body.free(), X::all(0.0));
 }
 
-/// Computes the equilibrium with all contacts sticking, under commands and a load about the centroid. Writes the contact forces; returns the motion
-/// of the object, and how much of the load stays unbalanced, relative to the forces.
+/// Computes the equilibrium with all contacts sticking, under commands and a load whose moment is about the centroid of the contacts. Writes the
+/// contact forces; returns the motion of the object, and how much of the load stays unbalanced, relative to the forces.
 #[inline(always)]
 fn let_go<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,
@@ -151,9 +151,10 @@ fn move_object<const C: usize, X: Packed>(
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
-/// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of its
-/// spring if it is stretched by the command and the whole motion of the object. The second term is limited by the sum of all forces and of the second
-/// largest such spring force. The reason is that errors of displacements cause forces that balance each other, which takes at least two contacts.
+/// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of the
+/// contact's spring if the command and the whole motion of the object stretched the spring. The second term is limited by the sum of all forces and
+/// of the second largest such spring force. The reason is that errors of displacements cause forces that balance each other, which takes at least two
+/// contacts.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -3,8 +3,9 @@
 use super::finger::Force;
 use super::lanes::{Packed, dot};
 
-/// The condition for a contact to stick, `α F_n >= β |F_t|`. F_n is the normal force and F_t the friction force. With friction, α is its coefficient
-/// and β is 1. The pair (α, β) is (1, 0) for a contact that can only open, and (0, 0) for a contact that never stops sticking.
+/// The condition for a contact to stick, `α F_n >= β |F_t|`. F_n is the normal force and F_t the friction force. For a contact with friction, α is
+/// the coefficient of friction and β is 1. The pair (α, β) is (1, 0) for a contact that can only open, and (0, 0) for a contact that never stops
+/// sticking.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
@@ -27,7 +28,7 @@ impl<X: Packed> StickingCone<X> {
 }
 
 impl<X: Packed> StickingCone<X> {
-    /// The scaled friction force `β F_t` of a contact, N.
+    /// The scaled friction force `β F_t` of a contact, N. Here β is 1 for a contact with friction, and 0 for a contact that cannot slide.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
         let mut t = force.tangential;

@@ -96,8 +96,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. With these commands the springs are
-    /// solved once more.
+    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. With these commands the equilibrium
+    /// of the springs is computed once more.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

@@ -1,12 +1,13 @@
-//! Factors `T = L D Lᵀ` of symmetric matrices, one matrix in each lane.
+//! Factors `T = L D Lᵀ` of several symmetric matrices, one matrix in each lane of a vector.
 
 use super::lanes::Packed;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 
-/// The factors of one matrix in each lane, with room for `R` rows.
+/// The factors L and D of several symmetric matrices `L D Lᵀ`, one in each lane of a vector, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it. If a pivot d of D vanishes up to rounding, the diagonal has zero in place of 1/d.
+    /// The triangular factor L below the diagonal, and the inverse of the diagonal factor D on it. If a pivot d of D vanishes up to rounding, the
+    /// diagonal has zero in place of 1/d.
     pub(super) entries: [[X; R]; R],
     /// For each lane, positive if some pivot of the factorisation vanishes up to rounding; else zero.
     pub(super) free: X,

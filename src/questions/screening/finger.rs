@@ -1,8 +1,9 @@
-//! One contact in each lane: its springs, and conversions of its force and displacement to coordinate axes.
+//! One contact of each of several grasps, one grasp in each lane of a vector: the springs of the contact, and conversions of its force and
+//! displacement to coordinate axes.
 
 use super::lanes::{Packed, dot};
 
-/// One contact of the grasp in each lane: normal, normal and tangential stiffness, and arm.
+/// One contact of each of several grasps, one in each lane of a vector: unit normal, normal and tangential stiffness, and arm.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFinger<const C: usize, X: Packed> {
     pub(super) normal: [X; C],

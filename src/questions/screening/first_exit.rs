@@ -72,7 +72,7 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The first slip of the grasps of a block. `base` has their contact forces at load factor zero, `rates` the derivatives of these forces with respect
+/// The first slip of the grasps of a block. `base` has the contact forces at load factor zero, `rates` the derivatives of these forces with respect
 /// to the load factor.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(

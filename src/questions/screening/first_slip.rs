@@ -5,12 +5,14 @@ use core::fmt;
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp, or a code if there is no first slip, as two numbers, so that kernels can select among answers without a branch.
+/// The first slip of one grasp, or a code if there is no first slip. It is stored as two numbers, so that screening can select among answers without
+/// a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The load factor at first slip, infinite if no contact ever stops sticking, or one of the codes below.
+    /// The load factor at first slip, infinite if no contact ever stops sticking, or one of the negative codes of this file, such as
+    /// [`NOT_STICKING`].
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that stop sticking at this load factor. A soft fingertip is one contact.
+    /// Sum of 2^i over the contacts i that stop sticking at the load factor of first slip. A soft fingertip is one contact.
     pub(super) leaving: f64,
 }
 
@@ -45,7 +47,7 @@ pub enum ScreeningVerdict {
 }
 
 impl SlipCode {
-    /// Fills the memory for answers before a kernel writes them: the code [`UNCLEAR`] and no contact.
+    /// The value that fills the memory for answers before they are computed: the code [`UNCLEAR`] and no contact.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> ScreeningVerdict {

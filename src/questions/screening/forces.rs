@@ -1,4 +1,4 @@
-//! The contact forces of the grasp in each lane.
+//! The contact forces of several grasps, one grasp in each lane of a vector.
 
 use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;
@@ -12,7 +12,7 @@ pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MO
     pub(super) unbalanced: X,
     /// Positive if the load does positive work along a motion that no contact resists; else zero.
     pub(super) free: X,
-    /// The motion of the object about the centroid of its contacts under this load; zero unless forces were found by
+    /// The motion of the object about the centroid of its contacts that goes with these forces; zero unless forces were found by
     /// [`Method::Motions`](super::method::Method::Motions).
     pub(super) motion: [X; 6],
     pub(super) of: A,

@@ -10,8 +10,9 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. First come four numbers on the first slip. The derivatives with respect to points, normals,
-/// commands, stiffness and friction follow, each contact by contact. The derivatives with respect to the load come last.
+/// The layout of a gradient as a row of numbers. First come four numbers: load factor, contacts that leave their cones, contact whose margin is
+/// differentiated, and kink. The derivatives with respect to points, normals, commands, stiffness and friction follow, each contact by contact. The
+/// derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -44,7 +45,8 @@ impl<const C: usize> GradientRow<C> {
 /// The number of entries of the longest [`GradientRow`], for five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The data from which the derivatives of a load factor are computed, as products of these forces and motions; see [`super::gradient`].
+/// The data from which the derivatives of the load factor at first slip are computed, as products of contact forces and object motions; see
+/// [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
@@ -97,7 +99,8 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         }
     }
 
-    /// Writes the derivatives with respect to the point, normal, command and stiffness of contact i, each multiplied by `scale` = -1/m'.
+    /// Writes the derivatives with respect to the point, normal, command and stiffness of contact i, each multiplied by `scale`. This factor is -1
+    /// over the derivative of the margin with respect to the load factor.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));

@@ -43,7 +43,7 @@ impl<const C: usize> Kernels<C> {
         Self { prepare, pull, load_cases, gradient, put_on: screen, watch: OneGrasp::watch }
     }
 
-    /// The kernels for `C` axes: 2 in the plane, 3 in space.
+    /// The functions that answer questions of screening for contacts with `C` axes: 2 in the plane, 3 in space.
     #[inline]
     pub(super) fn get() -> &'static Self {
         const { assert!(C == 2 || C == 3, "contacts have 2 axes in the plane and 3 in space") };

@@ -14,8 +14,8 @@ use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// The code in place of a factor if no factor is sufficient. The codes for an unclear answer and a motion without resistance are those of
-/// `first_slip`.
+/// The code in place of the least factor on the commands, if there is no factor with which all contacts stick. An unclear answer and a motion without
+/// resistance have the codes of `first_slip`.
 pub(super) const NO_FACTOR: f64 = -1.0;
 
 /// The interval of factors on the commands, from `first` to `last`, with which one contact sticks under one load, with error bounds of both ends.
@@ -26,8 +26,8 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin of sticking as a function of the factor on the commands: its `value` at factor zero, and its `gain` per unit of the factor. `noise` is a
-/// bound of the rounding of `value`, `gain_noise` of the rounding of `gain`.
+/// A margin of sticking (from a contact force to its friction cone) as a function of the factor on the commands. `value` is the margin at factor
+/// zero, and `gain` its increase per unit of the factor. `noise` is a bound of the rounding of `value`, `gain_noise` of the rounding of `gain`.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -112,7 +112,8 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// The intersection of the intervals of factors on the commands in which the margins added so far are not negative, and flags.
+/// The intersection of the intervals of factors on the commands in which the margins added so far are not negative. Two further numbers tell whether
+/// rounding or a motion without resistance makes the answer invalid.
 pub(super) struct LeastFactor<X: Packed> {
     /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
     first: X,
@@ -229,8 +230,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// For each lane two numbers. First, the least sufficient factor on the commands, or a code if there is no such factor. Second, the contact and
-    /// load that determine this factor, encoded as in `binding`.
+    /// For each lane two numbers. First, the least factor on the commands with which all contacts stick under all loads, or a code if there is no
+    /// such factor. Second, the contact and load that determine this factor, encoded as in `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

@@ -1,9 +1,9 @@
 //! Two methods for the contact forces of three contacts in space: forces along the edges of their triangle, or the motion of the object.
 //!
 //! In the first method some set of contact forces that balances the load is chosen. Forces along the edges are added so that displacements agree with
-//! the compliances. In a slim triangle the first set is larger than the sum, which costs digits. If compliances differ much, the force of a soft
-//! contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also for contacts without friction,
-//! whose compliance is infinite.
+//! the compliances. In a slim triangle the forces chosen first are larger than the resulting contact forces, which costs digits. If compliances
+//! differ much, the force of a soft contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also
+//! for contacts without friction, whose compliance is infinite.
 //!
 //! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
 //! neighbouring lanes.
@@ -83,7 +83,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
     // A bound of the forces along edges that contact forces P of size one cause if they balance each other: `|N| |A⁻¹| |Nᵀ| C P` by absolute values.
-    // N, A and C are defined in [`super::triangle`].
+    // N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];

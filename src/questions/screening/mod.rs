@@ -2,7 +2,7 @@
 //!
 //! Planners ask for this load most often. Screening answers without allocating and without a branch. It computes the contact forces as if every
 //! contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which
-//! a contact stops sticking.
+//! a contact stops sticking. In the formulas F_i is the force of contact i, W the load, τ the load factor, and s the factor on the commands a.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|

@@ -50,7 +50,7 @@ impl<const C: usize> OneGrasp<C> {
         question.ask(&scenes, [&mut a, &mut b, &mut c], &mut slots);
     }
 
-    /// The margins of measured contact forces of this grasp, and the first slip from them; see [`Measured`].
+    /// The margins of measured contact forces of this grasp, and the first slip under a load to come; see [`Measured`].
     pub(super) fn watch(&self, measured: &Measured<'_, C>) -> Watched {
         let mut watched = [Watched::UNKNOWN];
         self.ask(measured, &mut watched);

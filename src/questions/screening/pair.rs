@@ -26,9 +26,9 @@ use crate::numerics::{Each, Vectors};
 
 /// Replaces the stiffnesses of a pair by compliances.
 ///
-/// A contact without friction has an infinite tangential compliance: the condition on λ becomes `F_t = 0` at this contact, and all its other terms
-/// vanish. Two such contacts hold no load. A pair also holds no load if the normal of a contact without friction is along the line through both,
-/// since the object then turns about the other contact. In these two cases the compliances are NaN.
+/// A contact without friction has an infinite tangential compliance. The condition that fixes the force λ along the line through both contacts then
+/// becomes `F_t = 0` at this contact; all other terms vanish. Two such contacts hold no load. A pair also holds no load if the normal of a contact
+/// without friction is along the line through both, since the object then turns about the other contact. In these two cases the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
@@ -75,7 +75,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     Sizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
-/// Two contacts in the plane and the line through both, for the grasp in each lane. Inner arrays of two have an entry for each contact.
+/// Two contacts in the plane and the line through both, for several grasps, one in each lane of a vector. Inner arrays of two have an entry for each
+/// contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
@@ -90,7 +91,7 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The stretch of the line through both contacts due to the forces `p_i⊥`, times |p|: `Σ p_i·C_i p_i⊥`.
+    /// The stretch of the line through both contacts due to the forces `p_i⊥` (p_i turned by a quarter turn), times |p|: `Σ p_i·C_i p_i⊥`.
     sheared: X,
     /// The stretch of this line due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
@@ -137,7 +138,8 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; their rounding is proportional to it.
+    /// The sum of absolute values of terms, N, in the contact forces that these commands cause. The rounding of these forces is proportional to this
+    /// sum.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -244,7 +246,7 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-/// `p_i·a_i`, m²: the command of finger i along the line through both contacts, times |p|.
+/// `p_i·a_i`, m²: the command of finger i along the line through both contacts, times the distance |p| between them.
 #[inline(always)]
 fn taken<const C: usize, X: Packed>(i: usize, commands: &Commanded<'_, C, X>, (n, t): (X, X)) -> X {
     commands.pressed[i] * n + commands.sheared[0][i] * t

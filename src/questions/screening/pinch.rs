@@ -16,7 +16,7 @@ pub(super) struct AlongTheLine<X: Packed> {
 }
 
 impl<X: Packed> AlongTheLine<X> {
-    /// The exchange for the line between the two contacts of each grasp.
+    /// Chooses the rotation to exchange with the last one, from the line between the two contacts of each grasp.
     #[inline(always)]
     pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -25,7 +25,8 @@ impl<X: Packed> AlongTheLine<X> {
         Self { is: [is_x, z.above(y, zero, one - is_x)] }
     }
 
-    /// Exchanges these two rotations in the stiffness matrix t, of which only entries on and below the diagonal are stored.
+    /// Exchanges two rotations in the stiffness matrix t: about the coordinate axis nearest to the line, and about the last axis. Only entries on and
+    /// below the diagonal of t are stored.
     #[inline(always)]
     pub(super) fn exchange(&self, t: &mut [[X; 6]; 6]) {
         for (k, is) in (3..).zip(self.is) {
@@ -42,7 +43,8 @@ impl<X: Packed> AlongTheLine<X> {
         }
     }
 
-    /// A load or a motion with these two rotations (or moments) exchanged. A second exchange restores it.
+    /// A load or a motion with two rotations (or moments) exchanged, about the coordinate axis nearest to the line and about the last axis. A second
+    /// exchange restores it.
     #[inline(always)]
     pub(super) fn exchanged(&self, w: &[X; 6]) -> [X; 6] {
         let mut exchanged = *w;

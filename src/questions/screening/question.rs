@@ -29,7 +29,7 @@ pub(crate) type Room<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 /// A question of screening, such as the first slip under a load, which is answered for every grasp of a batch.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
-    /// Fills the memory for answers before an answer is written.
+    /// The value that fills the memory for answers before they are computed.
     const UNKNOWN: Self::Answer;
     /// The number of entries of type `Answer` that answer the question for a grasp with `contacts` contacts; they are stored side by side.
     fn answers(_contacts: usize) -> usize {

@@ -35,10 +35,11 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// Fills the memory for answers before a kernel writes them: the code for [`SqueezeVerdict::Unclear`].
+    /// The value that fills the memory for answers before they are computed: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended: with a sufficient factor, with the result that no factor is sufficient, or without an answer.
+    /// How the screening ended: with a factor of the commands with which all contacts stick, with the result that there is no such factor, or without
+    /// an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -50,8 +51,8 @@ impl ScreenedSqueeze {
     }
 
     /// The least common factor of all commands with which every contact sticks under every load; zero if no squeeze is needed. `None` for every
-    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors may be insufficient: clearances are not scaled, and a contact may be pushed open by
-    /// other contacts.
+    /// verdict but [`SqueezeVerdict::Suffices`]. With larger factors a contact may slide or open: clearances are not scaled, and a contact may be
+    /// pushed open by other contacts.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)

@@ -45,8 +45,8 @@ impl<const C: usize> SlipAndRotation<C> {
         answers
     }
 
-    /// One component of the loads: for the grasp in each lane of the block whose first grasp has index `first`. Lanes beyond the last grasp repeat
-    /// its load.
+    /// One component of the load on the grasp in each lane of a block, whose first grasp has the index `first` in the batch. Lanes beyond the last
+    /// grasp repeat the load of the last grasp.
     #[inline(always)]
     fn lanes<X: Packed>(&self, first: usize, component: impl Fn(&Pull<C>) -> f64) -> X {
         let last = self.pulls.len() - 1;

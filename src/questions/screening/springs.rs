@@ -17,8 +17,8 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) load: [X; 6],
 }
 
-/// The data that one of three methods computes once from the geometry and springs of a block, before a load is known. Conditions on the constant C
-/// keep pairs in space and triangles in the plane from being compiled, for which the first two methods do not exist.
+/// The data that one of three methods computes once from the geometry and springs of a block, before a load is known. The first two methods do not
+/// exist for pairs in space and triangles in the plane. Conditions on the constant C keep these cases from being compiled.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
@@ -57,7 +57,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Computes the contact forces that a load alone causes, with the fingers at rest.
+    /// Computes the contact forces that a load alone causes, with all commands zero.
     pub(super) fn load<V: Vectors>(
         &self,
         v: V,

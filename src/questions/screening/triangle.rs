@@ -36,14 +36,14 @@ pub(super) fn others(i: usize) -> [usize; 2] {
 /// The number of contacts of a triangle, and of its edges.
 pub(super) const N: usize = 3;
 
-/// Three contacts in space and the edges between them, for the grasp in each lane; `C` must be 3.
+/// Three contacts in space and the edges between them, for several grasps, one in each lane of a vector; `C` must be 3.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
     /// The normal `m = e_1 × e_2` of the triangle, m².
     pub(super) across: [X; C],
-    /// `|m|⁻²`.
+    /// `1 / |m|²`, with the normal m of the triangle, m⁻⁴.
     pub(super) one_over_square: X,
     /// The products `n_i·e_j` of the normal of contact i with the edge that ends at the contact.
     ends: [X; N],
@@ -140,7 +140,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
-    /// The sum of absolute values of terms, N, in the contact forces that these commands cause; their rounding is proportional to it.
+    /// The sum of absolute values of terms, N, in the contact forces that these commands cause. The rounding of these forces is proportional to this
+    /// sum.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
@@ -186,8 +187,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the forces of all contacts: for each contact the sum of `lambda` times the edges that meet at it, and of the forces `borne`, which
-    /// balance the load.
+    /// Stores the force of each contact: the forces along the two edges that meet at the contact (`lambda` times the edges), plus its entry of
+    /// `borne`. The forces `borne` balance the load.
     #[inline(always)]
     fn forces(
         &self,

@@ -4,7 +4,7 @@ use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The margins of the grasp in each lane at load factor zero.
+/// The least margins of sticking at load factor zero, for several grasps, one in each lane of a vector.
 pub(super) struct Start<X: Packed> {
     /// The least margin of all contacts, N. Contacts whose squared forces over- or underflow are left out.
     margin: X,
@@ -41,8 +41,9 @@ impl<X: Packed> Start<X> {
     }
 }
 
-/// The answers for the grasps of a block, made by `answer`. `first` is the load factor at which the first contact leaves its cone, infinity,
-/// or a code. It becomes the answer only if all contacts stick at load factor zero and the contact forces balance the load.
+/// The answers for the grasps of a block; `answer` makes each of them from a [`SlipCode`]. `first` is the load factor at which the first contact
+/// leaves its cone, infinity, or a code. It becomes the answer only if all contacts stick at load factor zero and the contact forces balance the
+/// load.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),

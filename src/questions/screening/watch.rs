@@ -61,7 +61,7 @@ impl Watched {
     }
 
     /// The least relative increase of all commands, applied together with the expected load, with which every contact sticks under this load. Zero if
-    /// no increase is needed. With the squeeze raised by this fraction the expected load is just held.
+    /// no increase is needed. If all commands are multiplied by one plus this number, every contact sticks under the expected load.
     #[must_use]
     pub fn extra_squeeze(&self) -> ScreenedSqueeze {
         self.extra_squeeze

@@ -14,8 +14,8 @@ pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch.onsets_on_all_cores(pulls, answers);
 }
 
-/// Derivatives of the load factor at first slip with respect to points, normals, commands, stiffnesses, friction and load. They are computed for each
-/// grasp of a batch and each of the growing loads. Gradients are in the order of [`onsets_of_batch`].
+/// Computes the derivatives of the load factor at first slip with respect to points, normals, commands, stiffnesses, friction and load. They are
+/// computed for each grasp of a batch and each of the growing loads. Gradients are in the order of [`onsets_of_batch`].
 ///
 /// ```
 /// use grasp_lcp::spatial::{Batch, Contact, Fingers, Pull, Wrench};

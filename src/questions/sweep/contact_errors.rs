@@ -42,7 +42,7 @@ impl ContactErrors {
     }
 }
 
-/// The factor on a datum whose logarithm is in error by `log`.
+/// The factor on a datum (a stiffness, for example) whose logarithm is in error by `log`.
 pub(super) fn factor(log: f64) -> f64 {
     // The factor is limited: a datum that became zero or infinite would change its meaning. If the datum is then out of range, a later check returns
     // an error.

@@ -16,7 +16,8 @@ pub(super) enum UncertainDatum {
     OfJoint(usize, f64),
 }
 
-/// The grasp in which each of `data` is in error by its entry of `z`, in standard deviations. An error if a datum leaves its allowed range.
+/// Returns the grasp in which each of the uncertain `data` is in error by its entry of `z`, in standard deviations. An error if a datum leaves its
+/// allowed range.
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {

@@ -1,9 +1,10 @@
 //! The probability that a contact stops sticking under one load, if data of the grasp are uncertain.
 //!
-//! Each facet of the friction cone has a margin, and fails if the margin is negative. The distance of the given data from failure, in standard
-//! deviations, is the reliability β of the facet. The failure probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the
-//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin with respect to the data, scaled to length one,
-//! turns with θ. The probability that the contact fails at any θ (its margin is negative at this θ) is at most
+//! Each facet of the friction cone has a margin, a linear function of the contact force that is positive inside the cone. The facet fails if its
+//! margin is negative. The distance of the given data from failure, in standard deviations, is the reliability β of the facet. The failure
+//! probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the round cone the facet is chosen by the angle θ of its
+//! direction. The gradient u(θ) of its margin with respect to the data, scaled to length one, turns with θ. The probability that the contact fails at
+//! any θ (its margin is negative at this θ) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
@@ -24,8 +25,8 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load, i.e. that its force leaves the cone. For failures whose probability is below
-/// `rare`, the correlation with other failures is neglected. `margin` is scratch memory.
+/// Adds to `events` the possible failures of one contact under a load: a failure is that the contact force leaves the friction cone. For failures
+/// whose probability is below `rare`, the correlation with other failures is neglected. `margin` is scratch memory.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,
@@ -46,7 +47,7 @@ pub(super) fn failures(
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
             // If the reliability exceeds `sigmas`, the required reliability, by three, failures are a thousand times rarer than allowed, and the
-            // first-order probability is accurate enough. If it is not positive, the contact is taken as sure to fail.
+            // first-order probability is accurate enough. If the reliability is not positive, the contact is taken as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
                 return;
@@ -71,8 +72,8 @@ pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f6
     }
 }
 
-/// The failure probability of a contact under one load, with its force linearised in the data. It gives the starting value for the search of the load
-/// factor.
+/// The failure probability of a contact under one load, with its force linearised in the data. The search for the load factor with the allowed
+/// failure probability uses it to find a starting value.
 pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     let first_order = here.first_order();
     match edges {
@@ -83,7 +84,8 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad, and the first-order reliability β in this direction.
+/// The direction in which a contact with a round cone most probably fails to first order, rad. Also the first-order reliability β in this direction:
+/// the margin over its standard deviation.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND_A_CONE {

@@ -16,10 +16,11 @@ use crate::prelude::*;
 
 /// Number of random sets of errors, each with plus or minus one standard deviation per datum, from which the size of interactions is estimated.
 ///
-/// If larger, each reserve needs more equilibria. If smaller, the estimate is less certain.
+/// If larger, more equilibria are computed for each load with reserve. If smaller, the estimate is less certain.
 const PROBES: u64 = 8;
 
-/// The grasp whose data are uncertain, in fixed contact states: gives exact contact forces with several data in error at once.
+/// The grasp whose data are uncertain, in fixed contact states (each contact sticks or is open): gives exact contact forces with several data in
+/// error at once.
 #[derive(Debug, Clone)]
 pub(super) struct PerturbedGrasp {
     pub(super) grasp: Engine,
@@ -31,8 +32,8 @@ pub(super) struct PerturbedGrasp {
 }
 
 impl PerturbedGrasp {
-    /// The exact force on contact or drive `i` under `load`, N, if the data and last the load factor have the errors `z`, in standard deviations.
-    /// `None` if a datum leaves its allowed range.
+    /// The exact force on contact or joint drive `i` under `load`, N. The entries of `z` are the errors of the uncertain data, the last one of the
+    /// load factor, in standard deviations. `None` if a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);

@@ -1,4 +1,5 @@
-//! The margin of one facet of a friction cone under one load, and the smallest errors of the data with which it vanishes.
+//! The margin of one facet of a friction cone under one load, and the smallest errors of the data with which this margin vanishes. A positive margin
+//! means that the contact force is on the inner side of the facet.
 //!
 //! ```text
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
@@ -19,7 +20,8 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`, the number of standard deviations that the user wants in reserve.
+/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`. This is the required reliability: the number of standard
+/// deviations between the given data and failure.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// The change of a contact force due to the error of one datum, N: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in
@@ -38,9 +40,9 @@ pub(super) fn effect([low, half_low, half_high, high]: [SVector<f64, 3>; 4]) -> 
 /// The interaction of the errors of all data in their effect on a contact force, at a facet's point of failure z.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Interaction {
-    /// The exact change of the force at z less the sum of the changes due to each datum alone, N.
+    /// The exact change of the contact force at the errors z, less the sum of the changes due to each datum alone, N.
     pub(super) force: SVector<f64, 3>,
-    /// Second derivative of the interaction along the direction of z, N: twice `force` divided by |z|², or by 1 if |z|² is smaller.
+    /// Second derivative of the interaction along the direction of the errors z, N: twice `force` divided by |z|², or by 1 if |z|² is smaller.
     pub(super) bend: SVector<f64, 3>,
     /// For each two components of the force, the product of their mixed second derivatives with respect to a pair of data, summed over all pairs. The
     /// sum is estimated from random errors.
@@ -54,7 +56,7 @@ pub(super) struct UncertainForce<'a> {
     /// The interaction of the errors of all data: one entry for each facet of a polygonal cone, a single entry for a round cone. An empty list means
     /// that interactions are neglected.
     pub(super) joint: &'a [Interaction],
-    /// The number of standard deviations that the user wants in reserve.
+    /// The required reliability: the number of standard deviations between the given data and failure.
     pub(super) sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficient of friction.
     pub(super) friction: f64,
@@ -164,8 +166,8 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// Halves the last step until the merit function `½|z|² + c |m|`, with the errors z and the margin m, decreases enough. Returns the margin at the
-    /// new point, and stores its gradient.
+    /// Halves the last step of the search for the point of failure until the merit function `½|z|² + c |m|` decreases enough. Here z are the errors
+    /// of the data, m is the margin, and c a weight. Returns the margin at the new point, and stores its gradient.
     fn shortened(
         &self,
         known: [f64; 2],
@@ -195,7 +197,7 @@ impl UncertainForce<'_> {
         }
     }
 
-    /// The margin at the present point z, N; stores its gradient and the gradient's norm.
+    /// Returns the margin of the facet at the present errors z of the data, N. Stores the gradient of this margin and the norm of the gradient.
     fn linearise(&self, known: [f64; 2], rubs: bool, margin: &mut FacetMargin) -> f64 {
         let FacetMargin { fails_at, parts, linearised_at, gradient, .. } = margin;
         let rubs = if rubs { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };
@@ -304,7 +306,8 @@ impl FacetMargin {
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// The reliability β of the facet, with the sign of its margin for the data as given; infinite if no datum changes the margin.
+    /// The reliability β of the facet, its distance from failure in standard deviations, with the sign of its margin for the data as given; infinite
+    /// if no datum changes the margin.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability
     }

@@ -11,8 +11,8 @@ use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
-/// The loads up to which all contacts of a grasp keep sticking with a number of standard deviations in reserve. A load of any direction is added to
-/// one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
+/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve: they fail at most with the probability Φ(-s) of
+/// the normal distribution. A load of any direction is added to one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
     rest: BaseState,
@@ -34,8 +34,8 @@ face_of_struct! {
 }
 
 impl<const C: usize> Reserve<C> {
-    /// The largest multiple of this load, from 0, such that all contacts keep sticking, with the reserve, if the load is added to the base load.
-    /// Infinite if there is no largest multiple; NaN if the equilibrium under the base load is undecided.
+    /// The largest multiple of this load, from 0, such that all contacts keep sticking if the load is added to the base load. The required number of
+    /// standard deviations stays in reserve. Infinite if there is no largest multiple; NaN if the equilibrium under the base load is undecided.
     ///
     /// Zero if a contact slides under the base load, or stops sticking under it with more than the allowed probability. Contacts that are open under
     /// the base load fail as soon as they close, because later events are not computed.
@@ -48,7 +48,8 @@ impl<const C: usize> Reserve<C> {
         }
     }
 
-    /// The number of standard deviations in reserve.
+    /// The reserve that was asked for, as a number s of standard deviations. The allowed probability that any contact stops sticking is Φ(-s), with
+    /// the normal distribution Φ.
     #[must_use]
     pub fn sigmas(&self) -> f64 {
         self.sigmas

@@ -21,7 +21,8 @@ use crate::prelude::*;
 
 impl FacetMargin {
     /// The failure probability divided by `Φ(-β)`, for a margin whose gradient is stored at its point of failure and that is positive for the data as
-    /// given. `joint` returns nᵀCn and |C|² of the formulas above; its argument is the factor on friction.
+    /// given. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The argument of `joint` is
+    /// the factor on friction.
     pub(super) fn curved(
         &self,
         rubs: bool,

@@ -14,11 +14,11 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::PieceState;
 use crate::prelude::*;
 
-/// The forces of all contacts and drives that one source causes: for the data as given, and their changes due to an error of each uncertain datum.
-/// For an open contact its gap, m, is stored in place of the force.
+/// The forces of all contacts and joint drives that one source (commands, or a component of the load) causes for the data as given. Also the changes
+/// of these forces due to an error of each uncertain datum. For an open contact its gap, m, is stored in place of the force.
 #[derive(Debug, Clone)]
 pub(super) struct SourceForces {
-    /// The forces (gaps of open contacts) for the data as given.
+    /// The forces, N, for the data as given; for an open contact its gap, m.
     pub(super) known: Vec<SVector<f64, 3>>,
     /// For each uncertain datum and each contact or drive, the change of the force due to an error of this datum, as a polynomial.
     pub(super) off: Vec<Vec<Effect>>,

@@ -40,7 +40,8 @@ struct AddedLoad<'a> {
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,
     edges: Vec<Edges>,
-    /// Which sites share one coefficient of friction: for each point of a contact the index of its first point; for a drive its own index.
+    /// For each contact point the index of the first point of the same contact; points with one index share one coefficient of friction. For a joint
+    /// drive its own index.
     contacts: Vec<usize>,
     /// The base load, N and N m, under which no contact slides.
     base_load: Wrench<3>,
@@ -57,16 +58,16 @@ pub(super) struct StuckGrasp {
     sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficients of friction.
     friction: f64,
-    /// The relative growth of the load with an error of each multiple of `sigmas` in [`LOOKED_AT`].
+    /// The relative growth of the load if its logarithm is in error by [`LOOKED_AT`] times `sigmas` standard deviations.
     load: [f64; LOOKED_AT.len()],
-    /// For each motion that nothing resists, the work that 1 N or 1 N m of each component of the load does along it.
+    /// For each motion of the object that nothing resists, the work that 1 N or 1 N m of each component of the load does along this motion.
     unresisted: Vec<Wrench<3>>,
 }
 
 impl StuckGrasp {
-    /// The grasp with the interactions of the errors of its data, and with the possible failures of contacts to stick, both under the base load.
-    /// `source_forces` has the contact forces, and their changes due to errors of the data, for each source: first for commands together with
-    /// constant loads, then for each component of the load.
+    /// Computes the interactions of the errors of data, and the possible failures of contacts to stick, both under the base load. `source_forces` has
+    /// the contact forces, and their changes due to errors of the data, for each source: first for commands together with constant loads, then for
+    /// each component of the load.
     pub(super) fn new(
         off: PerturbedGrasp,
         edges: Vec<Edges>,
@@ -135,7 +136,8 @@ impl StuckGrasp {
             return 0.0;
         }
         let rate = SourceForces::of(&self.by_component, self.off.grasp.space(), direction);
-        // The search compares reliabilities, because they are nearly linear in the load factor; probabilities are not.
+        // The search compares reliabilities (distances from failure, in standard deviations), because they are nearly linear in the load factor;
+        // probabilities are not.
         let allowed = reliability(self.allowed());
         let further = |factor: f64| AddedLoad { direction, rate: &rate, factor };
         if allowed >= reliability(self.fails_at_base.any(&Failures::default())) {

@@ -2,7 +2,8 @@
 
 /// Relative accuracy of the load factor at which the failure probability equals the allowed one.
 ///
-/// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the load factor jumps with the data.
+/// If smaller, the search takes more steps, each with the failure probabilities of all contacts. If larger, the load factor is no longer smooth as a
+/// function of the data.
 pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
 /// Number of directions around a round cone that are compared to find the direction that most probably fails.

@@ -19,8 +19,9 @@ use crate::prelude::*;
 /// tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns
 /// with the normal.
 ///
-/// The load is multiplied by one factor as a whole, base and direction alike, as for a mass that is not known exactly. A factor keeps the line in
-/// which the load acts, and needs no length by which moments are compared with forces. An uncertainty in newtons would need a point of action.
+/// The load is multiplied by one factor as a whole, base load and growing load alike, as for a mass that is not known exactly. A factor keeps the
+/// line in which the load acts, and needs no length by which moments are compared with forces. An uncertainty in newtons would need a point of
+/// action.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -45,17 +46,18 @@ use crate::prelude::*;
 #[non_exhaustive]
 #[must_use]
 pub struct Uncertainty {
-    /// σ of the logarithm of the coefficient of friction.
+    /// Standard deviation σ of the logarithm of the coefficient of friction.
     pub friction: f64,
-    /// σ of the logarithm of the stiffness; one factor for all axes of a contact, body and finger.
+    /// Standard deviation σ of the logarithm of the stiffness. One random factor multiplies all stiffnesses of a contact: all axes, of object and
+    /// finger.
     pub stiffness: f64,
-    /// σ of the logarithm of the normal command, of a force that holds a contact, and of suction.
+    /// Standard deviation σ of the logarithm of the normal command, of a force that holds a contact, and of suction.
     pub squeeze: f64,
-    /// σ of the contact points along each coordinate axis, m. It must be zero for hands.
+    /// Standard deviation σ of the contact points along each coordinate axis, m. It must be zero for a grasp with joints or of several bodies.
     pub position: f64,
-    /// σ of the angles by which a normal tilts, rad: one in the plane, two in space.
+    /// Standard deviation σ of the angles by which a normal tilts, rad: one angle in the plane, two in space.
     pub normal: f64,
-    /// σ of the logarithm of the factor on the load.
+    /// Standard deviation σ of the logarithm of the factor on the load.
     pub load: f64,
     /// Seed of the random samples: another seed gives other samples.
     pub seed: u64,
@@ -67,37 +69,38 @@ impl Uncertainty {
         Self { friction: 0.0, stiffness: 0.0, squeeze: 0.0, position: 0.0, normal: 0.0, load: 0.0, seed }
     }
 
-    /// This uncertainty with another σ of the coefficients of friction.
+    /// This uncertainty with another standard deviation σ of the logarithms of the coefficients of friction.
     pub const fn with_friction(mut self, sigma: f64) -> Self {
         self.friction = sigma;
         self
     }
 
-    /// This uncertainty with another σ of the stiffnesses.
+    /// This uncertainty with another standard deviation σ of the logarithms of the stiffnesses.
     pub const fn with_stiffness(mut self, sigma: f64) -> Self {
         self.stiffness = sigma;
         self
     }
 
-    /// This uncertainty with another σ of the squeeze: of normal commands and of forces that hold contacts, relative.
+    /// This uncertainty with another standard deviation σ of the logarithm of the squeeze: of normal commands, of forces that hold contacts, and of
+    /// suction.
     pub const fn with_squeeze(mut self, sigma: f64) -> Self {
         self.squeeze = sigma;
         self
     }
 
-    /// This uncertainty with another σ of the contact points, m.
+    /// This uncertainty with another standard deviation σ of the contact points along each axis, m.
     pub const fn with_position(mut self, sigma: f64) -> Self {
         self.position = sigma;
         self
     }
 
-    /// This uncertainty with another σ of the directions of the normals, rad.
+    /// This uncertainty with another standard deviation σ of the angles by which normals tilt, rad.
     pub const fn with_normal(mut self, sigma: f64) -> Self {
         self.normal = sigma;
         self
     }
 
-    /// This uncertainty with another σ of the factor on the load.
+    /// This uncertainty with another standard deviation σ of the logarithm of the factor on the load.
     pub const fn with_load(mut self, sigma: f64) -> Self {
         self.load = sigma;
         self

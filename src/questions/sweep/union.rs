@@ -22,15 +22,15 @@ pub(super) struct Failures {
     rare: f64,
 }
 
-/// One possible failure: the margin of one facet (or of one round cone) becomes negative.
+/// One possible failure: the margin of one facet (or of one round cone) is negative because of errors of the data.
 #[derive(Debug, Clone)]
 struct Failure {
     probability: f64,
     reliability: f64,
     /// The failure probability to first order, `Φ(-β)`.
     first_order: f64,
-    /// The contact, given by the index of its first point. The last entry of `gradient` is the derivative with respect to its coefficient of
-    /// friction.
+    /// The contact, given by the index of its first point. The last entry of `gradient` is the derivative with respect to the coefficient of friction
+    /// of this contact.
     contact: usize,
     /// Gradient of the margin with respect to the data in standard deviations, friction last, scaled to length one.
     gradient: Vec<f64>,
@@ -130,7 +130,8 @@ mod tests {
             for rho in [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999] {
                 let all = alike(reliabilities, rho);
                 let (bound, exact) = (all.any(&Failures::default()), exact(reliabilities, rho));
-                // For two failures the bound is exact, apart from an error of a few 1e-3 of the smaller probability if ρ is near 1.
+                // For two failures the upper bound of the probability of any failure is exact. If ρ is near 1, it has an error of a few 1e-3 of the
+                // smaller probability.
                 let most = if reliabilities.len() == 2 { exact } else { sum.min(1.0) };
                 assert!(
                     bound > 0.999 * exact && bound < 1.001 * most,
