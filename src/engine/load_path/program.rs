@@ -65,15 +65,17 @@ impl Program {
     /// Appends legs. If a leg is invalid, returns an error and appends none.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
         // All legs are checked first, so that either all or none are appended.
-        let mut of_points = Vec::with_capacity(legs.len());
         for leg in legs {
             leg.check(grasp)?;
-            of_points.push(leg.of_points(grasp)?);
+            leg.of_points(grasp)?;
         }
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        self.legs.extend(of_points);
+        // Legs of points are made again, since a list of them would need memory of its own.
+        for leg in legs {
+            self.legs.push(leg.of_points(grasp)?);
+        }
         Ok(())
     }
 
