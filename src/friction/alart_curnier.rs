@@ -62,8 +62,9 @@ pub(super) struct Anchored<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations with the anchor at these forces. Squared residuals are divided by ρ, which makes them energies. If `by_contact`, they are
-    /// divided by the squared size of the contact's own force and velocity instead.
+    /// The equations of Alart and Curnier with the proximal term `δ (r - a)`, whose anchor a are the forces `anchor`. In the norm that a line search
+    /// reduces, squared residuals are divided by ρ, which makes them energies. If `by_contact`, they are divided by the squared size of the contact's
+    /// own force and velocity instead.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,

@@ -67,7 +67,7 @@ impl Program {
         // All legs are checked first, so that either all or none are appended.
         for leg in legs {
             leg.check(grasp)?;
-            leg.of_points(grasp)?;
+            drop(leg.of_points(grasp)?);
         }
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));

@@ -50,7 +50,7 @@ impl Generator {
 
 /// The sum of admissible forces whose wrench is nearest to a target wrench.
 pub(crate) struct NearestForces {
-    /// The wrench of the sum minus the target, as a motion: no generator does negative work along it, except for rounding.
+    /// The wrench of these forces minus the target wrench, taken as a motion: no generator does negative work along it, except for rounding.
     pub(crate) motion: Vector,
     /// The most negative work of any generator, a unit wrench, along the motion.
     pub(crate) against: f64,

@@ -237,7 +237,7 @@ impl LocalLaw<'_> {
         match (first, second) {
             (None, _) => Some(state),
             (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
-            // An edge has at most two facets, so it has only one corner, the corner between both facets.
+            // The law for rates on an edge of the friction cone has at most two facets, and thus one corner, with index 0, between them.
             (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
         }
     }

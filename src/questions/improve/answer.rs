@@ -166,8 +166,8 @@ pub enum SearchEnd {
     /// To first order no design point nearby is better: the weighted gradients of active sticking conditions and active limits cancel up to a
     /// millionth.
     Optimum,
-    /// No step gains more than rounding, but the weighted gradients do not cancel. Perhaps two sticking conditions of one contact are equally near to
-    /// being broken.
+    /// No step improves the goal by more than rounding, but the weighted gradients of active sticking conditions and limits do not cancel. Perhaps
+    /// two sticking conditions of one contact are equally near to being broken.
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,

@@ -49,11 +49,11 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
 /// found by [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
-    /// The sum of the absolute values of terms due to the commands, N.
+    /// Bound on the terms of a contact force that are due to the commands: the sum of their absolute values, N.
     pub(super) commands: X,
-    /// The sum of the absolute values of terms due to a moment of 1 N m about one axis.
+    /// The same bound for the terms that are due to a load with a moment of 1 N m about one axis.
     pub(super) moment: X,
-    /// The sum of the absolute values of terms due to a force of 1 N.
+    /// The same bound for the terms that are due to a load with a force of 1 N.
     pub(super) force: X,
 }
 
