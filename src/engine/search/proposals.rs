@@ -66,7 +66,7 @@ pub(super) fn propose_dense(
     // search tries all contact states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // The affordable number of pivots is only passed to the solver if it is lower than the solver's default limit.
+    // The affordable number of pivots is passed to the solver if the caller set it, or if it is lower than the solver's default limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {

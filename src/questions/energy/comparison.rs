@@ -45,10 +45,10 @@ pub struct Difference {
     /// minimum, are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Largest magnitude of the difference of a contact force, N.
+    /// Largest magnitude of the difference of a contact force between the equilibrium and the minimum, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
-    /// Magnitude of the difference of the energies stored in the springs, J.
+    /// Magnitude of the difference between the energies stored in the springs, in the equilibrium and at the minimum, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
     /// The largest magnitude, over all contacts, of the object's displacement at the contact in the equilibrium and of the offset (command less

@@ -1,8 +1,9 @@
 //! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator.
 //!
-//! The rows U_g are the derivatives of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns with
-//! `Σ U_g'U_g = 1`. Let e be the residuals and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the
-//! influence of the group's own residuals on the solution:
+//! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. The rows U_g are the derivatives of the predictions
+//! of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns with `Σ U_g'U_g = 1`. Let e
+//! be the residuals of the slips, divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g`
+//! corrects for the influence of the group's own residuals on the solution:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
