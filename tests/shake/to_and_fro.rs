@@ -51,6 +51,19 @@ fn jumps_count_in_every_cycle() {
     near(heat, (up - back) * 1e-3);
 }
 
+/// A stop that is far away and never touched changes no verdict: slips beside jumps are compared with the jumps, not with open gaps.
+#[test]
+fn a_far_stop_hides_no_slip() {
+    let far = Contact::new([0.0, 0.0], [-1.0, 0.0]).series_stiffness(1e3, 1.0).clearance(1e4);
+    let grasp = dragged(foot().kinetic(0.4));
+    let beside = Grasp::new(grasp.contacts().iter().cloned().chain([far])).expect("well posed");
+    let shaken =
+        beside.shake(Wrench::ZERO, &Leg::there_and_back(Wrench::force([24.0, 0.0]))).expect("well posed");
+    let Repeats::Alternates { slides, way, .. } = &shaken.repeats else { panic!("{shaken}") };
+    assert_eq!(slides.len(), 1, "{shaken}");
+    near(*way, 16e-3);
+}
+
 /// Two feet share a pull. The stiff foot jumps once, and the other foot holds. After this jump nothing slides.
 #[test]
 fn what_is_caught_comes_to_rest() {

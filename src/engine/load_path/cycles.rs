@@ -54,6 +54,8 @@ pub(crate) struct CycleRecord {
     pub(crate) largest_gap: Vec<f64>,
     /// The number of jumps in the cycle: motions under constant load from one equilibrium to another.
     pub(crate) jumps: usize,
+    /// The largest displacement at a contact point, m, in one of these jumps.
+    pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
     /// Successive lists of the states of all contacts and drives in the cycle, each with the index (within the cycle) of the leg on which these
     /// states occur.
@@ -70,6 +72,7 @@ impl CycleRecord {
         self.open.iter_mut().zip(&next.open).for_each(|(open, more)| *open = both(*open, *more));
         self.largest_gap.iter_mut().zip(&next.largest_gap).for_each(|(gap, more)| *gap = gap.max(*more));
         self.jumps += next.jumps;
+        self.jump_motion = self.jump_motion.max(next.jump_motion);
         self.step_error = self.step_error.max(next.step_error);
         self.states.extend(next.states.iter().cloned());
     }
@@ -186,6 +189,7 @@ impl<'g> Cycles<'g> {
             open: vec![Some(f64::INFINITY); n],
             largest_gap: vec![0.0; n],
             jumps: 0,
+            jump_motion: 0.0,
             step_error: core::mem::take(&mut follower.step_error),
             states: Vec::new(),
         };
@@ -196,6 +200,12 @@ impl<'g> Cycles<'g> {
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
             record.add(stretch, next.unwrap_or(slips_at_the_end), first);
+            if stretch.jump.is_some() && k > 0 {
+                let moved = &stretch.there.twist - &behind[k - 1].there.twist;
+                let contacts = &self.path.run.grasp.sites()[..self.path.run.grasp.len()];
+                let displacement = largest(contacts, &|site| site.map.tr_mul(&moved).norm());
+                record.jump_motion = record.jump_motion.max(displacement);
+            }
         }
         // The last piece is kept: the state at the end of the cycle is computed from it.
         follower.behind.extend(behind.into_iter().last());

@@ -5,7 +5,6 @@ use nalgebra::{DVector, SVector};
 
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
-use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -104,8 +103,7 @@ impl Cycle {
     /// Whether a contact or drive slides in the cycle: whether its path is longer than rounding and the errors of jumps (motions under constant
     /// load).
     pub(super) fn slides(&self, site: usize) -> bool {
-        let widest = if self.record.jumps > 0 { largest(&self.record.largest_gap, &|gap| *gap) } else { 0.0 };
-        self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * widest
+        self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * self.record.jump_motion
     }
 
     /// Whether a contact is open somewhere in the cycle, by a gap larger than rounding.
@@ -118,12 +116,14 @@ impl Cycle {
         self.record.open[site].is_none() && self.is_open(site)
     }
 
-    /// Whether the object has moved, by more than rounding, from the beginning of the cycle to its end, with a contact that slid.
+    /// Whether the object has moved, by more than rounding, from the beginning of the cycle to its end, with a contact that slid. Slips below the
+    /// errors of jumps count here, too, since they add up over the cycles.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
-        slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)
+        let slid = |i: usize| self.record.slid[i] > NEGLIGIBLE * self.scale.stretch;
+        slips.enumerate().any(|(i, (to, from))| slid(i) && (to - from).norm() > still)
             && (&self.to.twist - &self.from.twist).amax() > still
     }
 }

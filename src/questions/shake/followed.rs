@@ -53,6 +53,7 @@ impl Engine {
             rest,
             cycles,
             places,
+            opened: vec![false; slid.len()],
             slid,
             round: PeriodSearch::new(),
             every: 1,
@@ -76,6 +77,8 @@ struct FollowedCycles<'g, 's> {
     places: Vec<CycleState>,
     /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
+    /// For each contact or drive, whether it was open in any cycle so far.
+    opened: Vec<bool>,
     round: PeriodSearch,
     /// The period of the limit cycle, as a number of load cycles.
     every: usize,
@@ -247,6 +250,7 @@ impl<'g> FollowedCycles<'g, '_> {
 
     fn note(&mut self, cycle: &Cycle) {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
+        self.opened.iter_mut().enumerate().for_each(|(i, opened)| *opened |= cycle.is_open(i));
     }
 
     /// The behaviour if the load path ends within the cycle of this number: the loss, or undecided.
@@ -298,7 +302,7 @@ impl<'g> FollowedCycles<'g, '_> {
         let slides =
             |i: usize| if comes_to_rest { self.slid[i] } else { last.is_some_and(|last| last.slides(i)) };
         let opens = |i: usize| last.is_some_and(|last| last.opens(i));
-        let is_open = |i: usize| last.is_some_and(|last| last.is_open(i));
+        let is_open = |i: usize| self.opened[i] || last.is_some_and(|last| last.is_open(i));
         let drives = (self.engine.len()..self.slid.len()).filter(|i| slides(*i));
         let mut yields: Vec<_> = drives.filter_map(|i| self.engine.part(i)).collect();
         yields.dedup();

@@ -17,11 +17,11 @@ pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 /// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
-/// Slip in a cycle with jumps that counts as none, as a fraction of the widest gap of the cycle.
+/// Slip in a cycle with jumps that counts as none, as a fraction of the largest displacement at a contact in one of these jumps.
 ///
 /// A jump (motion under constant load) starts a little beyond the loss of equilibrium. Its steps end a little before the object rests. This adds
 /// slips of some 1e-6 of the motion in the jump. If the limit were smaller, these slips would be reported as sliding to and fro. If larger, small
-/// slips beside large jumps would not be reported.
+/// slips beside large jumps would not be reported. A walk is recognised by slips of any size.
 pub(super) const SLIP_OF_JUMPS: f64 = 1e-5;
 
 /// Relative change of forces per cycle below which the answer calls them constant. It is larger than step errors.

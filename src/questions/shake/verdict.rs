@@ -39,7 +39,7 @@ pub struct Shaken<const C: usize> {
     /// The contacts that open and close again in every period, once the motion repeats itself.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub opens: Vec<WholeContact>,
-    /// The suction cups that are open at some point of the lip in the repeated motion: there air flows in.
+    /// The suction cups that are open at some point of the lip in any cycle that was followed to its end: there air flows in.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub leaks: Vec<WholeContact>,
     /// The joints and tendons that yield at their limits: in a period, or before the grasp comes to rest.
@@ -160,8 +160,11 @@ impl<const C: usize> Shaken<C> {
     /// may [open](Self::opens) in every cycle. Motions before the grasp rests may be [too large](Self::too_far).
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
+        if !self.leaks.is_empty() {
+            return Some(false);
+        }
         match self.repeats {
-            Repeats::Rests { .. } | Repeats::DiesOut { .. } => Some(self.leaks.is_empty()),
+            Repeats::Rests { .. } | Repeats::DiesOut { .. } => Some(true),
             Repeats::Alternates { .. }
             | Repeats::Walks { .. }
             | Repeats::Lost { .. }
@@ -175,7 +178,7 @@ impl<const C: usize> Shaken<C> {
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {
-            Repeats::Alternates { .. } => Some(self.leaks.is_empty()),
+            Repeats::Alternates { .. } if self.leaks.is_empty() => Some(true),
             _ => self.rests(),
         }
     }
