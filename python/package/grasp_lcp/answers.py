@@ -275,12 +275,14 @@ class Shaken(Sentence):
     @property
     def rests(self) -> bool | None:
         """Whether slipping ceases, after finitely many cycles or in the limit, and no suction cup leaks; None if undecided."""
-        return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out") and not self.leaks
+        if self.leaks:
+            return False
+        return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out")
 
     @property
     def stays(self) -> bool | None:
         """Whether the object stays: slipping ceases, or it moves to and fro without net motion, and no suction cup leaks; None if undecided."""
-        return not self.leaks if self.outcome == "alternates" else self.rests
+        return True if self.outcome == "alternates" and not self.leaks else self.rests
 
     @property
     def opens(self) -> list[str]:
@@ -289,7 +291,7 @@ class Shaken(Sentence):
 
     @property
     def leaks(self) -> list[str]:
-        """Names of the suction cups of which a point of the lip is open in the repeated motion, so that air flows in."""
+        """Names of the suction cups of which a point of the lip is open in some cycle, so that air flows in."""
         return [part["label"] for part in self._tree.get("leaks", [])]
 
     @property
