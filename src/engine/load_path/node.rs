@@ -149,9 +149,9 @@ impl Node {
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
             // problem at 1e-12 rad beyond the node, the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might
             // have the wrong sign.
-            let rates_behind = segment.rates(factor + 1e-12 / angle, laws.clone());
+            let rates_beyond = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
-                || matches!(try_states(&rates_behind, found.states.clone()), CandidateOutcome::Holds(_))
+                || matches!(try_states(&rates_beyond, found.states.clone()), CandidateOutcome::Holds(_))
             {
                 return decided;
             }

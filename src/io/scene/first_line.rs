@@ -119,26 +119,37 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// Names the contacts that slide in this equilibrium, or says that everything sticks.
+/// Names the contacts that slide in this equilibrium, or says that everything sticks; then names contacts that are open, or open in part.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
-    let (mut slide, mut in_part) = (Vec::new(), Vec::new());
+    let (mut slide, mut in_part, mut open, mut lifted) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for contact in state.whole_contacts() {
+        let name = contact.text();
         match contact {
+            WholeAnswer::Pad(pad) if pad.open == pad.points => open.push(name),
             WholeAnswer::Pad(pad) if pad.sliding > 0 && pad.sliding < pad.points - pad.open => {
-                in_part.push(format!("{} ({})", contact.text(), pad.state_text()));
+                in_part.push(format!("{name} ({})", pad.state_text()));
             }
-            WholeAnswer::Pad(pad) if pad.sliding > 0 => slide.push(contact.text()),
-            WholeAnswer::Point(point) if matches!(point.state, ContactState::Sliding { .. }) => {
-                slide.push(contact.text());
+            WholeAnswer::Pad(pad) if pad.sliding > 0 => slide.push(name),
+            WholeAnswer::Pad(pad) if pad.open > 0 => {
+                lifted.push(format!("{name} ({} of {} points)", pad.open, pad.points));
             }
-            _ => {}
+            WholeAnswer::Point(point) => match point.state {
+                ContactState::Sliding { .. } => slide.push(name),
+                ContactState::Separated if point.gap > 0.0 => open.push(name),
+                _ => {}
+            },
+            WholeAnswer::Pad(_) => {}
         }
     }
-    match (slide.len(), in_part.is_empty()) {
+    let first = match (slide.len(), in_part.is_empty()) {
+        (0, true) if open.len() + lifted.len() > 0 => "everything that touches sticks".to_owned(),
         (0, true) => "everything sticks".to_owned(),
         (0, false) => format!("{} in part", plural(&in_part, "slides")),
         _ => plural(&[slide, in_part].concat(), "slides"),
-    }
+    };
+    let clauses = [(open, "is open"), (lifted, "is open in part")];
+    let clauses = clauses.iter().filter(|(names, _)| !names.is_empty());
+    clauses.fold(first, |line, (names, verb)| format!("{line}, {}", plural(names, verb)))
 }
 
 /// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
@@ -196,7 +207,11 @@ fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'stati
 fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     let (first, rest) =
         verb.split_once(' ').map_or((verb, String::new()), |(first, rest)| (first, format!(" {rest}")));
-    let first = if names.len() == 1 { first } else { first.strip_suffix('s').unwrap_or(first) };
+    let first = match first {
+        _ if names.len() == 1 => first,
+        "is" => "are",
+        _ => first.strip_suffix('s').unwrap_or(first),
+    };
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
 }
 

@@ -49,7 +49,10 @@ impl<const C: usize> Shaken<C> {
                 self.write_opens(f)
             }
             Repeats::DiesOut { slid } => {
-                let (slides, ratio) = (self.slides_and_yields(slid), words.number(self.ratio));
+                let (mut slides, ratio) = (self.slides_and_yields(slid), words.number(self.ratio));
+                if slides.is_empty() {
+                    slides.push_str("it moves");
+                }
                 write!(f, "COMES TO REST: {slides} less and less, {ratio} of it left from cycle to cycle")?;
                 self.write_moved(f, words)?;
                 self.write_opens(f)
