@@ -45,7 +45,7 @@ pub(super) struct IslandSolve<'a, 'w, const C: usize> {
 pub(super) struct BestForces {
     pub(super) r: DVector<f64>,
     pub(super) residual: f64,
-    /// The contact with the largest residual at these forces.
+    /// The contact with the largest residual at these forces: its index within the island, counted from 0.
     pub(super) worst: usize,
     /// Number of Newton steps of all starts so far.
     pub(super) steps: usize,
@@ -73,7 +73,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         }
     }
 
-    /// Runs the start number `nth` of [`STARTS`]. Returns whether the residual of the best forces is then within the tolerance.
+    /// Runs start `nth` of [`STARTS`], counted from 0. Returns whether the residual of the best forces is then within the tolerance.
     pub(super) fn run_start(&mut self, nth: usize) -> bool {
         let (sweeps, tau) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
@@ -160,7 +160,6 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
                 continue;
             }
             let mut swept = r;
-            // Sweeps replace a Newton step that does not reduce the residual enough.
             self.run_sweeps(&mut swept, 5);
             if self.record_if_best(&swept) > worthwhile * before {
                 break;

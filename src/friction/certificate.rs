@@ -63,7 +63,7 @@ impl<const C: usize> FrictionProblem<C> {
         // For many contacts each polygon has fewer facets: at most 512 for all contacts together, but at least four for each contact.
         let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
-        // A polygon with this many corners contains the cone if its corners lie outside it by this factor.
+        // A regular polygon with `count` corners contains the unit circle if the distance of its corners from the centre is this factor.
         let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + PROOF_ROUNDING) };
         let mut normals = DMatrix::zeros(n, count * n);
         for (i, directions) in facets.0.iter().enumerate() {

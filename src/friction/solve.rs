@@ -109,7 +109,7 @@ impl<const C: usize> FrictionProblem<C> {
         for start in 0..settings.starts.min(STARTS.len()) {
             let mut converged = approach.run_start(start);
             if start == 0 && !converged && !approach.best.stopped {
-                // The cost of the linear program of a proof grows with the cube of the number of contacts.
+                // The cost of the linear program of a proof grows with the cube of the number of contacts, so it is solved for at most 200 contacts.
                 if self.len() <= 200
                     && let Some(y) = self.certificate(&settings.lcp)
                 {

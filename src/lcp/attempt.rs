@@ -91,9 +91,9 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Improves a solution whose w is more negative than rounding explains. The path to this solution has treated nearly equal ratios as ties, or
-    /// small values as noise. A second path from this solution allows only for the rounding of short sums. The point with the smaller largest
-    /// residual is kept. Settings without retries skip this step.
+    /// Improves a solution whose w is more negative than rounding explains. The cause is that the path treated nearly equal ratios as ties, or small
+    /// values as noise. A second path starts at this solution with a tie tolerance of at most [`ROUNDED_SUM`]. Of the two points, the one with the
+    /// smaller largest residual is kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,

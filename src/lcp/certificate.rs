@@ -1,7 +1,8 @@
 //! The secondary ray at the end of a Lemke path, and the infeasibility proof that the ray may contain.
 //!
 //! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0. Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang &
-//! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector. Whether ẑ is a Farkas vector can be checked without knowing the class of M.
+//! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector, which proves that no z ≥ 0 satisfies M z + q ≥ 0. Whether ẑ is a Farkas vector
+//! can be checked without knowing the class of M.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::{Outcome, Ray, Unsolved};

@@ -1,4 +1,4 @@
-//! From the complementary basis at the end of a path to its point z: it is refined, and its residuals are computed from the given M and q.
+//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -80,8 +80,9 @@ impl Workspace {
 
     /// Marks the basic z's that are zero up to rounding.
     ///
-    /// Such a z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. It may also be small relative to the largest z, if
-    /// the residuals are only rounding with all such z's set to zero. The second test finds z's that were computed from noise alone.
+    /// One of two tests must hold. First, z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. Second, z is at most
+    /// [`ZERO_VALUE`] times the largest z, and the residuals remain rounding if all z's this small are set to zero. The second test finds z's that
+    /// were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);

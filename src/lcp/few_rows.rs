@@ -1,7 +1,8 @@
 //! Farkas vectors that a person can check: few nonzero entries, few digits.
 //!
 //! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
-//! contradict each other, are easier to understand. Such a proof does not depend on the last digit of an entry.
+//! contradict each other, are easier to understand. If its entries have few digits, such a proof also does not depend on how a computed entry was
+//! rounded.
 
 use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;

@@ -29,7 +29,7 @@ pub(super) struct LemkePath {
     pub(super) leaving: Vec<usize>,
     /// For each row, the defect q + M z + d z₀ − w of the current values.
     pub(super) defect: Vec<f64>,
-    /// For each row, the magnitude of the terms of the defect q + M z + d z₀ − w, which scales its rounding error.
+    /// For each row, the sum of the magnitudes of the terms of the defect q + M z + d z₀ − w, to which its rounding error is proportional.
     pub(super) terms: Vec<f64>,
 }
 

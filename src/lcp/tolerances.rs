@@ -35,7 +35,7 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// again. With a larger limit, the path may leave the path of exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
-/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
+/// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
 /// measured.
 ///
 /// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
@@ -117,7 +117,7 @@ pub(super) const MOST_PAIRED_ROWS: usize = 48;
 /// 2⁵³, the largest denominator that is tried for the ratios of a Farkas vector: above 2⁵³ not all integers are doubles.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// The lower bound on z that follows from a Farkas vector is reduced by this fraction, to cover its own rounding error.
+/// The lower bound on Σ z_j that follows from a Farkas vector is reduced by this fraction, to cover the rounding error of the bound.
 ///
 /// With a smaller fraction, the bound may be too large. With a larger fraction, it is weaker than necessary.
 pub(super) const BOUND_ROUNDING: f64 = 1e-14;
