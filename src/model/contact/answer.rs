@@ -1,7 +1,8 @@
 //! The return map: computes force and state of one contact exactly from its stretch.
 //!
 //! Let `v = a - G_iᵀq` be the stretch, with the offset a of the springs (their commanded displacement), the contact's grasp map G_i and the object's
-//! motion q. With the trial traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
+//! motion q. Let k_n be the normal stiffness, K_t the matrix of the tangential stiffnesses, and λ the slip per friction force. With the trial
+//! traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
 //!
 //! ```text
 //! open      k_n v_n <= 0                F = 0

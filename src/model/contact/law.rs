@@ -174,8 +174,8 @@ impl<'c> LocalLaw<'c> {
         states
     }
 
-    /// The state in which the contact slips on all facets in `facets` at once; their numbers must be in ascending order. On facets without a common
-    /// corner the contact can only slip at the apex, where F = 0; the state is then open.
+    /// The state in which the contact slips on all facets in `facets` at once. Facets are given by their indices among [`Self::facets`], counted from
+    /// 0, in ascending order. On facets without a common corner the contact can only slip at the apex, where F = 0; the state is then open.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {

@@ -52,7 +52,7 @@ impl LocalLaw<'_> {
                 note(&normal, &none);
             }
         }
-        // The label allows slip in any direction. The tangential stretch is then free and has the generators ±e_t.
+        // If the label allows slip in any direction, the tangential stretch is free and has the generators ±e_t.
         let slips_anyhow = may_be_open || *label == Label::Closed && self.may_slide();
         if slips_anyhow {
             for axis in tangents.clone().map(unit::<3>) {

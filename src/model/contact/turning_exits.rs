@@ -20,9 +20,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size of the vector, N or m, which scales the rounding error of the values of the vector.
+    /// Size of the vector, N or m, to which the rounding error of its values is proportional.
     pub(crate) size: f64,
-    /// Size of the terms with cos φ and sin φ, N or m, that scales the rounding error of the rates.
+    /// Size of the terms with cos φ and sin φ, N or m, to which the rounding error of the rates is proportional.
     pub(crate) turning_size: f64,
 }
 
