@@ -82,7 +82,7 @@ pub enum Error {
     Wrench {
         /// The wrench at fault, such as "load", "base load" or "load direction".
         what: &'static str,
-        /// Index of the component: forces first, then moments, then the torques on the joints of a hand.
+        /// Index of the component, from 0: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
         /// The value that was given.
         value: f64,

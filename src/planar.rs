@@ -1,4 +1,4 @@
-//! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments from x to y in N m.
+//! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments in N m, positive from x to y.
 //!
 //! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges, and is not approximated by a
 //! polygon.

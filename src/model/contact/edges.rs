@@ -89,9 +89,9 @@ impl Edges {
         })
     }
 
-    /// The coefficients a of conditions that contact forces `F + A x` with `|x| = size` may violate. F is `force`, and A is `influence`. `a·F - size
-    /// |Aᵀa|` is the least value of a condition over all these x. For a round cone, one facet at which this value has a negative local minimum is
-    /// returned, or none. Otherwise all conditions are returned.
+    /// Let F be `force` and A be `influence`. The function returns the coefficients a of conditions that contact forces `F + A x` with `|x| = size`
+    /// may violate. The least value of a condition over all these x is `a·F - size |Aᵀa|`. For a round cone, one facet at which this value has a
+    /// negative local minimum is returned, or none. Otherwise all conditions are returned.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,

@@ -48,7 +48,8 @@ impl Touched {
     }
 }
 
-/// Advance s of the pad, m, at which the forces of its points along the closing direction sum to `force`, if the part does not move.
+/// Advance s of the pad, m, at which the forces of its points along the closing direction sum to `force`, N, if the part does not move. s is measured
+/// from the position in which the points have the gaps `gaps`, m.
 ///
 /// A point with the gap g and the angle θ presses with `k_n cos θ (s - g)` once it touches. Along the tangent it pulls with the smaller of
 /// `k_t sin θ (s - g)` and μ times its normal force. Both are proportional to s - g, so the sum is piecewise linear in s.
