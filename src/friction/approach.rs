@@ -27,7 +27,8 @@ pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// A solve by the methods of this file, for one island of contacts, with the best forces so far.
+/// A solve by the methods of this file, with the best forces so far. It treats one island: contacts that the matrix W couples, directly or through
+/// others.
 pub(super) struct IslandSolve<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,

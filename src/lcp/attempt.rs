@@ -38,7 +38,7 @@ impl Workspace {
     }
 
     /// Stores the covering vector d in the path. It is the covering vector of the settings, multiplied by the factors that balance the rows. By
-    /// default it has one balanced unit for each row.
+    /// default every entry is 1 in the balanced problem, except for the rounding of the balancing factors to powers of two.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {

@@ -163,8 +163,8 @@ impl Workspace {
         }
     }
 
-    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If the
-    /// residuals are small, such a z_i contributes less than rounding to every row. Returns whether any z_i was set.
+    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If all
+    /// residuals are within this tolerance, the contribution of such a z_i to every row is also within it. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {

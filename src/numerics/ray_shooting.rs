@@ -20,7 +20,7 @@ pub(crate) struct RayExit {
     pub(crate) normal: Vector,
     /// The upper bound in `v·(x - middle) <= reach`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
-    /// The ratio s of the distance of the target to the distance at which the ray leaves the simplex.
+    /// The ratio s = Σ β_k: the distance of the target from the middle, divided by the distance at which the ray crosses the plane of `vertices`.
     pub(crate) stretch: f64,
 }
 
