@@ -22,6 +22,7 @@ use core::ops::ControlFlow;
 use nalgebra::DVector;
 
 /// The starts in order: number of sweeps, and the initial parameter τ of the central path as a multiple of the mean energy ‖r_i‖² / ρ_i of a contact.
+/// r_i is the force of contact i after the sweeps, and ρ_i its factor from velocities to forces.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
@@ -112,8 +113,9 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         self.best.r
     }
 
-    /// Runs rounds of anchored Newton steps. After a round that converges, the anchor moves to the forces of this round. After a round that fails,
-    /// the anchor becomes the old anchor improved by sweeps. Returns whether the residual of the best forces is within the tolerance.
+    /// Runs rounds of anchored Newton steps, in which a proximal term holds the forces near an anchor. After a round that converges, the anchor moves
+    /// to the forces of this round. After a round that fails, the anchor becomes the old anchor improved by sweeps. Returns whether the residual of
+    /// the best forces is within the tolerance.
     fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
         // Weight of the proximal term in the first round.
         let mut delta = 1e-3;

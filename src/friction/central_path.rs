@@ -141,7 +141,7 @@ fn contact<const C: usize>(
 ) -> (SVector<f64, C>, ContactBlock<C>, ContactBlock<C>) {
     let width = rho * tau;
     if mu == 0.0 {
-        // Without friction the cone is a ray, and the residual is scalar.
+        // Without friction the cone is a ray, and only the normal component of the residual involves the projection.
         let x = force[0] - rho * velocity[0];
         let (mut residual, mut by_force, mut by_velocity) =
             (*force, ContactBlock::identity(), ContactBlock::zeros());

@@ -129,7 +129,7 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Breakdown { pivots, cause };
             }
         }
-        // If all else has failed, facets are tried once; for larger problems this would take longer than seconds.
+        // If all else has failed, facets are tried once. For more than 600 rows this would take more than seconds.
         if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {

@@ -50,8 +50,8 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis with the stored covering vector, until all paths of the solve together have `limit` pivots, and
-    /// checks the point at the end of the path. `None` if this point is a solution.
+    /// Follows Lemke's path from the slack basis with the stored covering vector, and checks the point at its end. `limit` is the largest number of
+    /// pivots of all paths of the solve together. `None` if the point is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -107,7 +107,7 @@ impl Workspace {
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // If ratios that are nearly tied can be separated, few pivots are needed. Without this limit large degenerate problems would run for long.
+        // Separating nearly tied ratios takes few pivots, if it is possible. Without this limit large degenerate problems would run for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

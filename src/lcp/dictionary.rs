@@ -46,7 +46,7 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis, on balanced data. The memory of its vectors is reused from problem to problem.
+/// The dictionary of one basis of the balanced problem, whose rows and columns are scaled by powers of two. The memory of its vectors is reused.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,

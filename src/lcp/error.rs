@@ -19,7 +19,7 @@ pub enum LcpError {
         /// Number of columns of the given matrix.
         columns: usize,
     },
-    /// A row of M has another number of entries than there are rows.
+    /// The number of entries of a row of M differs from the number of rows.
     #[error("row {row} of M has {given} entries, but must have {needed}")]
     RowLength {
         /// The row, counted from 0.

@@ -20,8 +20,8 @@ pub(super) struct LemkePath {
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
     pub(super) age: usize,
-    /// For each basic variable, the entry of the perturbation p that breaks ties. Entries are ordered by variable, and kept while the dictionary is
-    /// recomputed.
+    /// The tie-breaking column p of the dictionary, kept by variable while the dictionary is recomputed: entry i for w_i, entry n + i for z_i, entry
+    /// 2n for z₀. Entries of nonbasic variables are 0.
     pub(super) saved: Vec<f64>,
     /// Variables that become basic as the dictionary is recomputed from the slack basis.
     pub(super) members: Vec<LemkeVariable>,

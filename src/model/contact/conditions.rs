@@ -17,8 +17,8 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Stretch and force of a contact, from which its conditions are evaluated. If the rates of the conditions are sought, both fields hold rates
-/// instead.
+/// Stretch and force of a contact, from which its conditions are evaluated. If the rates of the conditions are sought, `stretch` and `force` hold
+/// rates instead.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
     /// Stretch of the contact's springs, `a - G_iᵀq`, with the contact's offset a and the object's motion q, m.

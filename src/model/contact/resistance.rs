@@ -19,9 +19,10 @@ use super::tangential::tangential;
 /// A bound on `-F·u` in terms of the contact's stretch v. Its unit is W if u is a velocity, J if u is a virtual displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Resistance {
-    /// The bound is this factor, N, times the positive part of the normal stretch.
+    /// The bound is this factor times the positive part of the normal stretch. The factor is in N/s if u is a velocity, in N if u is a virtual
+    /// displacement.
     ByFriction(f64),
-    /// The power is exactly the product of this vector, N, and the stretch.
+    /// The power is exactly the dot product of this vector (N/s or N, as for `ByFriction`) and the stretch.
     BySprings(SVector<f64, 3>),
     /// No bound: infinite friction can resist the motion without limit.
     Unlimited,

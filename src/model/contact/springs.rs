@@ -94,8 +94,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The edge of the cone on which a contact in this state slides. On a facet with normal h, P is `K_t h / (h·K_t h)` and a spring acts across the
-    /// slip; at a corner P is the corner.
+    /// The edge of the cone on which a contact in this state slides. On a facet with normal h, `pull` is `K_t h / (h·K_t h)` and a spring acts across
+    /// the slip. At a corner `pull` is the corner, without such a spring.
     #[inline]
     pub(crate) fn edge(&self, state: &State) -> Edge {
         if let Mode::Round(slide) = state {

@@ -105,8 +105,8 @@ impl LocalLaw<'_> {
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
-    /// State and force of a contact that slides along `direction`. The slip reduces the stiffness of the spring across the slip to the fraction
-    /// `holds`.
+    /// State and force of a contact that slides along `direction` with the normal force `normal` and the friction limit r, N. The slip reduces the
+    /// stiffness of the spring across the slip to the fraction `holds`.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();
