@@ -267,7 +267,7 @@ pub enum Error {
         /// Size of the fault: the largest difference between entries across the diagonal, or the least eigenvalue.
         value: f64,
     },
-    /// A matrix of a hand has the wrong shape.
+    /// A matrix of a hand has the wrong number of rows or columns.
     #[error("{what}: {} x {} given, must be {} x {}", given.0, given.1, expected.0, expected.1)]
     Shape {
         /// The matrix, with the finger or contact to which it belongs.

@@ -33,7 +33,7 @@ pub struct Residuals {
     pub law: f64,
 }
 
-/// Residuals that no tolerance accepts.
+/// Infinite residuals, which exceed every tolerance.
 const INFINITE_RESIDUALS: Residuals =
     Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 

@@ -150,7 +150,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Whether the outcome of the problem with polygons also holds for the round cones: a checked solution, or a proof that is valid for them.
+    /// Whether the outcome of the problem with polygons also holds for the round cones. This is so for a checked solution, and for a proof that is
+    /// valid for the round cones.
     fn is_known(&self, polygon: &Outcome<Solution>) -> bool {
         match polygon {
             Outcome::Solved(_) => true,

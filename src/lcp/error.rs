@@ -1,4 +1,4 @@
-//! Errors in the input of a complementarity problem: shapes, lengths and entries that are not finite.
+//! Errors in the input of a complementarity problem: wrong sizes of matrices or vectors, and entries that are not finite.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -39,7 +39,7 @@ pub enum LcpError {
         /// The required length.
         needed: usize,
     },
-    /// A matrix does not have the required shape, such as the matrix W of a [frictional contact problem](crate::friction).
+    /// A matrix does not have the required numbers of rows and columns, such as the matrix W of a [frictional contact problem](crate::friction).
     #[error(
         "block {what} has {rows} rows and {columns} columns, but must have {needed_rows} and {needed_columns}"
     )]

@@ -45,8 +45,8 @@ impl ExclusionTest<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row of M and q alone excludes the basis: q_i < 0, and row i of M has no positive entry in the columns α. For i in α, where w_i
-    /// must be zero, opposite signs also exclude the basis.
+    /// Whether one row of M and q alone excludes the basis. Row i does so if q_i < 0 and row i of M has no positive entry in the columns α. For i in
+    /// α, where w_i must be zero, the opposite signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))

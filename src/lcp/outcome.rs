@@ -42,7 +42,7 @@ pub enum Outcome<S = Solution> {
     Breakdown {
         /// Number of pivots before the breakdown.
         pivots: usize,
-        /// The reason: invalid settings, or what failed.
+        /// The reason: invalid settings, or a failure in double precision.
         cause: BreakdownCause,
     },
 }

@@ -45,7 +45,7 @@ impl Residuals {
         [self.negative_z, self.negative_w, self.complementarity]
     }
 
-    /// Residuals that no tolerance accepts.
+    /// Infinite residuals, which exceed every tolerance.
     pub(super) const UNUSABLE: Self =
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }

@@ -87,7 +87,7 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets as bits: all subsets of one size, then the subsets of the next size.
+/// Iterator over subsets: all subsets of one size, then the subsets of the next size. Bit i of `bits` is 1 if i belongs to the next candidate.
 struct Subsets {
     count: usize,
     size: usize,

@@ -29,7 +29,7 @@ impl Coulomb {
         self.mu.is_infinite()
     }
 
-    /// Whether the cone has edges, because friction is neither zero nor infinite.
+    /// Whether the cone has edges, which is so if friction is neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn has_edges(self) -> bool {
         self.mu > 0.0 && self.mu.is_finite()

@@ -283,7 +283,7 @@ impl LocalLaw<'_> {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
-                // Smallest fraction of a sector on either side of a cut.
+                // A cut leaves at least this fraction of the sector on either side.
                 let least_part = 0.15;
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =

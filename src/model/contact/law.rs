@@ -40,7 +40,7 @@ pub(crate) struct LocalLaw<'c> {
     pub(super) friction: Coulomb,
     /// `true` if the round cone limits the contact, which is possible in space only. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient. They are needed in a
+    /// `true` if a contact with infinite friction gets the facets of a cone with a very large finite coefficient. They are needed in a
     /// complementarity problem, where only facets remove the tangential force of an open contact.
     pub(super) infinite_friction_has_edges: bool,
 }

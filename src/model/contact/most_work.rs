@@ -107,7 +107,7 @@ impl LocalLaw<'_> {
             both_ways(edge.across);
         }
         match facets {
-            // Forces inside the cone that leave one facet and stay on the other facet.
+            // Generators that lead from the corner into the cone: each leaves one facet and stays on the other.
             [first, second] => {
                 let turn = cross(first, second);
                 visit(right_angle(second) / turn);

@@ -160,8 +160,8 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Largest correction of the angle, rad. It is well above the error of the angle, which is the square root of the rounding error of
-            // squares.
+            // A step is accepted only if it ends within this distance of the first angle, rad. The limit is well above the error of the first angle,
+            // which is the square root of the rounding error of squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }

@@ -39,7 +39,8 @@ impl Touched {
         self.steepest
     }
 
-    /// Whether the pad presses on an edge or a slope from which it slips: the surfaces of pad and part meet at more than the friction angle `atan μ`.
+    /// Whether the surfaces of pad and part meet at more than the friction angle `atan μ`, at least 1e-3 rad. The pad then presses on an edge or on
+    /// an inclined face from which it slips.
     #[must_use]
     pub fn is_over_an_edge(&self) -> bool {
         let friction = self.contacts.first().map_or(0.0, Contact::friction_coefficient);
