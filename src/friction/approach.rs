@@ -132,7 +132,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if its residual is a small fraction of the residual at its start, or only rounding of its terms.
+            // A round has converged if its residual is a small fraction of the residual at its start, or at the level of the rounding errors of its
+            // terms.
             if place.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * place.terms) {
                 r = place.r;
                 // A converged round reduces the weight of the proximal term; a failed round increases it.

@@ -81,8 +81,8 @@ impl Workspace {
     /// Marks the basic z's that are zero up to rounding.
     ///
     /// One of two tests must hold. First, z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. Second, z is at most
-    /// [`ZERO_VALUE`] times the largest z, and the residuals remain rounding if all z's this small are set to zero. The second test finds z's that
-    /// were computed from noise alone.
+    /// [`ZERO_VALUE`] times the largest z, and the residuals stay at the level of rounding errors if all z's this small are set to zero. The second
+    /// test finds z's that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -124,8 +124,8 @@ impl Workspace {
         }
     }
 
-    /// At most three steps of iterative refinement of the point, until its residuals are rounding or a step does not halve the largest residual.
-    /// Keeps the point with the smallest largest residual and returns its residuals.
+    /// At most three steps of iterative refinement of the point, until its residuals are at the level of rounding errors or a step does not halve the
+    /// largest residual. Keeps the point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
         // Each step costs O(n²); already the third step rarely gains anything.

@@ -71,7 +71,7 @@ impl LemkePath {
     }
 
     /// Computes from M, q and d the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
-    /// [`BreakdownCause::SingularBasis`], if a pivot is only rounding.
+    /// [`BreakdownCause::SingularBasis`], if a pivot does not exceed its rounding error.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {

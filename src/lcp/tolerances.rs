@@ -17,7 +17,7 @@ pub(super) const ZERO_VALUE: f64 = 1e-13;
 /// limit, points keep fewer correct digits than possible.
 pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
-/// Entries of a slack's stored column are rounding below this fraction of the largest entry.
+/// Entries of a slack's stored column below this fraction of the largest entry count as rounding errors of zero.
 ///
 /// Such a column is updated from pivot to pivot rather than summed, so its terms are unknown. The updates of a few dozen pivots leave rounding errors
 /// of this size. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
@@ -48,8 +48,8 @@ pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 /// be removed.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// A pivot below this fraction of the entry or column from which it was computed is rounding. The basis is then singular, in a recomputed
-/// dictionary, or a principal minor is not positive.
+/// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. The basis is then singular, in a
+/// recomputed dictionary, or a principal minor is not positive.
 ///
 /// Only rows are exchanged, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings. With a smaller
 /// limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases of condition

@@ -35,7 +35,6 @@ pub(crate) struct ContactResponse {
 }
 
 impl ContactResponse {
-    /// The response of an open contact, without force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
     }

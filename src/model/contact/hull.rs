@@ -250,7 +250,7 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // If friction, or slip, is below this fraction of the larger forces, it is rounding and has no direction.
+        // Friction, or slip times stiffness, below this fraction of the larger forces counts as a rounding error and has no direction.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {

@@ -1,7 +1,8 @@
 //! The exact force after a stretch that grew along a straight line, while the slip direction turned.
 //!
-//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate
-//! `d = k_t v_t'`. With d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
+//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate `d = k_t v_t'`.
+//! Let d be constant and the radius `r = μ F_n` linear in the time τ from 0 to 1. Let ψ₀ and r₀ be the values at the start of an interval Δτ, and r₁
+//! the radius at its end. Then
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)

@@ -15,7 +15,6 @@ const SIDES: usize = 360;
 /// Number of rings of faces of a sphere from pole to pole.
 const BANDS: usize = 90;
 
-/// A collision shape of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     /// Pose of the shape in the frame of the link.
