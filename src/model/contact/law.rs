@@ -22,7 +22,7 @@ pub(crate) enum Law {
     Bonded,
     /// The contact force stays in a friction cone.
     Cone {
-        /// Whether the contact may also open.
+        /// `true` if the contact may also open: then gap and normal force are complementary.
         gap: bool,
     },
     /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. There are at most as
