@@ -34,7 +34,7 @@ pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
     Err(Error::Argument { what, value: contact as f64, allowed })
 }
 
-/// Malformed input: its place, its value, and the allowed values. That no equilibrium exists is not an error but an answer,
+/// Malformed input: the quantity at fault, its value, and the allowed values. That no equilibrium exists is not an error but an answer,
 /// [`Outcome::NoEquilibrium`](crate::equilibrium::Outcome::NoEquilibrium).
 ///
 /// ```
@@ -82,12 +82,12 @@ pub enum Error {
     Wrench {
         /// The wrench at fault, such as "load", "base load" or "load direction".
         what: &'static str,
-        /// Index of the component: forces first, then moments, then the torques on the joints of a hand.
+        /// Index of the component, from 0: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
         /// The value that was given.
         value: f64,
     },
-    /// A list that goes with the contacts has another length than the list of contacts.
+    /// The length of a list with one entry for each contact differs from the number of contacts.
     #[error("{what}: {given} given, must be {expected}, one a contact")]
     Size {
         /// The list, such as "commands" or "command changes".
@@ -151,7 +151,7 @@ pub enum Error {
     /// A number of an observed slip, of an unknown to be identified or of a known sum of unknowns is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Identify {
-        /// The observed slip, the unknown or the known sum of unknowns, with its number in its list from 0.
+        /// The observed slip, the unknown or the known sum of unknowns, with its index in its list, counted from 0.
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
@@ -267,7 +267,7 @@ pub enum Error {
         /// Size of the fault: the largest difference between entries across the diagonal, or the least eigenvalue.
         value: f64,
     },
-    /// A matrix of a hand has the wrong shape.
+    /// A matrix of a hand has the wrong number of rows or columns.
     #[error("{what}: {} x {} given, must be {} x {}", given.0, given.1, expected.0, expected.1)]
     Shape {
         /// The matrix, with the finger or contact to which it belongs.
@@ -303,7 +303,7 @@ pub enum Error {
         /// Name of the method that gave the error.
         question: &'static str,
     },
-    /// A list of joint commands has another length than there are joints and tendons.
+    /// The length of a list of joint commands differs from the number of joints and tendons.
     #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
     JointCommands {
         /// Name of the list, such as "joint commands".

@@ -1,4 +1,4 @@
-//! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments from x to y in N m.
+//! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments in N m, positive from x to y.
 //!
 //! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges, and is not approximated by a
 //! polygon.
@@ -17,9 +17,9 @@ macro_rules! names {
         pub type Grasp = crate::ask::Grasp<$axes>;
         /// Many grasps with any number of contact points, prepared for screening by their first slips; see [`crate::screening::PointBatch`].
         pub type PointBatch = crate::screening::PointBatch<$axes>;
-        /// Force and moment; in the plane the moment is one number, from x to y; see [`crate::grasp::Wrench`].
+        /// Force and moment; in the plane the moment is one number, positive from x to y; see [`crate::grasp::Wrench`].
         pub type Wrench = crate::grasp::Wrench<$axes>;
-        /// Translation and rotation; in the plane the rotation is one number, from x to y; see [`crate::grasp::Twist`].
+        /// Translation and rotation; in the plane the rotation is one number, positive from x to y; see [`crate::grasp::Twist`].
         pub type Twist = crate::grasp::Twist<$axes>;
         /// A body that an arm carries, and its load; see [`crate::grasp::Payload`].
         pub type Payload = crate::grasp::Payload<$axes>;
@@ -40,11 +40,11 @@ macro_rules! names {
         pub type Outcome = crate::equilibrium::Outcome<$axes>;
         /// An equilibrium; see [`crate::equilibrium::Equilibrium`].
         pub type Equilibrium = crate::equilibrium::Equilibrium<$axes>;
-        /// No equilibrium exists, with the proof; see [`crate::equilibrium::NoEquilibrium`].
+        /// The answer that no equilibrium exists, with its proof; see [`crate::equilibrium::NoEquilibrium`].
         pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<$axes>;
         /// A proof that no equilibrium exists; see [`crate::equilibrium::Proof`].
         pub type Proof = crate::equilibrium::Proof<$axes>;
-        /// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
+        /// The answer for one contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
         pub type ContactAnswer = crate::equilibrium::ContactAnswer<$axes>;
         /// State of a contact; see [`crate::equilibrium::ContactState`].
         pub type ContactState = crate::equilibrium::ContactState<$axes>;

@@ -9,10 +9,10 @@
 //! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
 //! ```
 //!
-//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, so Newton's method may drift among them. With ζ
-//! = r − ρ u − δ (r − a) they are determined: the term in δ holds them near an anchor a. If a moves to the forces that solve these equations and δ
-//! decreases, again and again, the forces converge to a solution of the law (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14,
-//! 1976).
+//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, so Newton's method may drift among them. Let a
+//! be given forces, the anchor, and δ > 0 a weight. With ζ = r − ρ u − δ (r − a) the forces are determined: the proximal term −δ (r − a) holds them
+//! near a. If a is replaced again and again by the forces that solve these equations, while δ decreases, the forces converge to a solution of the law
+//! (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};
@@ -49,7 +49,7 @@ pub(super) fn answer<const C: usize>(
     (answer, change)
 }
 
-/// The equations of all contacts with a proximal term in δ (`delta`) that holds forces near an anchor; the matrix W is stored in blocks.
+/// The equations of all contacts, with a proximal term of weight δ (`delta`) that holds the forces near an anchor. The matrix W is stored in blocks.
 pub(super) struct Anchored<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,

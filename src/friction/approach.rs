@@ -22,12 +22,14 @@ use core::ops::ControlFlow;
 use nalgebra::DVector;
 
 /// The starts in order: number of sweeps, and the initial parameter τ of the central path as a multiple of the mean energy ‖r_i‖² / ρ_i of a contact.
+/// r_i is the force of contact i after the sweeps, and ρ_i its factor from velocities to forces.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// A solve by the methods of this file, for one island of contacts, with the best forces so far.
+/// A solve by the methods of this file, with the best forces so far. It treats one island: contacts that the matrix W couples, directly or through
+/// others.
 pub(super) struct IslandSolve<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,
@@ -45,7 +47,7 @@ pub(super) struct IslandSolve<'a, 'w, const C: usize> {
 pub(super) struct BestForces {
     pub(super) r: DVector<f64>,
     pub(super) residual: f64,
-    /// The contact with the largest residual at these forces.
+    /// The contact with the largest residual at these forces: its index within the island, counted from 0.
     pub(super) worst: usize,
     /// Number of Newton steps of all starts so far.
     pub(super) steps: usize,
@@ -73,7 +75,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         }
     }
 
-    /// Runs the start number `nth` of [`STARTS`]. Returns whether the residual of the best forces is then within the tolerance.
+    /// Runs start `nth` of [`STARTS`], counted from 0. Returns whether the residual of the best forces is then within the tolerance.
     pub(super) fn run_start(&mut self, nth: usize) -> bool {
         let (sweeps, tau) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
@@ -111,8 +113,9 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         self.best.r
     }
 
-    /// Runs rounds of anchored Newton steps. After a round that converges, the anchor moves to the forces of this round. After a round that fails,
-    /// the anchor becomes the old anchor improved by sweeps. Returns whether the residual of the best forces is within the tolerance.
+    /// Runs rounds of anchored Newton steps, in which a proximal term holds the forces near an anchor. After a round that converges, the anchor moves
+    /// to the forces of this round. After a round that fails, the anchor becomes the old anchor improved by sweeps. Returns whether the residual of
+    /// the best forces is within the tolerance.
     fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
         // Weight of the proximal term in the first round.
         let mut delta = 1e-3;
@@ -129,7 +132,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if its residual is a small fraction of the residual at its start, or only rounding of its terms.
+            // A round has converged if its residual is a small fraction of the residual at its start, or at the level of the rounding errors of its
+            // terms.
             if place.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * place.terms) {
                 r = place.r;
                 // A converged round reduces the weight of the proximal term; a failed round increases it.
@@ -160,7 +164,6 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
                 continue;
             }
             let mut swept = r;
-            // Sweeps replace a Newton step that does not reduce the residual enough.
             self.run_sweeps(&mut swept, 5);
             if self.record_if_best(&swept) > worthwhile * before {
                 break;

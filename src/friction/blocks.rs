@@ -77,7 +77,7 @@ impl<const C: usize> Blocks<C> {
         u
     }
 
-    /// Sum of the sizes of the terms of each velocity, |W| |r| + |q|: the matrix W times the forces r, plus the velocities q without contact forces.
+    /// For each velocity, the sum of the magnitudes of its terms: |W| |r| + |q|, with the forces r and the velocities q without contact forces.
     pub(super) fn terms(&self, r: &DVector<f64>, q: &DVector<f64>) -> DVector<f64> {
         let mut terms = q.abs();
         for i in 0..self.len() {

@@ -1,16 +1,16 @@
-//! The central path to a solution, through the interior of the cones: û ∘ r = τ at each contact, with the Jordan product ∘ of the cone, as the
-//! parameter τ decreases to zero.
+//! The central path to a solution, through the interior of the friction cones, as a parameter τ decreases to zero.
 //!
 //! A contact with normal n has the force r and the velocity u. Coulomb's law is û ⟂ r with r in the friction cone and û = u + μ ‖u_T‖ n in its dual
 //! cone ([module](super)). In the coordinates r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both cones become ‖x_T‖ ≤ x_N. The law is then r' = P(r' − ρ
-//! û') with the projection P onto this cone. Smoothed,
+//! û') with the projection P onto this cone and any factor ρ > 0. On the central path û' ∘ r' = τ (1, 0) instead, with the Jordan product ∘ of the
+//! cone. These are the same equations with the smoothed projection
 //!
 //! ```text
 //! P(x) = Σ± φ(x_N ± ‖x_T‖) (1, ± x_T / ‖x_T‖) / 2,     φ(λ) = (λ + √(λ² + 4 ρ τ)) / 2
 //! ```
 //!
-//! the projection keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), so that no contact has to choose
-//! its state early. Newton's method follows the solutions as τ decreases.
+//! which keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), so that no contact has to choose its state
+//! early. Newton's method follows the solutions as τ decreases.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, IterationLimits, Linearisation, descend};
@@ -69,7 +69,7 @@ pub(super) fn follow<const C: usize>(
     let mut best = (missing, r.clone());
     // The parameter τ of the last point on the path, and the factor by which τ is reduced for the next point.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
-    // The first factor by which τ is reduced.
+    // The factor by which τ is reduced after the starting point of the path.
     let slow = 0.2;
     // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's method has
     // lost the path if it converges only for a reduction of τ by a factor above 0.9.
@@ -96,7 +96,7 @@ pub(super) fn follow<const C: usize>(
                 factor
             };
         } else if first {
-            // The starting point of the path is sought farther inside the cones.
+            // A larger τ puts the starting point of the path farther inside the cones.
             tau /= slow;
             if tau > 1e3 * energy {
                 break;
@@ -141,7 +141,7 @@ fn contact<const C: usize>(
 ) -> (SVector<f64, C>, ContactBlock<C>, ContactBlock<C>) {
     let width = rho * tau;
     if mu == 0.0 {
-        // Without friction the cone is a ray, and the residual is scalar.
+        // Without friction the cone is a ray, and only the normal component of the residual involves the projection.
         let x = force[0] - rho * velocity[0];
         let (mut residual, mut by_force, mut by_velocity) =
             (*force, ContactBlock::identity(), ContactBlock::zeros());

@@ -20,9 +20,9 @@ use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// Whether y, with a weight for each of the n contacts, proves that no solution exists: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y satisfies a_N + μ ‖a_T‖
-    /// ≤ 0 at each contact. Here W_N and q_N are the normal rows of the matrix W and of the vector q. Then yᵀu_N < 0 for the normal velocities u_N
-    /// under all forces in the cones.
+    /// Whether y, with a weight for each of the n contacts, proves that no solution exists. Let W_N and q_N be the normal rows of the matrix W and of
+    /// the vector q, and a = W_Nᵀ y. The proof needs y ≥ 0, q_Nᵀ y < 0, and a_N + μ ‖a_T‖ ≤ 0 at each contact. Then yᵀu_N < 0 for the normal
+    /// velocities u_N under all forces in the cones.
     ///
     /// In the plane the check is exact. In space sums are exact, but ‖a_T‖ is rounded, and its rounding counts against the proof. A y that
     /// narrowly fails in space may thus be a proof in exact arithmetic.
@@ -63,7 +63,7 @@ impl<const C: usize> FrictionProblem<C> {
         // For many contacts each polygon has fewer facets: at most 512 for all contacts together, but at least four for each contact.
         let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
-        // A polygon with this many corners contains the cone if its corners lie outside it by this factor.
+        // A regular polygon with `count` corners contains the unit circle if the distance of its corners from the centre is this factor.
         let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + PROOF_ROUNDING) };
         let mut normals = DMatrix::zeros(n, count * n);
         for (i, directions) in facets.0.iter().enumerate() {

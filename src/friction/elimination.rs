@@ -86,7 +86,8 @@ fn inverse<const C: usize>(mut block: ContactBlock<C>) -> Option<ContactBlock<C>
 /// A block row of a matrix: pairs of a contact, whose block column it is, and a nonzero block.
 pub(super) type SparseRow<const C: usize> = Vec<(usize, ContactBlock<C>)>;
 
-/// Solves a linear system, given its block rows by contact and its right-hand side. `None` if a pivot is singular.
+/// Solves a linear system, given its block rows by contact and its right-hand side. `order` lists the contacts in the order of elimination. `None` if
+/// a pivot is singular.
 pub(super) fn solve<const C: usize>(
     order: &[usize],
     rows: &[SparseRow<C>],

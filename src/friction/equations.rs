@@ -22,7 +22,7 @@ pub(super) struct Linearisation<const C: usize> {
     pub(super) by_velocity: Vec<ContactBlock<C>>,
     /// Weighted norm of the residuals of all contacts.
     pub(super) size: f64,
-    /// Weighted norm of the large terms whose small differences are the residuals; 0 along the central path.
+    /// Weighted norm of the large terms whose small differences are the residuals. Along the central path it is not computed and stays 0.
     pub(super) terms: f64,
 }
 
@@ -74,7 +74,7 @@ pub(super) struct IterationLimits {
     pub(super) rounding: f64,
     /// Shortest fraction of a Newton step that the line search tries.
     pub(super) shortest: f64,
-    /// Number of times that a full Newton step is taken although the line search has found no shorter step that reduces the residuals enough.
+    /// Largest number of times that a full Newton step is taken although the line search has found no shorter step that reduces the residuals enough.
     pub(super) leaps: usize,
 }
 

@@ -25,8 +25,8 @@ use nalgebra::{DMatrix, DVector, SVector};
 pub(super) struct Facets<const C: usize>(pub(super) Vec<Vec<SVector<f64, C>>>);
 
 impl<const C: usize> Facets<C> {
-    /// Regular facet directions: both directions in the plane, `count` directions in space, the first of them at the angle given for each
-    /// contact.
+    /// Regular facet directions: both directions in the plane, `count` directions in space, the first of them at the angle (rad, from the first
+    /// tangential axis) given for each contact.
     pub(super) fn regular(count: usize, angles: &[f64]) -> Self {
         let direction = |angle: f64| {
             let mut d = SVector::zeros();
@@ -92,8 +92,8 @@ impl<const C: usize> FacetedProblem<C> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem with a polygon of `facets` facets in place of each cone, at least three and at most 128. In the plane two facets are the cone
-    /// itself. In space the polygon lies inside the cone.
+    /// The problem with a polygon of `facets` facets in place of each cone. A number below 3 counts as 3, a number above 128 as 128. In the plane two
+    /// facets are the cone itself. In space the polygon lies inside the cone.
     ///
     /// # Errors
     ///

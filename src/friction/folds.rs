@@ -79,7 +79,7 @@ impl<const C: usize> Path<'_, C> {
     /// method does not reach the path.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        // Initial τ, as a multiple of the mean energy of a contact.
+        // The initial τ is a million times `energy`, the mean of ρ_i ‖q_i‖² over the contacts.
         let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {

@@ -27,13 +27,13 @@ pub struct Residuals {
     pub approach: f64,
     /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N, relative to ‖r‖.
     pub cone: f64,
-    /// The largest distance between a contact force r and the projection of r − ρ û onto its friction cone, relative to ‖r‖; it vanishes where
-    /// Coulomb's law holds. Here û = u + μ ‖u_T‖ n for the velocity u and the normal n. ρ is ‖r‖ divided by the size of the terms W r + q that add up
-    /// to the velocity.
+    /// Let û = u + μ ‖u_T‖ n for the velocity u and the normal n of a contact with force r. Let ρ be ‖r‖ divided by the size of the terms of W r + q
+    /// that add up to u. The residual is the largest distance between r and the projection of r − ρ û onto the friction cone, relative to ‖r‖. It is
+    /// zero if Coulomb's law holds.
     pub law: f64,
 }
 
-/// Residuals that no tolerance accepts.
+/// Infinite residuals, which exceed every tolerance.
 const INFINITE_RESIDUALS: Residuals =
     Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
@@ -105,7 +105,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.worst_residuals(r).0
     }
 
-    /// The residuals of the forces r, each the largest over all contacts, and the contact with the largest residual.
+    /// The residuals of the forces r, each the largest over all contacts, and the index (from 0) of the contact with the largest residual.
     pub(super) fn worst_residuals(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (INFINITE_RESIDUALS, 0);
@@ -118,8 +118,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.residuals_from(r, &u, &terms)
     }
 
-    /// The residuals of the given forces r and velocities u, each the largest over all contacts, and the contact with the largest residual. `terms`
-    /// has the magnitudes of the velocities' terms.
+    /// The residuals of the given forces r and velocities u, each the largest over all contacts, and the index (from 0) of the contact with the
+    /// largest residual. `terms` has the magnitudes of the velocities' terms.
     pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,

@@ -53,7 +53,7 @@
 //!
 //! **A few contacts.** With a polygon of facets in place of each cone the problem is a linear complementarity problem, which Lemke's method solves
 //! ([`FrictionProblem::facets`]; D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). In the plane two facets are the cone itself,
-//! and the answer is exact. In space Newton's method starts from the forces on the polygon and solves the round cone (P. Alart and A. Curnier,
+//! so facets cause no error. In space Newton's method starts from the forces on the polygon and solves the round cone (P. Alart and A. Curnier,
 //! Comput. Methods Appl. Mech. Eng. 92, 1991). If Newton's method does not converge, the facets are rotated towards the slip directions, and the
 //! method starts again.
 //!

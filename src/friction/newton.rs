@@ -41,8 +41,8 @@ impl<'a, const C: usize> Newton<'a, C> {
         Self { problem, rho: numbered(problem.len(), &rho) }
     }
 
-    /// Newton's method from the forces r, until the residual is rounding or `steps` steps are made. Returns the last forces, converged or not, and
-    /// the number of steps made.
+    /// Newton's method from the forces r, until the residual is at the level of rounding errors or `steps` steps are made. Returns the last forces,
+    /// converged or not, and the number of steps made.
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
         let mut point = self.place(r);
         let mut made = 0;
@@ -59,7 +59,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             if part <= shortest {
                 if point.size <= SOLVED_ROUNDING * point.terms {
-                    // The residual is only rounding.
+                    // The residual is at the level of rounding errors.
                     break;
                 }
                 next = self.place(&point.r + &step);

@@ -70,7 +70,7 @@ struct Slide<const C: usize> {
     c: SVector<f64, C>,
     /// −b_N / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling` times the friction force.
     normal: f64,
-    /// A_NT / A_NN.
+    /// A_NT / A_NN: the decrease of the normal force per unit of friction force, at normal velocity zero.
     coupling: SVector<f64, C>,
     /// The largest entry of the matrix S, or A_NN if S is zero.
     size: f64,

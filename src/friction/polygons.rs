@@ -23,8 +23,8 @@ pub(super) struct Polygons<'a, const C: usize> {
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// The largest residual over all contacts, and its contact, at the end of the run of Newton's method for which this residual was smallest;
-    /// infinite before the first run.
+    /// The largest residual over all contacts, and the index (from 0) of its contact, at the end of the run of Newton's method for which this
+    /// residual was smallest; infinite before the first run.
     pub(super) least: (f64, usize),
 }
 

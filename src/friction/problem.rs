@@ -59,7 +59,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.mu.len()
     }
 
-    /// Whether n = 0.
+    /// Whether there are no contacts, n = 0.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.mu.is_empty()

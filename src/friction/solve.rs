@@ -109,7 +109,7 @@ impl<const C: usize> FrictionProblem<C> {
         for start in 0..settings.starts.min(STARTS.len()) {
             let mut converged = approach.run_start(start);
             if start == 0 && !converged && !approach.best.stopped {
-                // The cost of the linear program of a proof grows with the cube of the number of contacts.
+                // The cost of the linear program of a proof grows with the cube of the number of contacts, so it is solved for at most 200 contacts.
                 if self.len() <= 200
                     && let Some(y) = self.certificate(&settings.lcp)
                 {
@@ -129,7 +129,7 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Breakdown { pivots, cause };
             }
         }
-        // If all else has failed, facets are tried once; for larger problems this would take longer than seconds.
+        // If all else has failed, facets are tried once. For more than 600 rows this would take more than seconds.
         if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {
@@ -150,7 +150,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Whether the outcome of the problem with polygons also holds for the round cones: a checked solution, or a proof that is valid for them.
+    /// Whether the outcome of the problem with polygons also holds for the round cones. This is so for a checked solution, and for a proof that is
+    /// valid for the round cones.
     fn is_known(&self, polygon: &Outcome<Solution>) -> bool {
         match polygon {
             Outcome::Solved(_) => true,

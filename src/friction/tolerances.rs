@@ -14,8 +14,8 @@ pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 /// If smaller, unnecessary rounds precede the polish; if larger, polishing starts where Newton's method does not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;
 
-/// Least weight δ of the proximal term in the linear equations, in units of the contact's own compliance. It makes the equations of redundant
-/// contacts regular.
+/// Lower limit of the weight δ of the proximal term in the linear equations of a Newton step, in units of the contact's diagonal block of W. It makes
+/// the equations of redundant contacts regular.
 ///
 /// Undetermined force components lose half of their digits by this weight, determined components lose no digits. If smaller, equations become
 /// singular.

@@ -38,7 +38,7 @@ impl Workspace {
     }
 
     /// Stores the covering vector d in the path. It is the covering vector of the settings, multiplied by the factors that balance the rows. By
-    /// default it has one balanced unit for each row.
+    /// default every entry is 1 in the balanced problem, except for the rounding of the balancing factors to powers of two.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -50,8 +50,8 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis with the stored covering vector, until all paths of the solve together have `limit` pivots, and
-    /// checks the point at the end of the path. `None` if this point is a solution.
+    /// Follows Lemke's path from the slack basis with the stored covering vector, and checks the point at its end. `limit` is the largest number of
+    /// pivots of all paths of the solve together. `None` if the point is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -91,9 +91,9 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Improves a solution whose w is more negative than rounding explains. The path to this solution has treated nearly equal ratios as ties, or
-    /// small values as noise. A second path from this solution allows only for the rounding of short sums. The point with the smaller largest
-    /// residual is kept. Settings without retries skip this step.
+    /// Improves a solution whose w is more negative than rounding explains. The cause is that the path treated nearly equal ratios as ties, or small
+    /// values as noise. A second path starts at this solution with a tie tolerance of at most [`ROUNDED_SUM`]. Of the two points, the one with the
+    /// smaller largest residual is kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
@@ -107,7 +107,7 @@ impl Workspace {
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // If ratios that are nearly tied can be separated, few pivots are needed. Without this limit large degenerate problems would run for long.
+        // Separating nearly tied ratios takes few pivots, if it is possible. Without this limit large degenerate problems would run for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

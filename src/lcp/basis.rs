@@ -18,7 +18,7 @@ impl Basis {
         Self { basic_z: vec![false; n] }
     }
 
-    /// The basis of n pairs with the given α, counted from 0; indices ≥ n are ignored.
+    /// The basis of n pairs in which z_i is basic for the given indices i, counted from 0, and w_i for all others; indices ≥ n are ignored.
     pub fn from_indices(n: usize, alpha: impl IntoIterator<Item = usize>) -> Self {
         let mut basic_z = vec![false; n];
         for i in alpha {
@@ -75,7 +75,7 @@ impl Basis {
     }
 }
 
-/// One of the 2n variables of a problem, i counted from 0.
+/// One of the 2n variables w_i and z_i of a problem with n rows; i is counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Variable {
     /// The slack w_i.

@@ -1,7 +1,8 @@
 //! The secondary ray at the end of a Lemke path, and the infeasibility proof that the ray may contain.
 //!
 //! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0. Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang &
-//! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector. Whether ẑ is a Farkas vector can be checked without knowing the class of M.
+//! Stone, proof of theorem 4.4.12), so ẑ itself is a Farkas vector, which proves that no z ≥ 0 satisfies M z + q ≥ 0. Whether ẑ is a Farkas vector
+//! can be checked without knowing the class of M.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::{Outcome, Ray, Unsolved};
@@ -19,8 +20,8 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
     if let LemkeVariable::Z(e) = entering {
         rates[e] = 1.0;
     }
-    // Entries of the ray up to this size, and negative entries, are rounding and count as zero. A negative entry would invalidate a proof by Farkas'
-    // lemma.
+    // Entries of the ray up to this size, and negative entries, result from rounding and count as zero. A negative entry would invalidate a proof by
+    // Farkas' lemma.
     let noise = SOLVED_ROUNDING * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
         match *basic {

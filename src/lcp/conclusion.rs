@@ -1,4 +1,4 @@
-//! From the complementary basis at the end of a path to its point z: it is refined, and its residuals are computed from the given M and q.
+//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -80,8 +80,9 @@ impl Workspace {
 
     /// Marks the basic z's that are zero up to rounding.
     ///
-    /// Such a z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. It may also be small relative to the largest z, if
-    /// the residuals are only rounding with all such z's set to zero. The second test finds z's that were computed from noise alone.
+    /// One of two tests must hold. First, z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. Second, z is at most
+    /// [`ZERO_VALUE`] times the largest z, and the residuals stay at the level of rounding errors if all z's this small are set to zero. The second
+    /// test finds z's that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -123,8 +124,8 @@ impl Workspace {
         }
     }
 
-    /// At most three steps of iterative refinement of the point, until its residuals are rounding or a step does not halve the largest residual.
-    /// Keeps the point with the smallest largest residual and returns its residuals.
+    /// At most three steps of iterative refinement of the point, until its residuals are at the level of rounding errors or a step does not halve the
+    /// largest residual. Keeps the point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
         // Each step costs O(n²); already the third step rarely gains anything.
@@ -162,8 +163,8 @@ impl Workspace {
         }
     }
 
-    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If the
-    /// residuals are small, such a z_i contributes less than rounding to every row. Returns whether any z_i was set.
+    /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If all
+    /// residuals are within this tolerance, the contribution of such a z_i to every row is also within it. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {

@@ -46,7 +46,7 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis, on balanced data. The memory of its vectors is reused from problem to problem.
+/// The dictionary of one basis of the balanced problem, whose rows and columns are scaled by powers of two. The memory of its vectors is reused.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
@@ -54,7 +54,7 @@ pub(super) struct Dictionary {
     pub(super) basic: Vec<LemkeVariable>,
     /// For each stored column, the index i of its nonbasic slack w_i.
     kept: Vec<usize>,
-    /// For each w_i, its stored column; `None` if w_i is basic.
+    /// For each w_i, the index of its stored column in `columns`, counted from 0; `None` if w_i is basic.
     slot: Vec<Option<usize>>,
     /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another.
     columns: Vec<f64>,
@@ -62,24 +62,23 @@ pub(super) struct Dictionary {
     pub(super) x: Vec<f64>,
     /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the terms from which its value in `x` was computed: their sum after [`Self::sum_terms`]. Each later pivot raises
-    /// this size to the term that the pivot adds, if the term is larger.
+    /// For each row, the size of the terms from which its value in `x` was computed. [`Self::sum_terms`] sets it to the sum of their magnitudes. Each
+    /// later pivot raises this size to the magnitude of the term that the pivot adds, if that is larger.
     pub(super) level: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
     /// The balanced covering vector d, the coefficients of the covering variable z₀.
     pub(super) d: Vec<f64>,
-    /// The loaded column: the column of M, or d, from which equation (1) of the file header computes the entering column. One more entry, zero,
-    /// serves the rows whose basic variable is no slack; `slack` refers to it.
+    /// The column of the balanced M, or d, from which equation (1) of the file header computes the column of the entering variable. A last entry, n,
+    /// is zero: it is read for rows whose basic variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
-    /// The first term of equation (1) of the file header for the loaded column of M or d. For each row it is entry i of that column if w_i is basic
-    /// in the row, otherwise 0.
+    /// For each row, the first term of equation (1) of the file header: entry i of the column in `entering` if w_i is basic in the row, otherwise 0.
     next: Vec<f64>,
     /// For each stored column D_v, the factor g in the update `D_v += g u` with which a pivot changes the column. u is the entering column.
     g: Vec<f64>,
-    /// For each stored column D_{w_i}, entry i of the loaded column of M or d. This is the factor of D_{w_i} in equation (1) of the file header.
+    /// For each stored column D_{w_i}, its factor in equation (1) of the file header: entry i of the column in `entering`.
     c: Vec<f64>,
 }
 
@@ -134,7 +133,7 @@ impl Dictionary {
         }
     }
 
-    /// The magnitude of the largest entry of the loaded column of M or d, from which the entering column of the dictionary is computed.
+    /// The largest magnitude of an entry of the column in `entering`, from which the entering column of the dictionary is computed.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
@@ -147,8 +146,8 @@ impl Dictionary {
         self.eliminate(effect);
     }
 
-    /// Computes into y the dictionary's column for the loaded column of M or d, by equation (1) of the file header: `next` minus the stored columns,
-    /// each times its entry of `c`. [`Self::spread`] must have been called.
+    /// Computes into y the dictionary's column that belongs to the column in `entering`. By equation (1) of the file header, y is `next` minus the
+    /// stored columns, each times its entry of `c`. [`Self::spread`] must have been called.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
@@ -190,8 +189,8 @@ impl Dictionary {
         }
     }
 
-    /// Loads the column of the balanced M that belongs to the variable z_e, or d for z₀. Prepares equation (1) of the file header for this column
-    /// with [`Self::spread`].
+    /// Copies into `entering` the column of the balanced M that belongs to the variable z_e, or d for z₀. Then prepares equation (1) of the file
+    /// header with [`Self::spread`].
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -205,8 +204,8 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Prepares equation (1) of the file header for the loaded column of M or d. Stores the first term of the equation in `next`, and the factors of
-    /// the stored columns in `c`.
+    /// Prepares equation (1) of the file header for the column in `entering`. Stores the first term of the equation in `next`, and the factors of the
+    /// stored columns in `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -251,8 +250,8 @@ impl Dictionary {
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
-    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is below [`RETIRING_PIVOT`] times the largest
-    /// entry of its column.
+    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is too small: below [`RETIRING_PIVOT`] times
+    /// the largest entry of its column, which counts as at least 1.
     pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
             return;

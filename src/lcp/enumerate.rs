@@ -20,12 +20,12 @@ use nalgebra::DVector;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct AllSolutions {
-    /// One entry per solution point. Points of regular bases come first, in the order of the bases as binary numbers whose lowest bit is z_0.
+    /// One entry per solution point. Points of regular bases come first, ordered by the binary number of the basis, whose bit i is 1 if z_i is basic.
     ///
     /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases with a solution in their piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Such a piece may be a whole face of
-    /// solutions; only one point of the piece is among `solutions`.
+    /// The singular bases with a solution in their piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, where α is the set of i with z_i basic and ᾱ
+    /// its complement. Such a piece may be a whole face of solutions; only one point of the piece is among `solutions`.
     pub singular: Vec<Basis>,
 }
 
@@ -58,7 +58,7 @@ impl Lcp {
     }
 }
 
-/// Tries all 2ⁿ complementary bases of a problem with n of at most [`MOST_ENUMERATED`].
+/// Tries all 2ⁿ complementary bases of a problem with n rows; n is at most [`MOST_ENUMERATED`].
 pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -181,7 +181,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether two points differ only by rounding: in each entry, relative to this entry or to the largest entry of both.
+/// Whether two points differ only by rounding. The difference of each entry is compared with this entry and with the largest entry of both points.
 fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());
     a.iter().zip(b).all(|(a, b)| {

@@ -1,4 +1,4 @@
-//! Errors in the input of a complementarity problem: shapes, lengths and entries that are not finite.
+//! Errors in the input of a complementarity problem: wrong sizes of matrices or vectors, and entries that are not finite.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -19,7 +19,7 @@ pub enum LcpError {
         /// Number of columns of the given matrix.
         columns: usize,
     },
-    /// A row of M has another number of entries than there are rows.
+    /// The number of entries of a row of M differs from the number of rows.
     #[error("row {row} of M has {given} entries, but must have {needed}")]
     RowLength {
         /// The row, counted from 0.
@@ -39,7 +39,7 @@ pub enum LcpError {
         /// The required length.
         needed: usize,
     },
-    /// A matrix does not have the required shape, such as the matrix W of a [frictional contact problem](crate::friction).
+    /// A matrix does not have the required numbers of rows and columns, such as the matrix W of a [frictional contact problem](crate::friction).
     #[error(
         "block {what} has {rows} rows and {columns} columns, but must have {needed_rows} and {needed_columns}"
     )]

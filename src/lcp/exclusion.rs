@@ -1,7 +1,7 @@
 //! Proofs, without rounding, that no solution belongs to a complementary basis.
 //!
-//! The points of a basis α form the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma the piece is empty if there is a v
-//! with
+//! Let α be the set of i with z_i basic, and ᾱ its complement. The points of this basis form the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }.
+//! By Farkas' lemma the piece is empty if there is a v with
 //!
 //! ```text
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
@@ -20,7 +20,7 @@ use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Whether for every complementary basis it is proved that no solution belongs to it. All 2ⁿ bases are tried, so n must be small.
+/// True if a proof is found for each of the 2ⁿ complementary bases that no solution belongs to the basis. n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -45,8 +45,8 @@ impl ExclusionTest<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row of M and q alone excludes the basis: q_i < 0, and row i of M has no positive entry in the columns α. For i in α, where w_i
-    /// must be zero, opposite signs also exclude the basis.
+    /// Whether one row of M and q alone excludes the basis. Row i does so if q_i < 0 and row i of M has no positive entry in the columns α. For i in
+    /// α, where w_i must be zero, the opposite signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
@@ -68,7 +68,6 @@ impl ExclusionTest<'_> {
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        // The three most violated conditions are tried for each basis.
         increasing(&values).into_iter().take(3).any(|place| {
             let (value, which) = &broken[place];
             // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1

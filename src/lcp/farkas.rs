@@ -15,7 +15,7 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Lcp {
-    /// Whether y proves that no z ≥ 0 satisfies M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
+    /// Whether y proves that no z ≥ 0 satisfies M z + q ≥ 0. By Farkas' lemma it does so if y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0.
     ///
     /// All sums are exact, so the result is exact for the given M and q.
     ///
@@ -88,8 +88,8 @@ impl Lcp {
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y ≥ 0 is a Farkas vector up to rounding: each (Mᵀy)_j is at most c times the magnitude of its terms, and qᵀy is less than −c times the
-    /// magnitude of its terms. Here c = 8 (n + 2) ε, ε = 2⁻⁵².
+    /// Whether y ≥ 0 is a Farkas vector up to rounding. Let c = 8 (n + 2) ε, ε = 2⁻⁵². Each (Mᵀy)_j must be at most c times the magnitude of its
+    /// terms, and qᵀy must be less than −c times the magnitude of its terms.
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {

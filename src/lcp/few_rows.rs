@@ -1,7 +1,8 @@
-//! Farkas vectors that a person can check: few nonzero entries, few digits.
+//! Farkas vectors (y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0) that a person can check: few nonzero entries, few digits.
 //!
 //! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
-//! contradict each other, are easier to understand. Such a proof does not depend on the last digit of an entry.
+//! contradict each other, are easier to understand. If its entries have few digits, such a proof also does not depend on how a computed entry was
+//! rounded.
 
 use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
@@ -83,8 +84,8 @@ impl Lcp {
         None
     }
 
-    /// A simpler Farkas vector. Entries that the proof does not need are zero, and the others have as few binary digits as the proof allows. With
-    /// more than [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
+    /// A simpler Farkas vector than y. Entries that the proof does not need are zero, and the others have as few binary digits as the proof allows.
+    /// With more than [`MOST_PAIRED_ROWS`] rows y is returned unchanged.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
         if self.len() > MOST_PAIRED_ROWS {
             return y;

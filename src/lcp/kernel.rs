@@ -2,8 +2,8 @@
 
 use crate::numerics::{Each, Loop};
 
-/// The update a_j += g_j u of the dictionary's stored columns a_j with the entering column u. Also computes the next entering column, y −= Σ_j c_j
-/// a_j. Four columns are processed at a time, in one pass over memory.
+/// The update a_j += g_j u of the dictionary's stored columns a_j with the entering column u. Then y −= Σ_j c_j a_j, with the updated a_j, gives the
+/// next entering column. Four columns are processed at a time, in one pass over memory.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -47,8 +47,8 @@ impl Loop for UpdateAndCombine<'_> {
     }
 }
 
-/// The sum y −= Σ_j c_j a_j over the stored columns a_j or, with `SIZES`, the sum of magnitudes y += Σ_j |c_j a_j|, which scales the rounding
-/// error of the first sum.
+/// The sum y −= Σ_j c_j a_j over the stored columns a_j or, with `SIZES`, the sum of magnitudes y += Σ_j |c_j a_j|, to which the rounding error of
+/// the first sum is proportional.
 pub(super) struct Combine<'a, const SIZES: bool> {
     pub(super) columns: &'a [f64],
     pub(super) n: usize,

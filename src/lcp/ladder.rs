@@ -81,7 +81,7 @@ impl Workspace {
         self.path.d.extend(
             // Entry i of d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths would stay close to the
             // first path. In a wider range the problems would be badly scaled. Each attempt starts a million entries further in the sequence
-            // [`generic`]; dense problems have fewer rows, thus attempts share no entry.
+            // [`generic`]. A dense problem has fewer than a million rows, so attempts share no entry.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);

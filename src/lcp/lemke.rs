@@ -87,8 +87,8 @@ impl LemkePath {
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
     /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no row
-    /// offers a pivot. It is also recomputed if the pivot is doubtful, unless one step of refinement changes the column by at most the fraction
-    /// [`DRIFTED`].
+    /// offers a pivot. It is also recomputed if the pivot is below [`DOUBTFUL_PIVOT`] times the size of its column, unless one step of refinement
+    /// changes the column by at most the fraction [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -96,8 +96,8 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The comparison of the dictionary with M, q and d costs as much as one or two pivots. If it were made more rarely, drift would be found
-        // late.
+        // The dictionary is compared with M, q and d once in 32 pivots. The comparison costs as much as one or two pivots; if it were made more
+        // rarely, drift would be found late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;

@@ -51,8 +51,8 @@ fn contradictions<'a>(
 }
 
 impl Lcp {
-    /// Candidate Farkas vectors of A x + b ≥ 0, x ≥ 0, where the entries of A are near one. They are the dual solution for each margin δ of the
-    /// constraints Aᵀy ≤ −δ 1, as computed and [`cleaned`].
+    /// Candidates for a proof by Farkas' lemma that A x + b ≥ 0 and x ≥ 0 contradict each other. The entries of A must be of the order of 1. For each
+    /// margin δ the dual solution y with Aᵀy ≤ −δ 1 is returned, as computed and [`cleaned`].
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
@@ -62,8 +62,8 @@ impl Lcp {
     }
 }
 
-/// The margins δ by which the constraints Aᵀy ≤ −δ 1 of the dual linear programs are tightened. A vertex y lies on constraints, and rounding may move
-/// y outside. With a margin y stays inside, if the constraints leave room for the margin.
+/// The margins δ by which the constraints Aᵀy ≤ −δ 1 of the dual linear programs are tightened. Without a margin the solution y lies on some of the
+/// constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
 /// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. `None` if it cannot be solved. In its solution, x

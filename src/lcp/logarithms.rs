@@ -1,4 +1,4 @@
-//! Sums of the logarithms of the entries of a matrix, at the cost of a few integer additions per entry.
+//! Sums of the binary logarithms of the magnitudes of a matrix's entries, at the cost of a few integer additions per entry.
 
 use super::memory::refill;
 use super::pattern::is_nonzero;
@@ -14,7 +14,7 @@ const MULTIPLIED: usize = 512;
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
     pub(super) count: Vec<f64>,
-    /// Sum of exponents in the lower 32 bits, number of entries in the upper 32 bits.
+    /// For each row or column, the sum of the biased binary exponents in the lower 32 bits, and the number of entries in the upper 32 bits.
     exponents: Vec<u64>,
     mantissas: Vec<f64>,
 }
@@ -89,7 +89,8 @@ fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (
     let mut product = [1.0_f64; 4];
     let parts = |m: f64| {
         let exponent = (m.to_bits() >> 52) & 0x7ff;
-        // (exponent + 2047) >> 11 is 0 for exponent 0 and 1 for all others.
+        // (exponent + 2047) >> 11 is 0 for exponent 0 and 1 for all others, so the upper 32 bits count the entries that are neither zero nor
+        // subnormal.
         (
             exponent + (((exponent + 2047) >> 11) << 32),
             f64::from_bits(m.to_bits() & ((1 << 52) - 1) | (1023 << 52)),

@@ -42,7 +42,7 @@ pub enum Outcome<S = Solution> {
     Breakdown {
         /// Number of pivots before the breakdown.
         pivots: usize,
-        /// The reason: invalid settings, or what failed.
+        /// The reason: invalid settings, or a failure in double precision.
         cause: BreakdownCause,
     },
 }
@@ -188,7 +188,7 @@ pub struct Ray {
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum BreakdownCause {
-    /// The covering vector of the settings has another length than the problem.
+    /// The length of the covering vector of the settings differs from the number of rows of the problem.
     #[error("the covering vector has {given} entries, but the problem has {needed} rows")]
     CoveringLength {
         /// Length of the covering vector.

@@ -20,8 +20,8 @@ pub(super) struct LemkePath {
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
     pub(super) age: usize,
-    /// For each basic variable, the entry of the perturbation p that breaks ties. Entries are ordered by variable, and kept while the dictionary is
-    /// recomputed.
+    /// The tie-breaking column p of the dictionary, kept by variable while the dictionary is recomputed: entry i for w_i, entry n + i for z_i, entry
+    /// 2n for z₀. Entries of nonbasic variables are 0.
     pub(super) saved: Vec<f64>,
     /// Variables that become basic as the dictionary is recomputed from the slack basis.
     pub(super) members: Vec<LemkeVariable>,
@@ -29,7 +29,7 @@ pub(super) struct LemkePath {
     pub(super) leaving: Vec<usize>,
     /// For each row, the defect q + M z + d z₀ − w of the current values.
     pub(super) defect: Vec<f64>,
-    /// For each row, the magnitude of the terms of the defect q + M z + d z₀ − w, which scales its rounding error.
+    /// For each row, the sum of the magnitudes of the terms of the defect q + M z + d z₀ − w, to which its rounding error is proportional.
     pub(super) terms: Vec<f64>,
 }
 

@@ -31,7 +31,8 @@ impl<'a> Pattern<'a> {
         Self::Listed(list)
     }
 
-    /// Calls `visit` for each column of [M, q] that has nonzero entries: with the column's index, the number of its nonzero entries, and the column.
+    /// Calls `visit` for each column of [M, q] that has nonzero entries: with the column's index (counted from 0; n for q), the number of its nonzero
+    /// entries, and the column.
     #[inline]
     pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
         match self {

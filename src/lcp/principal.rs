@@ -20,7 +20,8 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
         return Some(DVector::zeros(0));
     }
     let mut scaling = Scaling::default();
-    // The right-hand side takes no part in the balancing: its zeros and small entries would move the entries of the balanced block away from one.
+    // The block is balanced with a right-hand side of zeros, which has no influence. The given right-hand side would move the entries of the balanced
+    // block away from 1.
     scaling.balance(size, block.as_slice(), &vec![0.0; size]);
     for j in 0..size {
         for i in 0..size {

@@ -11,7 +11,7 @@ use crate::numerics::generic;
 
 impl LemkePath {
     /// Drift of the basic values, which rounding causes from pivot to pivot: the largest violation of w = q + M z + d z₀, relative to the terms of
-    /// its row plus [`DRIFT_FLOOR`] times the largest q_i.
+    /// its row plus [`DRIFT_FLOOR`] times the largest |q_i|.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -31,8 +31,8 @@ impl LemkePath {
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.x), d, scaling, m);
     }
 
-    /// One step of refinement of the entering column u, computed from the defect A_e + Σ A_v u_v, a sum over the basic variables v. A_v is the column
-    /// of the variable v in q + M z + d z₀ − w, and e is the entering variable.
+    /// One step of refinement of the entering column u. Let A_v be the column of a variable v in q + M z + d z₀ − w, and e the entering variable. The
+    /// step is computed from the defect A_e + Σ A_v u_v, where the sum runs over the basic variables v.
     ///
     /// Returns the larger of two relative corrections: |Δu_r| / |u_r| in the given row, and max |Δu| / max |u|.
     pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
@@ -49,7 +49,8 @@ impl LemkePath {
         (terms[row] / dictionary.u[row]).abs().max(largest(terms) / largest(&dictionary.u))
     }
 
-    /// Recomputes the dictionary of the current basis from M, q and d, by elimination with row pivoting. Loads the column of the entering variable.
+    /// Recomputes the dictionary of the current basis from M, q and d, by elimination with row pivoting. Then computes the column of the entering
+    /// variable.
     pub(super) fn refactor(&mut self, entering: LemkeVariable, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
@@ -70,7 +71,7 @@ impl LemkePath {
     }
 
     /// Computes from M, q and d the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
-    /// [`BreakdownCause::SingularBasis`], if a pivot is only rounding.
+    /// [`BreakdownCause::SingularBasis`], if a pivot does not exceed its rounding error.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -114,8 +115,8 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows that are infeasible by more than `noise` times their largest
-    /// term. Returns whether there are such rows.
+    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows whose basic value is below −`noise` times the size of its terms.
+    /// Returns whether there are such rows.
     ///
     /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector that has this
     /// column.
@@ -125,8 +126,8 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the row or variable if the balancing factors were exact. Factors rounded to powers of two make this unit slightly different
-            // from 1.
+            // One unit of the row or variable if the balancing factors were exact. Since the factors are rounded to powers of two, this unit lies
+            // between 1/√2 and √2.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
@@ -156,7 +157,7 @@ impl LemkePath {
         violated
     }
 
-    /// Makes z₀ the parameter of the right-hand sides q + z₀ d and loads the column of z₀. The vector d is given in the caller's units of rows.
+    /// Makes z₀ the parameter of the right-hand sides q + z₀ d and computes the column of z₀. The vector d is given in the caller's units of rows.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
@@ -188,7 +189,7 @@ fn index(variable: LemkeVariable, n: usize) -> usize {
 }
 
 /// Adds to `sum` the columns of all basic variables in q + M z + d z₀ − w, each times the number given for its row. Adds the magnitudes of these
-/// products to `terms`, which scales the rounding error of `sum`.
+/// products to `terms`, to which the rounding error of `sum` is proportional.
 fn add_basic_columns(
     sum: &mut [f64],
     terms: &mut [f64],
@@ -202,8 +203,8 @@ fn add_basic_columns(
     }
 }
 
-/// Adds the column of one variable, times a number, to `sum`, and the magnitudes of these products to `terms`, which scales the rounding error of
-/// `sum`.
+/// Adds the column of one variable, times a number, to `sum`, and the magnitudes of these products to `terms`, to which the rounding error of `sum`
+/// is proportional.
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],

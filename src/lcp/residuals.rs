@@ -45,7 +45,7 @@ impl Residuals {
         [self.negative_z, self.negative_w, self.complementarity]
     }
 
-    /// Residuals that no tolerance accepts.
+    /// Infinite residuals, which exceed every tolerance.
     pub(super) const UNUSABLE: Self =
         Self { negative_z: f64::INFINITY, negative_w: f64::INFINITY, complementarity: f64::INFINITY };
 }
@@ -56,8 +56,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms a_i of its rows also solves, up to rounding, a problem with a very different q. Such a point does
-/// not count as a solution. `row` holds the factors that balance the rows.
+/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. Such a point does not count as a solution.
+/// `terms` holds the magnitude a_i of the terms of each row, and `row` the factors that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();

@@ -1,8 +1,9 @@
 //! Balancing of the rows and columns of M.
 //!
-//! The factors solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the nonzero entries (A. R. Curtis and J. K. Reid, *On the
-//! automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j does not change when rows or columns of M are
-//! multiplied by positive numbers. The path of a solver that works on the scaled matrix is therefore independent of units.
+//! Row i is multiplied by 2^ρ_i and column j by 2^γ_j. The exponents solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the nonzero
+//! entries (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j
+//! does not change when rows or columns of M are multiplied by positive numbers. The path of a solver that works on the scaled matrix is therefore
+//! independent of units.
 //!
 //! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more
 //! column. Otherwise uncoupled blocks of M would each keep an undetermined factor.
@@ -88,7 +89,7 @@ impl Scaling {
         let mut before = 0.0;
         // Contact problems need about ten steps of conjugate gradients. Long chains of contacts need more, but the later steps change little.
         for _ in 0..24 {
-            // The residual of each row is preconditioned by the number of nonzero entries of the row.
+            // The preconditioner divides the residual of each row by the number of nonzero entries of the row.
             let mut size = 0.0;
             let mut worst = 0.0_f64;
             for (r, count) in self.residual.iter().zip(&self.rows.count) {

@@ -46,7 +46,8 @@ impl Lcp {
     /// Solves the problem by Lemke's method from a complementary basis instead of the slack basis, for example from the solution of a
     /// neighbouring problem.
     ///
-    /// z₀ covers only the rows that are infeasible for this basis. The path is therefore short if the basis is close to the basis of the solution.
+    /// z₀ covers only the rows whose basic variable is negative for this basis. The path is therefore short if the basis is close to the basis of the
+    /// solution.
     ///
     /// If the basis is singular or has another length, or if the path does not end in a solution, [`Lcp::solve_with`] takes over. For many q
     /// with the same M use a [`Series`](super::Series).

@@ -17,7 +17,7 @@ pub(super) const ZERO_VALUE: f64 = 1e-13;
 /// limit, points keep fewer correct digits than possible.
 pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
-/// Entries of a slack's stored column are rounding below this fraction of the largest entry.
+/// Entries of a slack's stored column below this fraction of the largest entry count as rounding errors of zero.
 ///
 /// Such a column is updated from pivot to pivot rather than summed, so its terms are unknown. The updates of a few dozen pivots leave rounding errors
 /// of this size. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
@@ -35,7 +35,7 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// again. With a larger limit, the path may leave the path of exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
-/// This fraction of the largest q_i is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
+/// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
 /// measured.
 ///
 /// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
@@ -48,8 +48,8 @@ pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 /// be removed.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// A pivot below this fraction of the entry or column from which it was computed is rounding. The basis is then singular, in a recomputed
-/// dictionary, or a principal minor is not positive.
+/// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. The basis is then singular, in a
+/// recomputed dictionary, or a principal minor is not positive.
 ///
 /// Only rows are exchanged, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings. With a smaller
 /// limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases of condition
@@ -117,7 +117,7 @@ pub(super) const MOST_PAIRED_ROWS: usize = 48;
 /// 2⁵³, the largest denominator that is tried for the ratios of a Farkas vector: above 2⁵³ not all integers are doubles.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// The lower bound on z that follows from a Farkas vector is reduced by this fraction, to cover its own rounding error.
+/// The lower bound on Σ z_j that follows from a Farkas vector is reduced by this fraction, to cover the rounding error of the bound.
 ///
 /// With a smaller fraction, the bound may be too large. With a larger fraction, it is weaker than necessary.
 pub(super) const BOUND_ROUNDING: f64 = 1e-14;

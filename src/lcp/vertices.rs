@@ -1,8 +1,8 @@
 //! Vertices of small polyhedra, for problems in which linear programming has failed because entries differ by many orders of magnitude.
 //!
-//! A nonempty piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } has a vertex: a point where some rows are zero, and as many z are nonzero. The cone
-//! of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy < 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the solution
-//! of a small regular system, balanced separately.
+//! Let α be the set of i with z_i basic, and ᾱ its complement. If the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty, it has a
+//! vertex: a point where k rows are zero and at most k of the z are nonzero. The cone of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy <
+//! 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the solution of a small regular system, balanced separately.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;
@@ -87,7 +87,7 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets as bits: all subsets of one size, then the subsets of the next size.
+/// Iterator over subsets: all subsets of one size, then the subsets of the next size. Bit i of `bits` is 1 if i belongs to the next candidate.
 struct Subsets {
     count: usize,
     size: usize,

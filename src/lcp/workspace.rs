@@ -35,7 +35,7 @@ pub struct Workspace {
     pub(super) point: LcpPoint,
     /// A second candidate, which replaces `point` if it has the smaller residuals.
     pub(super) spare: LcpPoint,
-    /// For each z, whether it is basic but zero up to rounding, at the end of the last path.
+    /// Entry j is `true` if z_j is basic at the end of the last path, but zero up to rounding.
     pub(super) vanishing: Vec<bool>,
     pub(super) correction: Vec<f64>,
     pub(super) defect: Vec<f64>,

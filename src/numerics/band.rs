@@ -108,7 +108,7 @@ impl Band {
 pub(crate) struct BandFactors {
     /// U on and above the diagonal, L below it.
     band: Band,
-    /// For each row, the distance to the row below it that became its pivot row.
+    /// For each row k, the number of rows from row k down to the row that was exchanged with it as pivot row; 0 without an exchange.
     pivots: Vec<usize>,
     /// Indices of the columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
     pinned: Vec<usize>,

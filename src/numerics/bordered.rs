@@ -21,7 +21,7 @@ pub(crate) struct Bordered {
     /// The border row, below the rows of the balance matrix T, without its corner.
     border: Vector,
     corner: f64,
-    /// The original index of each row after row exchanges; the border row has index d.
+    /// The original index of each row after row exchanges, counted from 0. The border row has index d, the number of rows of T.
     order: Indices,
     order_of_border: usize,
 }

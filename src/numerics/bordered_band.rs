@@ -1,5 +1,5 @@
 //! The bordered linear system of a step along a load path, for many coordinates. The tangent stiffness T is a band; the column c, the row gᵀ and the
-//! corner γ are its border.
+//! corner γ are its border. y and z are the unknowns, b and β the right-hand sides.
 //!
 //! ```text
 //! T y  + c z = b          z = (β - gᵀT⁻¹b) / (γ - gᵀT⁻¹c)

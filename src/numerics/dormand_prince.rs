@@ -4,8 +4,9 @@
 //! k_s = f(y + h Σ_j a_sj k_j),      y₁ = y + h Σ b_s k_s,      e = 4 err₅² / √(err₅² + 0.01 err₃²)
 //! ```
 //!
-//! Two embedded formulas, of orders 5 and 3, estimate the error. Their combination e is of order h⁸, like the error of a method of order 7. It
-//! is multiplied by four, since e alone underestimates the error about as often as it overestimates it.
+//! Here h is the length of the step, and a_sj, b_s are the coefficients of the method. Two embedded formulas, of orders 5 and 3, estimate the error
+//! by err₅ and err₃. Their combination e is of order h⁸, like the error of a method of order 7. Without the factor 4, e would be smaller than the
+//! error about as often as larger.
 //!
 //! Source: the method DOP853 of Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, second edition, section II.10.
 

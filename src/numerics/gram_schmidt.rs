@@ -57,7 +57,7 @@ pub(super) fn factorise(
         let square = reorthogonalise(d, q, (parts, r.column_slice_mut(k)), k);
         let norm = square.sqrt();
         if norm <= (LINEARLY_DEPENDENT * full[k]).max(noise[k]) {
-            // The remainder of this column is only rounding, so the column is never chosen again.
+            // The remainder of this column consists of rounding errors, so the column is never chosen again.
             full[k] = f64::INFINITY;
             continue;
         }

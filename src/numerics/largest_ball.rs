@@ -29,12 +29,12 @@ pub(crate) struct BallBounds {
     pub(crate) direction: Vector,
 }
 
-/// Indices of the vertices of a face, as many as there are dimensions, in ascending order; unused places hold the largest index.
+/// Indices of the vertices of a face, as many as there are dimensions, in ascending order; unused entries at the end hold `usize::MAX`.
 type Corners = [usize; WHOLE];
 
 struct Face {
     vertices: Corners,
-    /// Vector v for which the face's plane is `v·(x - middle) = 1`.
+    /// Vector v for which the face's plane is `v·(x - middle) = 1`, with the mean `middle` of the vertices of the first simplex.
     normal: Vector,
     is_alive: bool,
 }

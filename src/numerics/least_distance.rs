@@ -1,9 +1,10 @@
-//! The shortest vector τ that satisfies linear inequalities. It follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i)
-//! span:
+//! The shortest vector τ that satisfies linear inequalities with given vectors a_i and numbers b_i:
 //!
 //! ```text
 //! min |τ|,    b_i + a_i·τ >= 0
 //! ```
+//!
+//! τ follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i) span.
 //!
 //! Source: least-distance programming, Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23, section 4.
 

@@ -4,7 +4,7 @@
 //! (1 - h_j J) Δ = h_j f(y),   h_j = h / j,   j = 1, 2, 3, …        T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j-k+1) - 1)
 //! ```
 //!
-//! J is the Jacobian of f, and Δ the change in a substep. T_j is the result of j substeps of length h_j. Each further column k of the extrapolation
+//! J is the Jacobian of f, and Δ the change in a substep. T_j1 is the result of j substeps of length h_j. Each further column k of the extrapolation
 //! scheme T_jk removes one power of h from the error. The difference of the last two columns estimates the remaining error. A step damps every
 //! variable, however fast it decays. The caller solves systems with J, whose structure it knows.
 //!

@@ -32,7 +32,7 @@ pub(crate) fn tried<'a, T, U, E>(list: &'a [T], f: &dyn Fn(&'a T) -> Result<U, E
     Ok(all)
 }
 
-/// The largest value of `f` over all elements, at least 0.
+/// The largest value of `f` over all elements; 0 if no value is positive.
 pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
     let mut largest = 0.0_f64;
     for element in list {

@@ -16,7 +16,7 @@
 //! | `tolerances` | limits below which a value is zero or rounding |
 //! | `support` | convex sets described by support functions |
 //! | `ray_shooting` | the point where a ray leaves a convex set |
-//! | `regula_falsi` | the place where a function of one variable changes sign |
+//! | `regula_falsi` | the argument at which a function of one variable changes sign |
 //! | `largest_ball` | the largest ball about the origin inside a convex set |
 //! | `harmonic` | numbers, vectors and wrenches as harmonic functions of an angle |
 //! | `trigonometric` | first sign change of a trigonometric polynomial |

@@ -11,7 +11,7 @@ use super::increasing::increasing;
 use super::mapped::mapped;
 use crate::prelude::*;
 
-/// The position of each of `count` coordinates in the order. A coupling connects all coordinates of its ranges.
+/// The position (from 0) of each of `count` coordinates in the order. A coupling connects all coordinates of its ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
     let places = neighbours.len();
@@ -83,7 +83,8 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
     (starts, neighbours)
 }
 
-/// A peripheral node: the search moves to a node of the last level until the number of levels no longer increases.
+/// A node at the periphery of the graph. The search starts at `place` and moves to a node of the last level until the number of levels no longer
+/// increases.
 fn peripheral(neighbours: &[Vec<usize>], mut place: usize, visited: &mut [bool]) -> usize {
     let mut levels = levels_from(neighbours, place, visited);
     loop {

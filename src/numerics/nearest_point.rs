@@ -1,4 +1,4 @@
-//! The closest point of a polyhedral cone to a target t,
+//! The closest point Σ s_k a_k of a polyhedral cone with generators a_k to a target t,
 //!
 //! ```text
 //! min |Σ s_k a_k - t|,     s >= 0

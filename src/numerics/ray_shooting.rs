@@ -10,7 +10,8 @@ use super::support::{SupportFunction, Vertex, middle};
 use super::tolerances::BEYOND_PLANE;
 use crate::prelude::*;
 
-/// The point where a ray leaves a set, between two bounds.
+/// Bounds for the point where a ray leaves a set. As a fraction of the way from the middle to the target, it lies between 1 / `stretch` and `reach` /
+/// `stretch`.
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
@@ -20,7 +21,7 @@ pub(crate) struct RayExit {
     pub(crate) normal: Vector,
     /// The upper bound in `v·(x - middle) <= reach`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
-    /// The ratio s of the distance of the target to the distance at which the ray leaves the simplex.
+    /// The ratio s = Σ β_k: the distance of the target from the middle, divided by the distance at which the ray crosses the plane of `vertices`.
     pub(crate) stretch: f64,
 }
 
@@ -38,7 +39,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     // The number of pivots is limited, since rounding could cause cycling.
     for _ in 0..1000 {
         let points = matrix(&vertices, &origin);
-        // If the set is smooth, points come so close together that rounding corrupts their plane. The best result is then kept.
+        // If the set is smooth, points come so close together that rounding corrupts their plane. Then the result of the previous pivot is kept.
         let solvers = [PartialPivoting::new(&points), PartialPivoting::new(&points.transpose())];
         let [Some(solver), Some(transposed)] = solvers else { break };
         let normal = transposed.solve(&Vector::from_fn(size, |_| 1.0));

@@ -37,7 +37,8 @@ impl Space {
         self.axes() + self.planes().len()
     }
 
-    /// The coordinate planes in which rotations take place.
+    /// The coordinate planes in which rotations take place, as pairs of axis indices from 0. A positive rotation turns the first axis towards the
+    /// second.
     pub(crate) const fn planes(self) -> &'static [(usize, usize)] {
         match self {
             Self::Planar => &[(0, 1)],
@@ -45,7 +46,7 @@ impl Space {
         }
     }
 
-    /// For each coordinate of the object, its position among the components of a `Wrench<C>` or a `Twist<C>`.
+    /// For each coordinate of the object, its index (from 0) among the components of a `Wrench<C>` or a `Twist<C>`.
     pub(crate) const fn components<const C: usize>(self) -> &'static [usize] {
         match self {
             Self::Planar if C == 3 => &[0, 1, 5],

@@ -3,7 +3,6 @@
 use crate::numerics::by_axis;
 use nalgebra::SVector;
 
-/// The unit vector along an axis.
 pub(crate) fn unit<const N: usize>(axis: usize) -> SVector<f64, N> {
     by_axis(|a| f64::from(u8::from(a == axis)))
 }

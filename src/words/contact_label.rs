@@ -12,7 +12,7 @@ use crate::prelude::*;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContactLabel {
-    /// Position in the list of contacts, from 0. In the answer to a scene it is the position in the scene. In text form this field is named
+    /// Index in the list of contacts, from 0. In the answer to a scene it is the index in the list of the scene. In text form this field is named
     /// `contact`.
     #[cfg_attr(feature = "serde", serde(rename = "contact"))]
     pub index: usize,

@@ -38,7 +38,8 @@ impl LinkKind {
     }
 
     /// The load of a link in a sentence: "carries 12 N", "pulls with 3 N", "is slack". `along` is the force with which a spring or cable pulls along
-    /// its line, N. `force` and `moment` are the force (N) and moment (N m) of any other link; `moment` is `None` if the link carries no moment.
+    /// its line, N; negative if a spring pushes. `force` and `moment` are the force (N) and moment (N m) of any other link; `moment` is `None` if the
+    /// link carries no moment.
     pub(crate) fn carries(self, words: Words, along: f64, force: f64, moment: Option<f64>) -> String {
         let newtons = |x: f64| format!("{} N", words.number(x));
         match self {

@@ -18,7 +18,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// Whether a character is escaped: control characters, marks of writing direction, line separators, and characters that XML forbids.
+/// Whether a character is escaped. This is so for control characters, marks of writing direction, line separators, and characters that XML forbids.
 fn is_control(c: char) -> bool {
     let directs =
         matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');

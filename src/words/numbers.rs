@@ -40,7 +40,7 @@ impl Default for Words {
 }
 
 impl Words {
-    /// The format for numbers with this many significant digits, from 1 to 17.
+    /// The format for numbers with this many significant digits. Fewer than 1 count as 1, more than 17 as 17.
     pub fn with_digits(digits: usize) -> Self {
         // A double has no more than 17 digits.
         Self { digits: digits.clamp(1, 17), ..Self::default() }
@@ -59,7 +59,7 @@ impl Words {
         Self::with_digits(precision % PER_UNIT).in_space(space).in_unit(unit)
     }
 
-    /// The same format with this many significant digits, from 1 to 17.
+    /// The same format with this many significant digits. Fewer than 1 count as 1, more than 17 as 17.
     pub(crate) fn rounded_to(self, digits: usize) -> Self {
         Self { digits: Self::with_digits(digits).digits, ..self }
     }

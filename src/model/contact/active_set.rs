@@ -42,7 +42,8 @@ impl ActiveSet {
         self.apex = false;
     }
 
-    /// Whether a force is zero up to rounding, which means that the contact is at the apex of its cone. `force_size` scales the rounding error.
+    /// Whether a force is zero up to rounding, which means that the contact is at the apex of its cone. The rounding error of the force is
+    /// proportional to `force_size`.
     pub(crate) fn is_weightless(force: &SVector<f64, 3>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size
     }

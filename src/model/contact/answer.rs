@@ -1,7 +1,8 @@
 //! The return map: computes force and state of one contact exactly from its stretch.
 //!
 //! Let `v = a - G_iᵀq` be the stretch, with the offset a of the springs (their commanded displacement), the contact's grasp map G_i and the object's
-//! motion q. With the trial traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
+//! motion q. Let k_n be the normal stiffness, K_t the matrix of the tangential stiffnesses, and λ the slip per friction force. With the trial
+//! traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
 //!
 //! ```text
 //! open      k_n v_n <= 0                F = 0
@@ -34,7 +35,6 @@ pub(crate) struct ContactResponse {
 }
 
 impl ContactResponse {
-    /// The response of an open contact, without force.
     pub(crate) fn open() -> Self {
         Self { state: Mode::Open, force: SVector::zeros() }
     }
@@ -72,7 +72,7 @@ impl LocalLaw<'_> {
     }
 
     /// Replaces the tangential part of a trial force by friction of the size r, the limit μ F_n in N, and returns the slide. The friction has the
-    /// direction of `S v_t`, the traction in springs that the slip per force λ has softened.
+    /// direction of `S v_t`, where S = (K_t⁻¹ + λ)⁻¹ is the tangential stiffness reduced by the slip per force λ.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
@@ -177,8 +177,8 @@ impl LocalLaw<'_> {
 /// The slip per force λ, m/N, of a sliding contact with the friction limit r: `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and v_t is the tangential
 /// stretch. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive if `traction` exceeds r. Newton's method starts at `near`.
 ///
-/// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step lands
-/// left of the root. From there the steps increase towards the root and never pass it.
+/// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step leads to a λ
+/// below the root. From there λ increases towards the root and never passes it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
     // 1e-200 is the least ratio of the radius r to the traction; a smaller r is raised to this ratio. At this ratio S is already negligible compared
     // with K, and r = 0 would have no finite λ.
@@ -187,7 +187,7 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
         return springs.deflection_along(1, excess - 1.0);
     }
     let unit = trial / traction;
-    // Largest starting λ, as a multiple of the compliance of the stiffest spring. For larger λ squares underflow, and Newton's steps could not
+    // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero: squares would underflow, and Newton's steps could not
     // return.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
     // A negative λ, for a traction shorter than r, means slip against the friction force. The lower bound of λ is the λ at which the softer spring

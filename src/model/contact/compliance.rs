@@ -103,7 +103,7 @@ impl Compliance {
         self.k[one] / self.k[other]
     }
 
-    /// Whether the tangential springs are equal; always true in the plane, where a contact has only one tangential spring.
+    /// Whether the tangential springs are equally stiff; always true in the plane, where a contact has only one tangential spring.
     pub(crate) fn is_isotropic(&self) -> bool {
         self.axes < 3 || self.k[1] == self.k[2]
     }

@@ -1,6 +1,6 @@
-//! The inequalities that a state of a contact must satisfy. Each inequality has a size: the magnitude of its terms, which scales its rounding error.
-//! Let u_c be the displacement of the contact point, n the normal, a the offset of the springs, i.e. their commanded displacement, and h the normal
-//! of a facet:
+//! The inequalities that a state of a contact must satisfy. Each inequality has a size: the magnitude of its terms, to which its rounding error is
+//! proportional. Let u_c be the displacement of the contact point, n the normal, a the offset of the springs, i.e. their commanded displacement, and
+//! h the normal of a facet:
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -17,8 +17,8 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Stretch and force of a contact, from which its conditions are evaluated. If the rates of the conditions are sought, both fields hold rates
-/// instead.
+/// Stretch and force of a contact, from which its conditions are evaluated. If the rates of the conditions are sought, `stretch` and `force` hold
+/// rates instead.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SpringState<'s> {
     /// Stretch of the contact's springs, `a - G_iᵀq`, with the contact's offset a and the object's motion q, m.
@@ -32,9 +32,9 @@ pub(crate) struct SpringState<'s> {
 }
 
 impl LocalLaw<'_> {
-    /// Size that scales the rounding error of the contact's force, N: the magnitude of the force plus the smaller of two estimates: the largest force
-    /// of the grasp (`largest`), and the stiffness times the size of the displacements (`span`, m). The former is smaller for stiff contacts, whose
-    /// stretches are differences of large displacements. The latter is smaller for soft contacts.
+    /// Size to which the rounding error of the contact's force is proportional, N. It is the magnitude of the force plus the smaller of two
+    /// estimates. The first is the largest force of the grasp (`largest`); it is smaller for stiff contacts, whose stretches are differences of large
+    /// displacements. The second is the stiffness times the size of the displacements (`span`, m); it is smaller for soft contacts.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
@@ -70,9 +70,9 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Slip components that must not be negative in a sliding state. Each is paired with the scale of its rounding error for a unit slip. On the
-    /// round cone or on a facet there is one component, along the slip direction or the facet normal. At a corner there are two components, along
-    /// both normals. An open or sticking state has no such components.
+    /// Slip components that must not be negative in a sliding state. Each is paired with its rounding error as a multiple of the rounding error of
+    /// the slip. On the round cone or on a facet there is one component, along the slip direction or the facet normal. At a corner there are two
+    /// components, along both normals. An open or sticking state has no such components.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {

@@ -29,7 +29,7 @@ impl Coulomb {
         self.mu.is_infinite()
     }
 
-    /// Whether the cone has edges, because friction is neither zero nor infinite.
+    /// Whether the cone has edges, which is so if friction is neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn has_edges(self) -> bool {
         self.mu > 0.0 && self.mu.is_finite()
@@ -77,13 +77,13 @@ impl Coulomb {
         self.mu * force[0] - tangential_norm(force)
     }
 
-    /// Scale of the rounding error of a facet's margin `μ F_n - h·F_t`, relative to the scale of the rounding error of the force.
+    /// Rounding error of a facet's margin `μ F_n - h·F_t`, as a multiple of the rounding error of the force.
     #[inline(always)]
     pub(crate) fn facet_weight(self, h: &SVector<f64, 3>) -> f64 {
         self.mu + h.norm()
     }
 
-    /// Scale of the rounding error of the round cone's margin `μ F_n - |F_t|`, relative to that of the force; 1 for infinite friction.
+    /// Rounding error of the round cone's margin `μ F_n - |F_t|`, as a multiple of the rounding error of the force; 1 for infinite friction.
     #[inline(always)]
     pub(crate) fn round_weight(self) -> f64 {
         if self.mu.is_finite() { 1.0 + self.mu } else { 1.0 }

@@ -32,7 +32,8 @@ pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
     Harmonic { constant: unit(0) * limit, cosine: -unit(1), sine: -unit(2) }
 }
 
-/// Whether a condition `value >= 0` with the coefficients `row` is violated by more than rounding. `size` scales the rounding error of the force.
+/// Whether a condition `value >= 0` with the coefficients `row` is violated by more than rounding. The rounding error of the force is proportional to
+/// `size`, N.
 pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
@@ -60,7 +61,7 @@ impl Edges {
         }
     }
 
-    /// Whether a force satisfies all conditions up to rounding. `size` scales the rounding error of the force.
+    /// Whether a force satisfies all conditions up to rounding. The rounding error of the force is proportional to `size`, N.
     pub(crate) fn hold(&self, force: &SVector<f64, 3>, size: f64) -> bool {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
@@ -88,9 +89,9 @@ impl Edges {
         })
     }
 
-    /// The coefficients a of conditions that contact forces `F + A x` with `|x| = size` may violate. F is `force`, and A is `influence`. `a·F - size
-    /// |Aᵀa|` is the least value of a condition over all these x. For a round cone, one facet at which this value has a negative local minimum is
-    /// returned, or none. Otherwise all conditions are returned.
+    /// Let F be `force` and A be `influence`. The function returns the coefficients a of conditions that contact forces `F + A x` with `|x| = size`
+    /// may violate. The least value of a condition over all these x is `a·F - size |Aᵀa|`. For a round cone, one facet at which this value has a
+    /// negative local minimum is returned, or none. Otherwise all conditions are returned.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,

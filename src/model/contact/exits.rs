@@ -22,7 +22,8 @@ pub(crate) struct Exit {
     pub(crate) facet: SVector<f64, 3>,
 }
 
-/// A straight line of contact forces, `force + step rate`. `force_size` and `rate_size` scale the rounding errors of `force` and `rate`.
+/// A straight line of contact forces, `force + step rate`, N. The rounding errors of `force` and `rate` are proportional to `force_size` and
+/// `rate_size`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) force: SVector<f64, 3>,

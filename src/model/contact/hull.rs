@@ -2,7 +2,8 @@
 //!
 //! The law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a label
 //! restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction
-//! points. In force units `ξ = K v`, with p on the unit circle, the hull is spanned by
+//! points. Let e_n be the unit normal, e_t a unit tangent along an axis, and p any unit tangent. In force units `ξ = K v`, the hull is spanned by
+//! these pairs of ξ and F, two in each row:
 //!
 //! ```text
 //!                   ξ            F
@@ -11,8 +12,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! A polygon circumscribed about the arc of unit vectors p that the label allows replaces these directions. The hull thus contains all stretches and
-//! forces that the law allows, and slightly more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
+//! The corners of a polygon around the arc of all p that the label allows replace the vectors p. The hull thus contains all stretches and forces that
+//! the law allows, and slightly more. If no equilibrium exists with the hulls of all contacts, none exists with the law.
 
 use crate::numerics::{Each, IntoList, by_axis};
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
@@ -249,7 +250,7 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // If friction, or slip, is below this fraction of the larger forces, it is rounding and has no direction.
+        // Friction, or slip times stiffness, below this fraction of the larger forces counts as a rounding error and has no direction.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {
@@ -282,7 +283,7 @@ impl LocalLaw<'_> {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
-                // Smallest fraction of a sector on either side of a cut.
+                // A cut leaves at least this fraction of the sector on either side.
                 let least_part = 0.15;
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =

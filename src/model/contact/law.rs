@@ -13,7 +13,7 @@ use super::state::{Mode, State};
 use crate::numerics::least;
 use crate::prelude::*;
 
-/// The set of conditions that a contact obeys, in an equilibrium or by the rates of its force and stretch.
+/// The conditions that limit a contact, in an equilibrium or for the rates of its force and stretch as the load grows.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law {
     /// The contact stays open: no conditions, no force.
@@ -22,7 +22,7 @@ pub(crate) enum Law {
     Bonded,
     /// The contact force stays in a friction cone.
     Cone {
-        /// Whether the contact may also open.
+        /// `true` if the contact may also open: then gap and normal force are complementary.
         gap: bool,
     },
     /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. There are at most as
@@ -38,9 +38,9 @@ pub(crate) struct LocalLaw<'c> {
     /// The polygonal cone that approximates the round cone.
     pub(crate) polygon: &'c Polygon,
     pub(super) friction: Coulomb,
-    /// In space: whether the round cone limits the contact. The polygon then only supplies the states that are tried first.
+    /// `true` if the round cone limits the contact, which is possible in space only. The polygon then only supplies the states that are tried first.
     pub(super) on_round_cone: bool,
-    /// Whether a contact with infinite friction has facets: the facets of a cone with a very large finite coefficient. They are needed in a
+    /// `true` if a contact with infinite friction gets the facets of a cone with a very large finite coefficient. They are needed in a
     /// complementarity problem, where only facets remove the tangential force of an open contact.
     pub(super) infinite_friction_has_edges: bool,
 }
@@ -86,7 +86,7 @@ impl<'c> LocalLaw<'c> {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
 
-    /// Whether the law is a whole cone: in an equilibrium, or for the rates of a contact at the apex.
+    /// Whether the whole friction cone limits the contact force. This law applies in an equilibrium, and to the rates of a contact at the apex.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {
         matches!(self.law, Law::Cone { .. })
@@ -114,7 +114,7 @@ impl<'c> LocalLaw<'c> {
         matches!(self.law, Law::Edge(_))
     }
 
-    /// Whether friction is infinite: the contact slides only when the normal force vanishes.
+    /// Whether friction is infinite. Then the contact slides only when its normal force vanishes.
     pub(crate) fn never_slides(&self) -> bool {
         self.friction.is_infinite()
     }
@@ -174,8 +174,8 @@ impl<'c> LocalLaw<'c> {
         states
     }
 
-    /// The state in which the contact slips on all facets in `facets` at once; their numbers must be in ascending order. On facets without a common
-    /// corner the contact can only slip at the apex, where F = 0; the state is then open.
+    /// The state in which the contact slips on all facets in `facets` at once. Facets are given by their indices among [`Self::facets`], counted from
+    /// 0, in ascending order. On facets without a common corner the contact can only slip at the apex, where F = 0; the state is then open.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {
@@ -200,8 +200,8 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin of a contact under a force, N: `μ F_n - |F_t|` on the round cone, or the least `μ F_n - h·F_t` of all facets of a polygonal
-    /// cone, h the normal. Infinite for infinite friction.
+    /// Friction margin of a contact under a force, N, positive inside the cone: `μ F_n - |F_t|` on the round cone, or the least `μ F_n - h·F_t` of
+    /// all facets of a polygonal cone, h the normal. Infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;
@@ -213,7 +213,7 @@ impl<'c> LocalLaw<'c> {
         least(&self.polygon.normals, &margin)
     }
 
-    /// Whether the law rules out this state: a forbidden opening, or a slide under infinite friction.
+    /// Whether the law rules out this state, because the contact cannot open or because its friction is infinite.
     pub(crate) fn excludes(&self, state: &State) -> bool {
         match state {
             Mode::Open => !self.is_absent() && !self.may_open(),

@@ -15,7 +15,7 @@
 //! | `straight_stretch` | the force after a stretch that grows along a straight line, while the slip direction turns |
 //! | `relaxing_slide` | the slip direction after a straight stretch with unequal tangential springs |
 //! | `tangent` | the tangent stiffness: derivative of the force with respect to the stretch |
-//! | `conditions` | the inequalities of a state, with the sizes that scale their rounding |
+//! | `conditions` | the inequalities of a state, with the sizes to which their rounding errors are proportional |
 //! | `hull` | convex hull of all stretches and forces that the law allows if only part of the state is known |
 //! | `most_work` | upper bound of a contact's work along a virtual motion |
 //! | `resistance` | upper bound of a contact's power against a motion, for any previous slip |

@@ -52,7 +52,7 @@ impl LocalLaw<'_> {
                 note(&normal, &none);
             }
         }
-        // The label allows slip in any direction. The tangential stretch is then free and has the generators ±e_t.
+        // If the label allows slip in any direction, the tangential stretch is free and has the generators ±e_t.
         let slips_anyhow = may_be_open || *label == Label::Closed && self.may_slide();
         if slips_anyhow {
             for axis in tangents.clone().map(unit::<3>) {
@@ -107,7 +107,7 @@ impl LocalLaw<'_> {
             both_ways(edge.across);
         }
         match facets {
-            // Forces inside the cone that leave one facet and stay on the other facet.
+            // Generators that lead from the corner into the cone: each leaves one facet and stays on the other.
             [first, second] => {
                 let turn = cross(first, second);
                 visit(right_angle(second) / turn);

@@ -102,7 +102,7 @@ impl RelaxingSlide {
     /// The unit direction of the friction force after the increment s of the path parameter, if the tangential stretch is constant and the normal
     /// force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
-        // Largest exponent. For a larger exponent no digit of the previous direction would remain; up to this exponent squares do not overflow.
+        // The exponent is clamped to this magnitude. Beyond it no digit of the previous direction would remain; up to it squares do not overflow.
         let far = 300.0;
         let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-far, far);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];

@@ -1,14 +1,13 @@
 //! Upper bound of a contact's power against a motion of the body, for any previous slip.
 //!
-//! Let F be the contact force, and u the velocity of the body's point in the contact frame. With the largest power m of a unit friction force against
-//! u_t,
+//! Let F be the contact force, and u the velocity of the body's point in the contact frame. Let m be the largest power of a unit friction force
+//! against u_t, k_n the normal stiffness, v_n the normal stretch, and (x)₊ = max(x, 0). Then
 //!
 //! ```text
 //! -F·u  <=  (μ m - u_n) F_n  <=  (μ m - u_n)₊ k_n (v_n)₊
 //! ```
 //!
-//! since the normal force of a closed contact is `k_n v_n`, where v_n is its normal stretch, whatever its history. A contact that can neither open
-//! nor slide has the force K v.
+//! since the normal force of a closed contact is `k_n v_n`, whatever its history. A contact that can neither open nor slide has the force K v.
 
 use crate::numerics::largest;
 
@@ -20,9 +19,10 @@ use super::tangential::tangential;
 /// A bound on `-F·u` in terms of the contact's stretch v. Its unit is W if u is a velocity, J if u is a virtual displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Resistance {
-    /// The bound is this factor, N, times the positive part of the normal stretch.
+    /// The bound is this factor times the positive part of the normal stretch. The factor is in N/s if u is a velocity, in N if u is a virtual
+    /// displacement.
     ByFriction(f64),
-    /// The power is exactly the product of this vector, N, and the stretch.
+    /// The power is exactly the dot product of this vector (N/s or N, as for `ByFriction`) and the stretch.
     BySprings(SVector<f64, 3>),
     /// No bound: infinite friction can resist the motion without limit.
     Unlimited,

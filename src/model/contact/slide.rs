@@ -49,8 +49,8 @@ impl Slide {
         Self { direction: tangential(friction) / tangential_norm(friction), lambda }
     }
 
-    /// The edge of the cone on which the contact slides. The direction of this slide may also be a facet normal h of any length; P and `κ d dᵀ` are
-    /// then those of sliding on the facet `h·F_t <= μ F_n`.
+    /// The edge of the cone on which the contact slides. The direction of this slide may also be a facet normal h of any length; P and `κ d dᵀ` then
+    /// describe sliding on the facet `h·F_t <= μ F_n`.
     #[inline]
     pub(super) fn edge(&self, springs: &Compliance) -> Edge {
         if springs.axes() < 3 {

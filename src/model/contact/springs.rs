@@ -1,5 +1,6 @@
 //! A contact in a known state is equivalent to a few springs. Let v_i be the stretch of contact i, a_i its offset (commanded displacement), G_i its
-//! grasp map and q the motion of the object. Each spring is stretched along the direction `right` and pushes along the direction `left`.
+//! grasp map and q the motion of the object. Let k_a be the stiffness along axis a of the contact frame and e_a the unit vector of this axis. Each
+//! spring is stretched along the direction `right` and pushes along the direction `left`.
 //!
 //! ```text
 //! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
@@ -93,8 +94,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The edge of the cone on which a contact in this state slides. On a facet with normal h, P is `K_t h / (h·K_t h)` and a spring acts across the
-    /// slip; at a corner P is the corner.
+    /// The edge of the cone on which a contact in this state slides. On a facet with normal h, `pull` is `K_t h / (h·K_t h)` and a spring acts across
+    /// the slip. At a corner `pull` is the corner, without such a spring.
     #[inline]
     pub(crate) fn edge(&self, state: &State) -> Edge {
         if let Mode::Round(slide) = state {

@@ -17,9 +17,9 @@ use super::slide::Slide;
 pub(crate) enum Mode<R> {
     Open,
     Sticking,
-    /// The contact slides on one facet, given by its number among [`LocalLaw::facets`](super::LocalLaw::facets).
+    /// The contact slides on one facet, given by its index among [`LocalLaw::facets`](super::LocalLaw::facets), counted from 0.
     Facet(u16),
-    /// The contact slides at the corner between a facet and the next; in space only.
+    /// The contact slides at the corner between the facet with this index and the next facet; in space only.
     Corner(u16),
     Round(R),
 }
@@ -51,8 +51,8 @@ impl<R> Mode<R> {
         }
     }
 
-    /// Numbers of the facets, among `count` facets of the cone, on which the contact slides: one on a facet, two at a corner, none in any other
-    /// state.
+    /// Indices (from 0) of the facets, among `count` facets of the cone, on which the contact slides: one on a facet, two at a corner, none in any
+    /// other state.
     pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],

@@ -1,7 +1,8 @@
 //! The exact force after a stretch that grew along a straight line, while the slip direction turned.
 //!
-//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate
-//! `d = k_t v_t'`. With d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
+//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate `d = k_t v_t'`.
+//! Let d be constant and the radius `r = μ F_n` linear in the time τ from 0 to 1. Let ψ₀ and r₀ be the values at the start of an interval Δτ, and r₁
+//! the radius at its end. Then
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
@@ -105,8 +106,8 @@ impl LocalLaw<'_> {
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
-    /// State and force of a contact that slides along `direction`. The slip reduces the stiffness of the spring across the slip to the fraction
-    /// `holds`.
+    /// State and force of a contact that slides along `direction` with the normal force `normal` and the friction limit r, N. The slip reduces the
+    /// stiffness of the spring across the slip to the fraction `holds`.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();

@@ -20,9 +20,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size of the vector, N or m, which scales the rounding error of the values of the vector.
+    /// Size of the vector, N or m, to which the rounding error of its values is proportional.
     pub(crate) size: f64,
-    /// Size of the terms with cos φ and sin φ, N or m, that scales the rounding error of the rates.
+    /// Size of the terms with cos φ and sin φ, N or m, to which the rounding error of the rates is proportional.
     pub(crate) turning_size: f64,
 }
 
@@ -160,8 +160,8 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // Largest correction of the angle, rad. It is well above the error of the angle, which is the square root of the rounding error of
-            // squares.
+            // A step is accepted only if it ends within this distance of the first angle, rad. The limit is well above the error of the first angle,
+            // which is the square root of the rounding error of squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
             }

@@ -18,7 +18,7 @@ pub struct Robot {
     pub(super) links: Vec<String>,
     /// Joints, from the roots of the trees outwards.
     pub(super) joints: Vec<RobotJoint>,
-    /// For each link the joint that carries it; `None` for a root.
+    /// For each link the index of the joint that carries it; `None` for a root.
     pub(super) carried_by: Vec<Option<usize>>,
     /// Pose of the root links in the frame of the object.
     pub(super) base: Isometry3<f64>,

@@ -14,7 +14,7 @@ pub(crate) struct JointGroup {
 
 /// How the joints of a finger move one of its contacts.
 pub(crate) enum Mover {
-    /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
+    /// The contact is on the link behind this number of joints, counted from the base of the finger. Only these joints of the finger move it.
     Link(usize),
     /// For each joint the velocity of the contact point (rows 0 to 2) and the angular velocity of the link (rows 3 to 5).
     Jacobian(DMatrix<f64>),
@@ -25,7 +25,7 @@ impl Robot {
     /// the frame of its link.
     ///
     /// Contacts on links that no joint moves come first, then the contacts of fingers. Links that share a joint belong to the same finger. Joints
-    /// that move no contact are omitted.
+    /// that move no contact are omitted. With the rate φ_j of a revolute joint j, its axis, and a point centre_j on the axis,
     ///
     /// ```text
     /// velocity of a contact = Σ_j factor_j (axis_j × (point - centre_j)) φ_j        factor: 1, or the factor of a joint that mimics another

@@ -12,10 +12,9 @@ use crate::touch::{Part, Unit};
 
 /// Number of sides of a cylinder and of a sphere; their faces deviate from the circle by 4e-5 of the radius.
 const SIDES: usize = 360;
-/// Number of bands of faces of a sphere from pole to pole.
+/// Number of rings of faces of a sphere from pole to pole.
 const BANDS: usize = 90;
 
-/// A collision shape of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     /// Pose of the shape in the frame of the link.

@@ -36,7 +36,7 @@ impl Touch {
     }
 
     /// The contacts at which the pad touches the part, as points of one fingertip. `pressed_with` and commands apply to the pad as a whole. A
-    /// clearance given for the contact is added in front of the point that touches first.
+    /// clearance given for the contact, m, is added to the gap of every point along the closing direction.
     ///
     /// # Errors
     /// [`Error::Misses`] if no point of the pad meets the part, or if some points start inside the part. [`Error::Contact`] with index 0 for data out

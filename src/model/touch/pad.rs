@@ -8,7 +8,8 @@ use super::part::Part;
 use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
-/// Least component of a surface's unit normal along the closing direction; points with a smaller component do not touch.
+/// A point of a surface becomes a point of the pad only if its outward unit normal has a component above this limit along the closing direction.
+/// Below the limit the surface is nearly parallel to the closing direction and does not press.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
@@ -22,7 +23,7 @@ pub struct Pad {
     profile: Profile,
     /// Surface area, m².
     area: f64,
-    /// Normal and tangential stiffness of the layer per unit area, N/m³.
+    /// Normal and tangential stiffness of the layer per unit area, N/m³; `None` without a layer.
     layer: Option<[f64; 2]>,
 }
 
@@ -41,12 +42,12 @@ enum Profile {
     Flat,
     /// A convex cylinder of this radius, m.
     Round(f64),
-    /// A V with flanks of this slope.
+    /// A V: the height grows from the middle to both sides by this slope, m of height per m of distance.
     V(f64),
 }
 
 impl Profile {
-    /// Height along the closing direction, m, and slope, at a distance from the middle, m.
+    /// Height along the closing direction, m, and its derivative, at the signed distance `u` from the middle along the first tangent, m.
     fn at(self, u: f64) -> (f64, f64) {
         match self {
             Self::Flat => (0.0, 0.0),
@@ -91,7 +92,7 @@ impl Pad {
     }
 
     /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. `sides` are the sides of its rectangular
-    /// outline, as seen along the closing direction.
+    /// outline, m, as seen along the closing direction; `strips` as for [`Self::rectangle`].
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, and unless the first side is less than the diameter.
@@ -103,7 +104,8 @@ impl Pad {
         Self::on_rectangle(sides, strips, Profile::Round(radius))
     }
 
-    /// A V-shaped jaw with this opening angle, rad. The bottom of the V runs along the second tangent through the middle of the rectangle.
+    /// A V-shaped jaw with this opening angle, rad. The bottom of the V runs along the second tangent through the middle of the rectangle; `sides`
+    /// and `strips` as for [`Self::cylinder`].
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for a rectangle, and unless the angle is from 0.1 to π.

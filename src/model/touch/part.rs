@@ -7,13 +7,14 @@ use crate::error::{Error, is_moderate};
 /// Vertices of a triangle, m, counterclockwise as seen from outside.
 pub(super) type Corners = [Vector3<f64>; 3];
 
-/// Largest sum of area vectors, relative to the total area, of a surface that counts as closed; the exact sum of a closed surface is zero. Binary STL
-/// has coordinates in single precision, whose rounding is three digits smaller.
+/// A surface counts as closed only if the magnitude of the sum of its area vectors is at most this fraction of the total area. The exact sum of a
+/// closed surface is zero. The single precision of binary STL leaves sums about a thousand times smaller than this limit.
 const OPEN: f64 = 1e-4;
 
 /// A part whose surface is a triangle mesh, in m.
 ///
-/// Volume and centre of mass are those of the polyhedron with constant density, in closed form. With the vertices a, b, c of each triangle
+/// Volume and centre of mass are those of the polyhedron with constant density, in closed form. With the volume V, the centre of mass r, and the
+/// vertices a, b, c of each triangle
 ///
 /// ```text
 /// V = Σ a·(b × c) / 6        V r = Σ a·(b × c) / 6 · (a + b + c) / 4
@@ -26,7 +27,7 @@ pub struct Part {
     bounds: [Vector3<f64>; 2],
     /// Volume, m³, and centre of mass, m; `None` for an open surface.
     solid: Option<(f64, Vector3<f64>)>,
-    /// Mass, kg.
+    /// Mass, kg; `None` if neither a mass nor a density was given.
     mass: Option<f64>,
 }
 

@@ -16,7 +16,7 @@ pub(super) const FLUSH: f64 = 1e-9;
 /// The point where a ray from the pad first meets the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RayHit {
-    /// Distance along the ray from the pad's plane, m.
+    /// Distance along the ray, m, from the plane through the pad's centre that is normal to the closing direction.
     pub(super) depth: f64,
     /// Unit normal of the triangle that the ray meets, pointing into the part.
     pub(super) normal: Vector3<f64>,

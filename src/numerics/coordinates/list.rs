@@ -41,7 +41,8 @@ impl List {
         }
     }
 
-    /// The first N numbers, including zeros beyond the end of the list; `None` for a list on the heap, or if N exceeds [`IN_PLACE`].
+    /// The first N numbers, including zeros beyond the end of the list. `None` for a list of more than N numbers or on the heap, or if N exceeds
+    /// [`IN_PLACE`].
     #[inline]
     pub(super) fn fixed<const N: usize>(&self) -> Option<&[f64; N]> {
         match self {
