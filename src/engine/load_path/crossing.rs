@@ -36,8 +36,8 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between
-    /// the ends of the step. `None` if no condition is violated.
+    /// Of the conditions violated at the end of a step, the index of the condition that becomes zero first. For this choice conditions are
+    /// interpolated linearly between the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);

@@ -29,8 +29,8 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor. Also `None` unless everything clearly sticks
-/// under the base load, and one contact stops sticking before all others.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor, or if the simple case of this file does not
+/// apply. It applies if everything clearly sticks under the base load, and one contact stops sticking before all others.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -177,8 +177,8 @@ struct FirstContact {
     line: Line,
 }
 
-/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` unless everything clearly sticks
-/// under the base load, and no other exit has nearly the same load factor.
+/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` if a contact does not clearly
+/// stick under the base load, or if another force leaves its cone at nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,

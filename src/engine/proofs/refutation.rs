@@ -67,8 +67,9 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
 
 /// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the least factor by which an equilibrium that
 /// rounding hides is larger than the elastic trial state, as [`check`] does; `None` without a proof. In a rate problem (for derivatives along a load
-/// path) let every contact slide or open that may slide or open. The tangent stiffness may then have a left null vector, a virtual motion y for which
-/// the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the contacts do no more negative work along y.
+/// path) let every contact slide or open that may slide or open. With the tangent stiffness C_i and the grasp map G_i of contact i, the matrix Σ G_i
+/// C_i G_iᵀ may then have a left null vector. This is a virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other
+/// contact state, the contacts do no more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;

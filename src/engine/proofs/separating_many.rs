@@ -98,7 +98,8 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow. They remove rounding from the
     // separating motion, since users see it.
     while more < 6 && clearer < 4 {
-        // A round ends at the imbalance `enough`: 1e-3 / ρ with the penalty ρ until a proof is found, then the least value.
+        // A round ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with the penalty ρ,
+        // afterwards the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
@@ -183,8 +184,8 @@ impl AugmentedLagrangian {
                 let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // Line search: the step is reduced, at most twelve times, while the energy still rises at its end. A rising slope below this fraction
-                // of the initial descent is tolerated.
+                // Line search: the step is shortened, at most twelve times, while the energy still rises along it at its end. A rate of rise is
+                // accepted up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;
