@@ -9,8 +9,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Each, Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
-/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates, and the step's estimated relative
-/// error.
+/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates per unit of arclength, and the
+/// step's estimated relative error.
 pub(super) struct SlipStep {
     pub(super) length: f64,
     pub(super) at: Vec<f64>,
@@ -82,8 +82,8 @@ impl Slips<'_> {
     }
 
     /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of this condition.
-    /// `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic. The cubic has the values and slopes of
-    /// condition `k` at both ends of a bracket. As a rule the first trial is close enough.
+    /// `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of
+    /// condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -143,7 +143,7 @@ impl Slips<'_> {
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference is taken. With a slope this accurate each Newton iteration gains six digits.
+        // The arclength over which the difference is taken. Its derivative is then accurate enough that each Newton iteration gains six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -151,9 +151,9 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. The least
-    /// such fraction over the sticking contacts is returned. For a contact for which this is not decided, one half is taken. `None` if all forces
-    /// stay inside.
+    /// The least fraction of the step `end`, over the sticking contacts, at which a contact force is clearly outside its cone; it may be inside again
+    /// at the end of the step. If it is not decided whether a force leaves its cone, the fraction for this contact is one half. `None` if all forces
+    /// stay inside their cones.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {

@@ -6,7 +6,7 @@
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
 //! open      the gap
-//! sliding   the rate at which it slips, and F_n
+//! sliding   the slip rate along the friction force, and F_n
 //! path      the rate of the load factor, and the rest of the leg
 //! ```
 //!
@@ -67,7 +67,8 @@ impl<'g> PiecewiseFollower<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = run.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further with the present contact states.
+        // Steps shorter than this fraction of the load factor do not advance. The arc then cannot be followed further with the present contact
+        // states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -218,8 +219,8 @@ impl<'g> PiecewiseFollower<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step covers at most half of the way to the point at which a sliding contact loses its normal force: directions of friction may
-                // turn ever faster near that point.
+                // A step covers at most half of the arclength after which a sliding contact loses its normal force, since near that point directions
+                // of friction may turn ever faster.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }
@@ -292,8 +293,8 @@ impl<'g> PiecewiseFollower<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Those of `contacts` that do not slip at all in a step: their slip rate is zero already at `point`, the beginning of the step. `contacts` are
-    /// the contacts whose slip rate is zero at the end of the step.
+    /// The contacts among `contacts` that do not slip at all in a step, because their slip rate is zero already at `point`, the beginning of the
+    /// step. `contacts` are the contacts whose slip rate is zero at the end of the step.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();

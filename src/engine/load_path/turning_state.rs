@@ -36,7 +36,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // Converts an angle to the load factor of the leg, which is 1 at the end of the leg.
+                    // Converts the angle up to the exit to a change of the load factor.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,
