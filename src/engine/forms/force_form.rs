@@ -12,8 +12,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form of a problem. `None` if a number overflows, or if in a rate problem (for derivatives along a load path) a contact is on the edge of
-/// its cone: the matrix would then not be copositive.
+/// The force form of a problem. `None` if a number overflows. Also `None` for a rate problem (for derivatives along a load path) in which a contact
+/// is on the edge of its cone, since the matrix would then not be copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;

@@ -30,7 +30,7 @@ struct GapOrSlip {
     z_unit: f64,
 }
 
-/// The complementary pairs of these contacts in the kinematic form: the meaning of each, and its jump (a gap or slip).
+/// The complementary pairs of these contacts in the kinematic form, as two lists: the meaning of each pair, and its jump (a gap or slip).
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
@@ -54,8 +54,8 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     (rows, jumps)
 }
 
-/// The kinematic form of all contacts on the elastic trial `trial` with solution `state`, in which every contact sticks. `None` if no contact may
-/// open or slide, or if a number overflows.
+/// The kinematic form of all contacts. `trial` is the linear problem in which every contact sticks (the elastic trial), and `state` its solution.
+/// `None` if no contact may open or slide, or if a number overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {

@@ -33,7 +33,7 @@ pub enum Row {
         /// Index of the corner, from 0, in the order of [`PolygonCone`](crate::PolygonCone). In the plane 0 is the tangent t, and 1 is -t.
         corner: usize,
     },
-    /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σβ` (N).
+    /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σ_j β_j` (N), with the coefficients β_j of the corners.
     SlipSize {
         /// Index of the contact, from 0.
         contact: usize,
@@ -87,18 +87,18 @@ pub enum OmissionReason {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Form {
-    /// The problem in scaled variables, `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
+    /// The problem in the scaled variables ẑ and ŵ, with a matrix M and a vector q: `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
     pub lcp: Lcp,
     /// The meaning of each complementary pair (row) of the problem.
     pub rows: Vec<Row>,
-    /// Physical value of ẑ = 1 for each unknown z, N or m according to its [`Row`].
+    /// For each unknown z, the physical value that corresponds to ẑ = 1, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
-    /// Physical value of ŵ = 1 for each slack w, N or m according to its [`Row`].
+    /// For each slack w, the physical value that corresponds to ŵ = 1, N or m according to its [`Row`].
     pub w_unit: Vec<f64>,
 }
 
 impl Form {
-    /// The index of the row that is `row`, i.e. has this meaning; `None` if the form has no such row.
+    /// The index, from 0, of the row with the meaning `row`; `None` if the form has no such row.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

@@ -60,7 +60,7 @@ struct ConstantTerms {
 /// A direction (q', λ') of the path in the space of twist q and load factor λ, also used for a change of both.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
-    /// Rate of the twist, q' = dq/ds per unit of arclength.
+    /// Rate q' of the twist, per unit of arclength.
     pub(super) twist: Vector,
     /// Rate of the load factor, λ', per unit of arclength.
     pub(super) factor: f64,
@@ -172,7 +172,7 @@ impl<'s, 'g> Arc<'s, 'g> {
 
     /// LU factors of the bordered matrix at a load factor. Its columns are the tangent stiffness T times the unit u of displacement, then the
     /// right-hand side -b. Its last row is `across`; corrections of the state are transverse to this direction. Also returns the largest entry of T u
-    /// and b. `None` if the matrix is singular: the path may then continue in more than one direction.
+    /// and b. `None` if the matrix is singular, so that the path may continue in more than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -297,7 +297,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // This correction leaves the load factor fixed: a computed change of the load factor is rounding.
+                    // This correction leaves the load factor fixed, since a computed change of the load factor would be rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -385,8 +385,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            // A correction by more than this fraction of the largest force has led to another equilibrium: after an event only rounding is to be
-            // corrected.
+            // After an event only rounding is to be corrected. A correction by more than this fraction of the largest force has therefore led to
+            // another equilibrium.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

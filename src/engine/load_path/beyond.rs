@@ -37,8 +37,8 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond a first slip: a load path is followed
-    /// as far as it continues, so nothing continues at its end.
+    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond a first slip. A load path is followed
+    /// as far as its equilibrium continues, so that nothing continues at its end.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. It is proved by a virtual motion, or in the plane and on polygonal friction cones by a trial
     /// of every combination of contact states. On the round cone the proof may be for a somewhat larger load only. That load exceeds the load at the
@@ -119,7 +119,7 @@ pub(super) struct EquilibriumEnd<'f> {
 }
 
 /// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the complementarity problem for the rates
-/// of forces and motion at the end. Either no solution exists, or the search was undecided.
+/// of forces and motion at the end. This search found either that no solution exists, or no answer.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -187,8 +187,8 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search at the distance `part` beyond the end finds another equilibrium: its forces differ from those at the end by more than on a
-    // continued path.
+    // Whether the search at the distance `part` beyond the end finds another equilibrium. The forces of another equilibrium differ from the forces at
+    // the end by more than the forces of a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,

@@ -77,7 +77,7 @@ impl<'g> PiecewiseFollower<'g> {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
-                    // The object would move into a contact whose gap is closed already: this contact blocks the motion.
+                    // The object would move into a contact whose gap is closed already, so that this contact blocks the motion.
                     if gap <= shut {
                         return None;
                     }
@@ -103,7 +103,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Lets contacts slide whose forces are on the edge of their friction cones, and opens contacts at the apex, as the object moves along `motion`.
-    /// Contacts on an edge without velocity in this motion stick. Returns the changes of contact states.
+    /// A contact with its force on an edge sticks if this motion gives it no velocity. Returns the changes of contact states.
     fn yield_along(
         &mut self,
         motion: &Vector,

@@ -58,7 +58,7 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition is zero at the start already, and negative right after it.
+            // The value of the condition is zero at the start of the step already, and negative right after the start.
             low.1 = 0.0;
         }
         // At most eighty steps are tried; bisection alone would need about fifty (the bits of a floating-point number).

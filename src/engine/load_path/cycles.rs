@@ -107,8 +107,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
-    /// slide at once, or the equilibrium with the slips of `from` has other forces.
+    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp. This is so if a
+    /// contact would slide at once, or if the equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);

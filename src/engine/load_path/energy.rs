@@ -11,8 +11,8 @@ use crate::numerics::{Each, Harmonic, mapped};
 use crate::serial::AsComputed;
 
 /// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions
-/// are affine in the load factor, and under a load that turns they are harmonics of its angle: every integral is exact. If contacts slide on the
-/// round cone, works are integrated along with the slips.
+/// are affine in the load factor, and under a load that turns they are harmonics of its angle, so that every integral is exact. If contacts slide on
+/// the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -36,7 +36,7 @@ use crate::search::Settings;
 pub(crate) struct InSlips {
     /// Indices of the contacts that slide, in the order in which they begin to slide, each with the load factor from which it slides.
     pub(crate) slid: Vec<(usize, f64)>,
-    /// The load factor from which all contacts slide; `None` if some stick up to the end.
+    /// The load factor from which on all contacts slide; `None` if some contact sticks up to the end.
     pub(crate) all_slide: Option<f64>,
     /// The load factor at the end of the path.
     pub(crate) factor: f64,
@@ -101,7 +101,8 @@ impl Engine {
     }
 }
 
-/// Upper limit of the number of steps after the onset: a load that needs more is left to a `LoadPath`, which has implicit steps.
+/// Upper limit of the number of steps after the onset. A load that needs more steps is left to a `LoadPath`, which has implicit steps for directions
+/// of friction that turn fast.
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
@@ -210,9 +211,9 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // The path may instead continue with only some of these contacts slipping. Bit i of `combination` is set if contact i on the edge of its cone
-        // slips, else it sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases. If a
-        // combination may continue the path, `None` is returned, and the caller follows a load path.
+        // The path may instead continue with only some of these contacts slipping. Bit i of `combination`, from 0, is set if the contact `sliding[i]`
+        // slips; otherwise this contact sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases.
+        // If a combination may continue the path, `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);

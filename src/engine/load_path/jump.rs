@@ -32,10 +32,11 @@ use crate::words::{Words, listed};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Jump<const C: usize> {
-    /// Further changes of contact states in the jump, in the order in which they occur: contacts that begin to slide, stick again, open or close.
+    /// Changes of contact states in the jump, in addition to the changes listed by the event, in the order in which they occur. Contacts begin to
+    /// slide, stick again, open or close.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub changes: Vec<ContactChange<C>>,
-    /// The contacts that slip in the jump, and how far.
+    /// The contacts that slip in the jump, each with its slip.
     pub slips: Vec<JumpSlip<C>>,
     /// The contacts whose gaps close at the end of a free motion of the object, in the order of closing. Empty if the object does not move freely in
     /// the jump.

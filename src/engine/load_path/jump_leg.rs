@@ -59,8 +59,8 @@ impl<'g> JumpInProgress<'g> {
     /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or contacts lose friction
     /// force too often.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
-        // A lost friction force is removed at most sixteen times for each contact or drive. Each jump loses energy, so contacts could only stick and
-        // slide again more often because of rounding.
+        // A lost friction force is removed at most sixteen times for each contact or drive. Each such removal loses energy, so that still more of
+        // them could only result from rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(run) {

@@ -174,8 +174,8 @@ impl Node {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is first tried open; then Newton's method
-        // starts from sticking and from sliding.
+        // For a contact at the apex of its cone no state is more likely than another. On the round cone such a contact is first tried open. Then
+        // Newton's method starts with the contact sticking, and with the contact sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {

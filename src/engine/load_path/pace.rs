@@ -89,7 +89,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // If this many implicit steps in a row are refused, explicit steps are tried for a while.
+        // If this many implicit steps in a row are refused, the next sixty-four accepted steps are explicit, unless an event comes first.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

@@ -69,7 +69,7 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump. A jump is a motion at
     /// constant load to another equilibrium. `None` if no jump has failed.
     pub(super) failed_jump: Option<Problem<'g>>,
-    /// The place on the path at which a motion exceeded its limit of small motions; `None` if no motion has done so far.
+    /// The place on the path at which a motion first exceeded its limit of small motions; `None` if no motion has exceeded its limit so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(super) farthest: f64,

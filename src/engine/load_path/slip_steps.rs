@@ -19,9 +19,9 @@ pub(super) struct SlipStep {
     /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Index of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value that must stay
-/// positive. After the first three conditions come the slip rates of sliding contacts along friction and their normal forces. The last ones are the
-/// margins of sticking contacts, `μ F_n - |F_t|`.
+/// Index, from 0, of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value that
+/// must stay positive. After the first three conditions come the slip rates of sliding contacts along their friction forces, and then their normal
+/// forces. Last come the margins of sticking contacts, `μ F_n - |F_t|`.
 pub(super) const GROWS: usize = 0;
 /// Index, in the list described at [`GROWS`], of the condition that the load factor is below [`Slips::most`], up to which the load is followed.
 pub(super) const GOES_ON: usize = 1;
@@ -95,8 +95,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the change of the arclength is below this fraction of the step, Heun's method is more accurate than repeating the step: the error of
-            // Heun's method is of third order.
+            // If the change of the arclength is below this fraction of the step, Heun's method is more accurate than repeating the step, since its
+            // error is of third order in this change.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -204,7 +204,8 @@ impl Slips<'_> {
     }
 }
 
-/// The value at the argument `to` of the cubic polynomial with given values and slopes at two arguments, each given as (argument, value, slope).
+/// The value at the argument `to` of the cubic polynomial with given values and derivatives at two arguments, each given as (argument, value,
+/// derivative).
 fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     let length = high.0 - low.0;
     let (part, rise) = ((to - low.0) / length, high.1 - low.1);

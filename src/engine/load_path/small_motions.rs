@@ -1,8 +1,9 @@
 //! The place on a load path where a motion exceeds its limit of small motions, and the place from which all contacts slide.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg: their largest value is at an end of the piece.
-//! While the load turns, they are harmonics of its angle, and the first place is a root of a trigonometric polynomial. Integration steps on arcs,
-//! along which directions of sliding turn, are checked at their ends. Regula falsi then finds the place within the piece or step.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
+//! piece. While the load turns, they are harmonics of its angle, and the first place beyond a limit is a root of a trigonometric polynomial.
+//! Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the place within the piece
+//! or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 

@@ -133,7 +133,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor of the last time.
+/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor at which it last came to rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,

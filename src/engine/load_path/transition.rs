@@ -43,7 +43,7 @@ pub(super) fn change(
 /// the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None`
 /// if there are too many combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
-    // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
+    // With a contact at the apex of a round cone the number of solutions is not known, since it may differ from the number with a polygonal cone.
     if rates.round {
         return None;
     }

@@ -108,8 +108,7 @@ impl<'g> PiecewiseFollower<'g> {
                 end = self.locate(point, &start, end, condition)?;
             }
             let ends = [point, &end.reached.point];
-            // The bounds on margins within a step are valid for a straight leg only; while the load turns, these bounds would shorten steps
-            // needlessly.
+            // The bounds on margins within a step are used on a straight leg only. While the load turns, these bounds would shorten steps needlessly.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
@@ -258,7 +257,7 @@ impl<'g> PiecewiseFollower<'g> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg it does not matter that a slip rate is zero: rates on the next leg are different.
+                // At the end of a leg it does not matter that a slip rate is zero, since the next leg has other rates.
                 _ if leg_done => {}
                 // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
@@ -306,7 +305,7 @@ impl<'g> PiecewiseFollower<'g> {
         contacts.iter().copied().filter(met).list()
     }
 
-    /// The loss of equilibrium of the kind `kind` at the present place, the end of an arc. The object moves away with the twist rate of `point`.
+    /// The loss of equilibrium of the kind `kind` at the present place, the end of an arc. The object leaves with the twist rate of `point`.
     fn loss_at_end(&self, run: &ProgramRun<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();

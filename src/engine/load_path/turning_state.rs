@@ -19,7 +19,7 @@ pub(super) struct TurningState {
 }
 
 impl TurningState {
-    /// Contact forces after the change `step` of the load factor, and in place of the twist its change in this step.
+    /// Contact forces after the change `step` of the load factor. The field of the twist holds the change of the twist in this step.
     pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));

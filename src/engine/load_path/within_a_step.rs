@@ -81,13 +81,13 @@ impl BoundedCubic {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
         // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding error of a margin, relative to the terms whose difference it is: a smaller violation is ignored.
+        // The rounding error of a margin, relative to the terms whose difference it is. A smaller violation is ignored.
         let rounded = 2e-13;
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The interpolating cubic neglects the term of fourth order. It is estimated from above by the larger of the term of third order and 0.05
-        // times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
+        // The interpolating cubic neglects the term of fourth order. The neglected term is estimated from above by the larger of the term of third
+        // order and 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }

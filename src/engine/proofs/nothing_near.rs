@@ -76,8 +76,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest scalar product of `row`, a wrench, with a displacement of size 1. It is the sum of the norms of the force and moment parts of `row`
-/// and of the sizes of all other entries.
+/// The largest scalar product of `row`, a wrench, with a displacement δ within the radius ρ = 1, see [`nothing_near`]. It is the sum of the norms of
+/// the force and moment parts of `row` and of the sizes of all other entries.
 fn reach(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

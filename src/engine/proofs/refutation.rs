@@ -21,8 +21,8 @@ use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A step of the proof, for the present case. Steps are in depth-first order: a division is followed by all steps of its second case, then by those
-/// of its first.
+/// A step of the proof, for the present case. Steps are in depth-first order: a division is followed by all steps of its second case, then by all
+/// steps of its first case.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
     /// The present case is divided into two. In each case the label of this contact, which restricts its state, is one of the `halves`. Together the
@@ -102,8 +102,9 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the balance of virtual forces, relative to their wrenches and to those of the forces that the virtual motion would cause. A
-    // smaller imbalance can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of this tolerance.
+    // Tolerance of the balance of virtual forces. It is relative to the wrenches of these forces and of the spring forces that the virtual motion
+    // would cause. A smaller imbalance can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of this
+    // tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }
