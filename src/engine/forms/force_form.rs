@@ -68,7 +68,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
             _ if !slips[contact] => local.trial_state(),
-            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner.
+            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner: a force at one corner
+            // slides there, and a force between two neighbouring corners slides on their common facet.
             [corner] if local.is_planar() => Mode::Facet(corner),
             _ if local.is_planar() => Mode::Open,
             [corner] => Mode::Corner(corner),

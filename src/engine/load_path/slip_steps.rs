@@ -143,7 +143,7 @@ impl Slips<'_> {
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference is taken. Its derivative is then accurate enough that each Newton iteration gains six digits.
+        // The arclength over which the difference is taken. The derivative is then accurate enough that each Newton iteration gains six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];

@@ -1,4 +1,5 @@
-//! Tolerances of load paths: a value below one of them is taken as zero, as rounding, or as equal to another. Also limits of steps.
+//! Tolerances of load paths: a value below one of them is taken as zero, as rounding, or as equal to another. Other constants limit the numbers and
+//! lengths of steps.
 //!
 //! They are pure numbers, or angles in rad. Unless its comment says otherwise, each number is a fraction of the leg, of the largest force, or of the
 //! quantity that is compared.

@@ -1,9 +1,9 @@
 //! The safety factor against rounding of a linear contradiction, i.e. of a proof by Farkas' lemma that a load cannot be balanced. Rounding may hide
 //! from such a proof only an equilibrium whose forces are far larger than load and commands.
 //!
-//! Let generators g be vectors of length one, such that the possible values are the sums `Σ s g` with coefficients s >= 0. Let a unit vector y have
-//! `y·g <= δ` for each generator, where δ is mere rounding. Then each of these sums has `y·Σ s g <= δ Σ s`. Hence a target t with y·t > 0 is such a
-//! sum only if `Σ s >= y·t / δ`, i.e. only with very large coefficients.
+//! Let the generators g be vectors of length one. Contact forces and motions can produce exactly the sums `Σ s g` with coefficients s >= 0. Let a
+//! unit vector y have `y·g <= δ` for each generator, where δ is mere rounding. Then each of these sums has `y·Σ s g <= δ Σ s`. Hence a target t with
+//! y·t > 0 is such a sum only if `Σ s >= y·t / δ`, i.e. only with very large coefficients.
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 

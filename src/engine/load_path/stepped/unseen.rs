@@ -61,8 +61,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The softening of the springs by slip gives the fraction of the half step on which the contact slid. On the fraction `stuck` before
-                // that, the contact stuck.
+                // The state of the contact stores the fraction of the half step on which the contact slid, as the factor by which slip softens the
+                // springs. This fraction is exact if the normal force is constant. On the fraction `stuck` before that, the contact stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
