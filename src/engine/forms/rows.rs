@@ -12,7 +12,7 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Kinematic form: z = component σ >= 0 of the slip along the normal h of one facet (m). w = friction margin of that facet, `μ F_n - h·F_t` (N).
+    /// Kinematic form: z = coefficient σ >= 0 of one facet normal h in the slip `Σ σ h` (m), w = friction margin of that facet, `μ F_n - h·F_t` (N).
     Slip {
         /// Index of the contact, from 0.
         contact: usize,

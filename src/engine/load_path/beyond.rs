@@ -119,7 +119,7 @@ pub(super) struct EquilibriumEnd<'f> {
 }
 
 /// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the complementarity problem for the rates
-/// of forces and motion at the end. This search found either that no solution exists, or no answer.
+/// of forces and motion at the end. Either the search found that no solution exists, or it was undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
