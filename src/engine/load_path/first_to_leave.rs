@@ -161,7 +161,7 @@ impl FirstToLeave {
 }
 
 /// Whether the value of every condition of sticking, positive inside the friction cone, is more than the fraction `NEGLIGIBLE` of the size of its
-/// terms. For an absent contact the conditions are those of being open.
+/// terms. For an absent contact, the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // If the value of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.

@@ -270,7 +270,8 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the commands (or torques) at the beginning and end of the previous leg, by those of the next leg, which has this goal.
+    /// Replaces `commands`, the commands (or torques) at the beginning and end of the previous leg, by the commands at the beginning and end of the
+    /// next leg. This goal is the goal of the next leg.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

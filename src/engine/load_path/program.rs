@@ -136,8 +136,8 @@ impl Program {
         }
     }
 
-    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and commands, body loads and joint torques to those of the
-    /// grasp, which removes rounding.
+    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and sets commands, body loads and joint torques to their
+    /// values before the program, which removes rounding.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);

@@ -17,9 +17,9 @@
 //! distance by which a sticking contact may have been outside its cone within the step, and for the error of the force of an opening or closing
 //! contact.
 //!
-//! If a contact begins to slide, the twist as a function of the load factor has a bend, and deviates by up to `2 off`. The component of this
-//! deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as if the contact stuck.
-//! Thus only the rotation of friction forces on the cones makes an error.
+//! If a contact begins to slide, the derivative of the twist with respect to the load factor jumps, and the twist deviates by up to `2 off`. The
+//! component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as if
+//! the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
 
 use nalgebra::SVector;
 
@@ -50,8 +50,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the twist as a function of the load factor has a bend in a half of the step, the twist deviates by up to twice the deviation in the
-            // middle of the step. A friction force turns no farther than the direction of slip.
+            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates by up to twice the
+            // deviation in the middle of the step. A friction force turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
