@@ -1,7 +1,7 @@
 //! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist q of any sign.
 //!
-//! The twist is split into a positive and a negative part. A spring that acts both ways (bonded, kept closed, infinite friction) needs no
-//! complementary pair: its force is linear in q.
+//! The twist is split into a positive and a negative part, since the unknowns of an LCP are not negative. A spring that both pushes and pulls (of a
+//! bonded contact, a contact kept closed, or along a tangent with infinite friction) needs no complementary pair: its force is linear in q.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -12,8 +12,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form of a problem. `None` if a number overflows, or if in a rate problem (for derivatives along a load path) a contact is on the edge of
-/// its cone: the matrix would then not be copositive.
+/// The force form of a problem. `None` if a number overflows. Also `None` for a rate problem (for derivatives along a load path) in which a contact
+/// is on the edge of its cone, since the matrix would then not be copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
@@ -68,7 +68,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
             _ if !slips[contact] => local.trial_state(),
-            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner.
+            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner: a force at one corner
+            // slides there, and a force between two neighbouring corners slides on their common facet.
             [corner] if local.is_planar() => Mode::Facet(corner),
             _ if local.is_planar() => Mode::Open,
             [corner] => Mode::Corner(corner),
@@ -97,11 +98,11 @@ struct Builder<'p, 'g> {
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
-    /// For each contact, the index of its first complementary pair, a row of the matrix.
+    /// For each contact, the index of its first complementary pair, from 0, which is also its row and its column in the matrix.
     first: Vec<usize>,
-    /// Stiffness `Σ G k Gᵀ` of the springs that act both ways, with grasp maps G and stiffnesses k.
+    /// Stiffness `Σ G k Gᵀ` of the springs that both push and pull, with grasp maps G and stiffnesses k.
     stiffness: Square,
-    /// `W + Σ G k a`: the load W plus the forces of the springs that act both ways at their offsets a.
+    /// `W + Σ G k a`: the load W plus the forces of the springs that both push and pull, at their offsets a and without twist.
     load: Vector,
 }
 
@@ -155,8 +156,8 @@ impl<'p, 'g> Builder<'p, 'g> {
             row
         });
         let facets = local.facets().len();
-        // Adds the product of `v` with the twist to a row of the matrix; the twist is scaled and split into its positive and negative part. If
-        // `skew`, it also adds the negative transpose to the rows of the equilibrium equations.
+        // Adds the coefficients of the term `v·q` to a row of the matrix. The unknowns are the positive and the negative part of each scaled
+        // component of the twist q. If `skew` is true, the negative transpose is also added to the rows of the equilibrium equations.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
@@ -207,7 +208,7 @@ impl<'p, 'g> Builder<'p, 'g> {
         }
     }
 
-    /// Adds to `stiffness` and `load` a spring along this axis that acts both ways, with the force F = k (a - G_iᵀq).
+    /// Adds to `stiffness` and `load` a spring along this axis that both pushes and pulls, with the force F = k (a - G_iᵀq).
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);

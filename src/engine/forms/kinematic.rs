@@ -1,13 +1,15 @@
 //! The kinematic form (see [`super`]): jumps (gaps and slips) from the elastic trial state.
 //!
-//! With the grasp map G and the diagonal matrix K of all stiffnesses, the matrix P of the form contains the projection I - Q Qᵀ. It is computed by
-//! orthogonal factors Q and R, whose accuracy does not depend on stiffness ratios:
+//! The form needs the matrix P, the change of all contact forces per unit of a displacement at one contact while the object gives way. G is the grasp
+//! map of all contacts, and K the diagonal matrix of their stiffnesses. P is computed by orthogonal factors Q and R, whose accuracy does not depend
+//! on ratios of stiffnesses:
 //!
 //! ```text
 //! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R
 //! ```
 //!
-//! For many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is applied to one column after the other, with sums over the entries of a row.
+//! With many coordinates Q is not computed. Instead, a linear solve with the stiffness G K Gᵀ gives the displacements of all coordinates under each
+//! jump. The entries of P follow from the stretches that these displacements cause at the contacts.
 
 use nalgebra::SVector;
 
@@ -18,8 +20,8 @@ use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. In energy coordinates, with the contact's
-/// stiffnesses K and its force F, the force is x = K^{-1/2} F. The unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
+/// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. The contact force F is scaled by the contact's
+/// stiffnesses K to x = K^{-1/2} F, a square root of energy. The unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
 struct GapOrSlip {
     contact: usize,
     row: SVector<f64, 3>,
@@ -28,7 +30,7 @@ struct GapOrSlip {
     z_unit: f64,
 }
 
-/// The complementary pairs of these contacts in the kinematic form: the meaning of each, and its jump (a gap or slip).
+/// The complementary pairs of these contacts in the kinematic form, as two lists: the meaning of each pair, and its jump (a gap or slip).
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
@@ -52,8 +54,8 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     (rows, jumps)
 }
 
-/// The kinematic form of all contacts on the elastic trial `trial` with solution `state`, in which every contact sticks. `None` if no contact may
-/// open or slide, or if a number overflows.
+/// The kinematic form of all contacts. `trial` is the linear problem in which every contact sticks (the elastic trial), and `state` its solution.
+/// `None` if no contact may open or slide, or if a number overflows.
 pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {

@@ -1,22 +1,26 @@
 //! The two complementarity problems of a grasp, the meaning of their rows (complementary pairs), and the rows that a contact does not need.
 //!
-//! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the
-//! friction cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).
+//! The symbols are those of the [crate page](crate#the-problem). The load W acts on the object, and q is its twist. Contact i has the grasp map G_i,
+//! so that u_c = G_iᵀq is the object's displacement at the contact. It has the normal n = e_n into the object, the tangents t, the stiffnesses k_n
+//! and K_t, the friction coefficient μ and the commanded displacement a_i. Its force F_i has the parts F_n and F_t; g is its gap and s its slip. K is
+//! the diagonal matrix of all stiffnesses, and G = [G_1 G_2 …]. The friction cone is a polygon with facet normals h_j and corners d_j
+//! ([`PolygonCone`](crate::PolygonCone)).
 //!
-//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the trial state every contact sticks, F⁰ = K (a - Gᵀq⁰) with
-//! Σ G_i F⁰_i + W = 0: one d x d solve. The unknowns z are jumps from this state: gaps, and parts σ_j of slips `s = Σ σ_j h_j`. The object gives way
-//! to a jump, and P gives the force that the jump then causes, per unit of displacement:
+//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the elastic trial state every contact sticks. One linear
+//! solve gives its twist q⁰ and its forces F⁰ = K (a - Gᵀq⁰), with Σ G_i F⁰_i + W = 0. The unknowns z are jumps from this state: gaps g, and the
+//! coefficients σ_j >= 0 of slips `s = Σ σ_j h_j`. The slacks w are normal forces and friction margins μ F_n - h_j·F_t. The matrix P gives the change
+//! of all contact forces per unit of a displacement at one contact, while the object gives way:
 //!
 //! ```text
 //! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0
 //! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j;   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
 //! ```
 //!
-//! It is small, and z = 0 solves it exactly when every contact sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a
-//! ray although an equilibrium exists, so a ray does not prove that no equilibrium exists.
+//! It is small, and z = 0 solves it exactly when every contact sticks. Its matrix is not copositive (zᵀMz may be negative for some z >= 0). With
+//! strong friction Lemke's method can therefore end on a ray although an equilibrium exists: a ray proves nothing.
 //!
-//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist may
-//! have any sign. The coefficient of corner d_j in the friction force `F_t = Σ β_j d_j` is β_j, and the size of the slip is λ:
+//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal of the matrix, and
+//! the twist may have any sign. The friction force is `F_t = Σ β_j d_j` with coefficients β_j >= 0, and λ is the size of the slip:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0
@@ -28,7 +32,7 @@
 //! It is about twice as large as the kinematic form. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0
 //! at all contacts has W·q > 0.
 //!
-//! The forms have no rows that a contact does not need ([`OmissionReason`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
+//! Rows that a contact does not need are left out ([`OmissionReason`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 
 mod force_form;
 mod kinematic;

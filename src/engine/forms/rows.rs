@@ -12,11 +12,12 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Kinematic form: z = slip σ across one facet (m), w = distance of the force to that facet, `μ F_n - h·F_t` (N), with the facet normal h.
+    /// Kinematic form: z = coefficient σ >= 0 of one facet normal h in the slip `Σ σ h` (m), w = friction margin of that facet, `μ F_n - h·F_t` (N).
     Slip {
         /// Index of the contact, from 0.
         contact: usize,
-        /// The facet, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for slip along +t, 1 for slip along -t.
+        /// Index of the facet, from 0, in the order of [`PolygonCone`](crate::PolygonCone). In the plane 0 is slip along the tangent t, and 1 slip
+        /// along -t.
         facet: usize,
     },
     /// Force form: z = normal force `F_n` (N), w = gap g (m).
@@ -24,15 +25,15 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m), with the slip s and its
-    /// size λ.
+    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m), with the slip s and the
+    /// unknown size λ of the slip.
     TangentialForce {
         /// Index of the contact, from 0.
         contact: usize,
-        /// The corner, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for +t, 1 for -t.
+        /// Index of the corner, from 0, in the order of [`PolygonCone`](crate::PolygonCone). In the plane 0 is the tangent t, and 1 is -t.
         corner: usize,
     },
-    /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σβ` (N).
+    /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σ_j β_j` (N), with the coefficients β_j of the corners.
     SlipSize {
         /// Index of the contact, from 0.
         contact: usize,
@@ -43,9 +44,9 @@ pub enum Row {
     /// component of `Σ G_i F_i + W`, N, with a minus sign for the positive part and a plus sign for the negative. Rotations are multiplied by the
     /// root mean square distance of the points from the centroid, moments divided by it.
     Balance {
-        /// The component of the twist and of the equilibrium equation: translations first, then rotations.
+        /// Index, from 0, of the component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
-        /// Whether the unknown z is the positive part of the component, rather than the negative part.
+        /// True if the unknown z is the positive part of the component, false if it is the negative part.
         positive: bool,
     },
 }
@@ -80,24 +81,24 @@ pub enum OmissionReason {
 
 /// A linear complementarity problem of a grasp, with the meaning of its rows.
 ///
-/// The problem is stated in scaled variables (square roots of energy), which hide stiffness ratios:
-/// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by
+/// The problem is stated in scaled variables (square roots of energy), so that large ratios of stiffnesses do not spoil the scale of its matrix. With
+/// the units below, physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by
 /// [`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form) and [`Grasp::force_form`](crate::ask::Grasp::force_form).
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Form {
-    /// The problem in scaled variables, `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
+    /// The problem in the scaled variables ẑ and ŵ, with a matrix M and a vector q: `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
     pub lcp: Lcp,
     /// The meaning of each complementary pair (row) of the problem.
     pub rows: Vec<Row>,
-    /// Physical value of ẑ = 1 for each unknown z, N or m according to its [`Row`].
+    /// For each unknown z, the physical value that corresponds to ẑ = 1, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
-    /// Physical value of ŵ = 1 for each slack w, N or m according to its [`Row`].
+    /// For each slack w, the physical value that corresponds to ŵ = 1, N or m according to its [`Row`].
     pub w_unit: Vec<f64>,
 }
 
 impl Form {
-    /// The index of the row that is `row`, i.e. has this meaning; `None` if the form has no such row.
+    /// The index, from 0, of the row with the meaning `row`; `None` if the form has no such row.
     #[must_use]
     pub fn position(&self, row: Row) -> Option<usize> {
         self.rows.iter().position(|r| *r == row)

@@ -9,7 +9,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// Whether these contact states clearly make an unknown or a slack of the form negative. `largest` is the largest force of the elastic trial state,
-/// in units of the slacks. False if a contact slips across two facets, a case that the test does not cover, and if the equations are singular.
+/// in units of the slacks. Returns false if a contact slips across two facets, a case that the test does not cover. Also returns false if the
+/// equations are singular.
 pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {

@@ -38,10 +38,10 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) sliding: Vec<usize>,
     /// The unit u of displacement in arclength, m: arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
     unit: f64,
-    /// Unit motions that no spring resists, each with the velocity of the object along it per unit of the load factor.
+    /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
     /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand side.
-    /// They are computed on first use, because the rates at which friction forces turn do not need them.
+    /// They are computed on first use, because the rates at which friction forces turn can be computed without them.
     fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -50,8 +50,8 @@ pub(super) struct Arc<'s, 'g> {
 /// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
 /// λ the load factor.
 struct ConstantTerms {
-    /// The tangent stiffness of the contacts that do not slide. Motions that no spring resists get an artificial stiffness. It keeps the object at
-    /// rest along them, or at the velocities in `Arc::free_motions`.
+    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since T
+    /// would otherwise be singular. The object then moves along it with its velocity in `Arc::free_motions`, which may be zero.
     stiffness: PathStiffness,
     /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide, and from the velocities of free motions.
     push: Vector,
@@ -60,14 +60,15 @@ struct ConstantTerms {
 /// A direction (q', λ') of the path in the space of twist q and load factor λ, also used for a change of both.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
-    /// Rate of the twist, q' = dq/ds per unit of arclength.
+    /// Rate q' of the twist, per unit of arclength.
     pub(super) twist: Vector,
     /// Rate of the load factor, λ', per unit of arclength.
     pub(super) factor: f64,
 }
 
 impl Direction {
-    /// The direction in which the load factor grows and the object does not move. Corrections transverse to it leave the load factor fixed.
+    /// The direction in which only the load factor grows, while the twist stays constant. Corrections transverse to it change the twist and leave the
+    /// load factor fixed.
     pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
@@ -100,7 +101,8 @@ impl<'s, 'g> Arc<'s, 'g> {
     fn fixed_anew(&self) -> ConstantTerms {
         let Self { segment, states, free_motions, .. } = self;
         let (sites, size) = (self.sites(), segment.grasp.size());
-        // An artificial stiffness against a free motion couples all coordinates that move in this motion, so that no band matrix is narrow.
+        // The artificial stiffness against a free motion couples all coordinates that move in this motion, so that no order of coordinates gives a
+        // narrow band matrix.
         let order = if free_motions.is_empty() { NarrowOrder::of(size, sites) } else { None };
         let (mut stiffness, mut push, mut stiffest) =
             (PathStiffness::zeros(size, order), Vector::zeros(), 0.0_f64);
@@ -170,7 +172,7 @@ impl<'s, 'g> Arc<'s, 'g> {
 
     /// LU factors of the bordered matrix at a load factor. Its columns are the tangent stiffness T times the unit u of displacement, then the
     /// right-hand side -b. Its last row is `across`; corrections of the state are transverse to this direction. Also returns the largest entry of T u
-    /// and b. `None` if the matrix is singular: the path may then continue in more than one direction.
+    /// and b. `None` if the matrix is singular, so that the path may continue in more than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -295,7 +297,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // This correction leaves the load factor fixed: a computed change of the load factor is rounding.
+                    // This correction leaves the load factor fixed, since a computed change of the load factor would be rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -366,7 +368,7 @@ impl<'s, 'g> Arc<'s, 'g> {
 impl Segment<'_> {
     /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round cone.
     /// The forces are the equilibrium near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per
-    /// unit of the load factor. Along motions that no spring resists the object moves as in the twist rate `pushed`, if given.
+    /// unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no spring resists.
     pub(super) fn tangent(
         &self,
         states: &[State],
@@ -383,8 +385,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState, f64)| {
-            // A correction by more than this fraction of the largest force has led to another equilibrium: after an event only rounding is to be
-            // corrected.
+            // After an event only rounding is to be corrected. A correction by more than this fraction of the largest force has therefore led to
+            // another equilibrium.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

@@ -15,7 +15,7 @@ use crate::prelude::*;
 impl PiecewiseFollower<'_> {
     /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. It is taken as the unit u, which gives twist and load factor
     /// equal weight in the arclength at this beginning. While the load turns, the present rate may be small. The norm of the twist rate after a
-    /// further quarter revolution of the load is then added in quadrature. Returns 1 if the norm is zero.
+    /// further quarter revolution of the load is then added in quadrature. The result is limited, see below, and is 1 instead of zero.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {

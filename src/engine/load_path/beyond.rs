@@ -37,23 +37,24 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond a first slip: a load path is followed
-    /// as far as it continues, so nothing continues at its end.
+    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond a first slip. A load path is followed
+    /// as far as its equilibrium continues, so that nothing continues at its end.
     Continues(Box<Continuation<C>>),
-    /// No equilibrium exists just beyond: a limit load. A motion proves this or, in the plane and on polygonal friction cones, a trial of every
-    /// combination of contact states. On the round cone there may be a proof only for a somewhat larger load. That load exceeds the load at the end
-    /// by at most a hundredth of the whole load or of all commands. If there is no load yet, the proof is for a load at most a hundredth of the leg
-    /// beyond the end.
+    /// No equilibrium exists just beyond: a limit load. It is proved by a virtual motion, or in the plane and on polygonal friction cones by a trial
+    /// of every combination of contact states. On the round cone the proof may be for a somewhat larger load only. That load exceeds the load at the
+    /// end by at most a hundredth of the whole load or of all commands. Without any load yet, it lies at most a hundredth of the leg beyond the end.
     LimitLoad,
     /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path under the same load shows whether the
-    /// grasp snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not: an
-    /// object that moves as with viscous contacts reaches none of them by small motions.
+    /// grasp snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not snap
+    /// over. In the model that load paths use, with artificial viscous dampers at the contacts, the object reaches none of these equilibria by small
+    /// motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist at
-    /// larger loads is not known, because there are too many contacts: more than 32 on the round cone, or else more combinations of contact states
-    /// than [`Settings::most_states`].
+    /// larger loads is not known, because there are too many contacts to try all combinations of states. There are more than 32 contacts on the round
+    /// cone, or more combinations than [`Settings::most_states`] on other cones.
     Ends {
-        /// The reason why no rates of forces and motion exist. The work stated in it is that of the rate of the load, J per unit of the load factor.
+        /// The reason why no rates of forces and motion exist. A work stated in the reason is done by the rate of the load, J per unit of the load
+        /// factor.
         reason: NoEquilibrium<C>,
     },
     /// The lips of these suction cups are open all around, and their vacuum is gone. What remains is another grasp, without their vacuum.
@@ -112,13 +113,13 @@ pub(super) fn continuation(
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// A virtual motion along which contact forces at the end can do no work, about the centroid of the contacts. This motion may prove that no
-    /// equilibrium exists beyond. `None` if no such motion is known.
+    /// A virtual motion of the object, about the centroid of the contacts, along which contact forces at the end can do no work. This motion may
+    /// prove that no equilibrium exists beyond the end. `None` if no such motion is known.
     pub(super) motion: Option<Vector>,
 }
 
 /// The situation beyond the end of a path. `settled` is the outcome of a search for a solution of `rates`, the complementarity problem for the rates
-/// of forces and motion at the end. Either no solution exists, or the search was undecided.
+/// of forces and motion at the end. Either the search found that no solution exists, or it was undecided.
 pub(super) fn beyond_end(
     segment: &Segment<'_>,
     rates: &Problem,
@@ -155,8 +156,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. In a shorter range, rounding might hide that no
-        // equilibrium exists.
+        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. Over a shorter distance the loads would differ too
+        // little from the load at the end, and the proof could fail because of rounding.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -186,8 +187,8 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search at the distance `part` beyond the end finds another equilibrium: its forces differ from those at the end by more than on a
-    // continued path.
+    // Whether the search at the distance `part` beyond the end finds another equilibrium. The forces of another equilibrium differ from the forces at
+    // the end by more than the forces of a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,

@@ -115,12 +115,14 @@ impl BodyLoads {
         Some([0, 1].each(|end| grasp.combine_wrenches(bodies, &loads[end])))
     }
 
-    /// The loads of all bodies at the beginning (`end` = 0) or the end (1) of the leg; empty until a leg changes a body load.
+    /// The loads on all bodies, without their permanent loads: at the beginning of the leg if `end` is 0, at its end if `end` is 1. Empty until a leg
+    /// changes a body load.
     pub(super) fn at_end(&self, end: usize) -> &[Wrench<3>] {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The grasp with its bodies under the loads that they have at a fraction of the leg. The grasp itself if no leg has changed a body load.
+    /// The grasp with its bodies under the loads that they have at a fraction of the leg. If no leg has changed a body load, `grasp` is returned
+    /// unchanged.
     pub(super) fn apply<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;

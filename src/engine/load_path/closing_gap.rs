@@ -2,15 +2,16 @@
 //!
 //! If nothing resists the motion v with which the object leaves, forces stay constant along this motion: no spring is stretched further, and friction
 //! is exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement
-//! δ v, at which the first open contact closes. With the normal n_i and the grasp map G_i of each open contact i that comes nearer:
+//! δ v, at which the first open contact closes. Let contact i have the normal n_i into the object, the grasp map G_i and the gap gap_i. The minimum
+//! is over the open contacts whose gap decreases along v:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
 //! At the closed gap the path continues at the same load, and contacts keep the slips that the motion has caused. If kinetic friction is lower,
-//! contacts that begin to slide lose a part of their friction force. This part is removed first, along a separate leg ([`super::jump_leg`]) on which
-//! the gap may already close. A motion too large for linear kinematics is not made.
+//! contacts that begin to slide lose some of their friction force. This force is removed first, along a separate leg ([`super::jump_leg`]) on which
+//! the gap may already close. If the motion would be too large for linear kinematics, it is not made, and the path ends with the loss.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -34,13 +35,13 @@ struct FreeTravel {
     length: f64,
     /// Indices of the contacts and drives whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each contact or drive, whether it has no velocity in the motion. Such a contact sticks even if its force is on the edge of its friction
+    /// For each contact or drive: true if the motion gives it no velocity. Such a contact sticks even if its force is on the edge of its friction
     /// cone.
     still: Vec<bool>,
 }
 
-/// Whether a contact with this force lets the object move at this velocity (in the contact frame) without a change of the force. It does if no spring
-/// is stretched, and friction is at its limit against the slip. Velocities up to `none` are treated as zero.
+/// Whether the object can move at this velocity (in the contact frame) without a change of this contact force. This requires that the motion
+/// stretches no spring, and that friction is at its limit against the slip. Velocities up to `none` are treated as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -60,8 +61,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks it, if no gap
-    /// closes, or if rotations or slips exceed the limits of small motions.
+    /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks the motion, if
+    /// no gap closes, or if rotations or slips exceed the limits of small motions.
     fn free_way(&self, motion: &Vector) -> Option<FreeTravel> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
@@ -76,7 +77,7 @@ impl<'g> PiecewiseFollower<'g> {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
-                    // The object would move into a contact whose gap is closed already: this contact blocks the motion.
+                    // The object would move into a contact whose gap is closed already, so that this contact blocks the motion.
                     if gap <= shut {
                         return None;
                     }
@@ -102,7 +103,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Lets contacts slide whose forces are on the edge of their friction cones, and opens contacts at the apex, as the object moves along `motion`.
-    /// Contacts on an edge without velocity in this motion stick. Returns the changes of contact states.
+    /// A contact with its force on an edge sticks if this motion gives it no velocity. Returns the changes of contact states.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -194,7 +195,8 @@ impl<'g> JumpInProgress<'g> {
     /// starts a new leg along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes,
     /// and returns false.
     ///
-    /// # Errors The loss `loss`, if no gap closes.
+    /// # Errors
+    /// The loss `loss`, if no gap closes.
     pub(super) fn follow_free_motion(
         &mut self,
         loss: &Loss<3>,

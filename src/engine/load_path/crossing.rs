@@ -36,8 +36,8 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between
-    /// the ends of the step. `None` if no condition is violated.
+    /// Of the conditions violated at the end of a step, the index of the condition that becomes zero first. For this choice conditions are
+    /// interpolated linearly between the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -58,7 +58,7 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition is zero at the start already, and negative right after it.
+            // The value of the condition is zero at the start of the step already, and negative right after the start.
             low.1 = 0.0;
         }
         // At most eighty steps are tried; bisection alone would need about fifty (the bits of a floating-point number).

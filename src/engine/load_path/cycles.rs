@@ -26,7 +26,7 @@ pub(crate) struct Cycles<'g> {
     completed: usize,
 }
 
-/// The state of a grasp between two cycles: a list has an entry for each contact and drive.
+/// The state of a grasp between two cycles. Each list has an entry for each contact and drive.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState {
     pub(crate) forces: Vec<SVector<f64, 3>>,
@@ -34,11 +34,12 @@ pub(crate) struct CycleState {
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
-    /// Whether each contact or drive slides with kinetic friction below its static friction; empty if no contact has kinetic friction.
+    /// For each contact and drive: true if its present friction is its lower kinetic friction, because it slides. Empty if no contact has kinetic
+    /// friction.
     pub(crate) weaker: Vec<bool>,
 }
 
-/// Totals and extremes of one cycle of legs; a list has an entry for each contact and drive.
+/// Totals and extremes of one cycle of legs. Each list, except `states`, has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
     /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over pieces of the path (parts of legs
@@ -48,7 +49,7 @@ pub(crate) struct CycleRecord {
     pub(crate) dissipated: f64,
     /// The largest contact force at the ends of the pieces of the path, N.
     pub(crate) largest: f64,
-    /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` for others.
+    /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` if it was closed at some time.
     pub(crate) open: Vec<Option<f64>>,
     /// The largest gap of each contact or drive at the ends of the pieces on which it was open, m; zero if it was never open.
     pub(crate) largest_gap: Vec<f64>,
@@ -106,8 +107,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
     }
 
-    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
-    /// slide at once, or the equilibrium with the slips of `from` has other forces.
+    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp. This is so if a
+    /// contact would slide at once, or if the equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -147,13 +148,13 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The rotation, slip or opening on the path so far that first exceeded its limit of small motions; `None` if none has.
+    /// The rotation, slip or opening on the path so far that first exceeded its limit of small motions; `None` if no motion has exceeded its limit.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
         self.path.end_of_small_motions().map(|end| end.what.clone())
     }
 
-    /// The index of the present leg within the present cycle, and the fraction of this leg that is done. The path counts legs from the first cycle
-    /// on, and `completed` includes the present cycle.
+    /// The index of the present leg within the present cycle, from 0, and the fraction of this leg that is done, from 0 to 1. The path counts legs
+    /// from the first cycle on, and `completed` includes the present cycle.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
         (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)
@@ -207,7 +208,7 @@ impl<'g> Cycles<'g> {
                 record.jump_motion = record.jump_motion.max(displacement);
             }
         }
-        // The last piece is kept: the state at the end of the cycle is computed from it.
+        // The last piece is kept, since the state at the end of the cycle is computed from it.
         follower.behind.extend(behind.into_iter().last());
         Some(record)
     }

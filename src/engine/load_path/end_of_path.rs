@@ -10,11 +10,11 @@ use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::search::{SearchCounts, SearchOutcome, Settings};
 
-/// The end of a path at which no rates of forces and motion satisfy the contact laws, or the search `settled` for rates is undecided. Returns `loss`,
-/// completed by its kind and by the motion with which the object leaves, or an undecided end.
+/// The end of a path at which the search for rates of forces and motion, with the outcome `settled`, found no rates that satisfy the contact laws.
+/// Returns `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
 ///
-/// The kind is `GivesWay` if a motion meets no resistance. Otherwise it is `Corner`: no combination of states of the contacts on the edge of their
-/// cones admits rates. If the search for rates was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium beyond.
+/// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: no combination of states of the contacts on the edge of
+/// their cones admits rates. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium just beyond.
 /// Without such a proof the end is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
@@ -50,19 +50,19 @@ pub(super) fn end_of_path(
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }
 
-/// Two unit motions while contacts have the states `states`: the motion with which the object leaves, and the virtual motion that proves the loss.
-/// `None` if nothing moves or no motion can be determined.
+/// Two unit motions, computed with the contact states `states`: first the motion with which the object leaves, then the virtual motion that proves
+/// the loss. `None` if nothing moves or no motion can be determined.
 ///
 /// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is one along which no contact
 /// force of these states does work. Because of friction the two motions differ. For a block that slides to the right on a floor, the virtual motion
-/// also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the twist rate, reversed if contacts
-/// would slip against friction.
+/// also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised twist rate. It is
+/// reversed if, summed over contacts, the slip would be opposite to the friction forces.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the one along which the rate of the
-            // load does the most work is taken. If only commands change, the load itself takes the place of its rate.
+            // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the motion is taken along which the
+            // rate of the load does the most work. If only commands change, the load is used instead of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

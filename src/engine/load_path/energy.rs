@@ -11,8 +11,8 @@ use crate::numerics::{Each, Harmonic, mapped};
 use crate::serial::AsComputed;
 
 /// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions
-/// are affine in the load factor, and under a load that turns they are harmonics of its angle: every integral is exact. If contacts slide on the
-/// round cone, works are integrated along with the slips.
+/// are affine in the load factor, and under a load that turns they are harmonics of its angle, so that every integral is exact. If contacts slide on
+/// the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -31,15 +31,15 @@ pub struct LegEnergy {
     /// negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
-    /// Sum of the absolute values of all contributions of all pieces and contacts. It is the scale for the rounding error of the balance, because
-    /// works of opposite signs cancel. If directions of sliding turn on the round cone, the stored energies before and after each step are
-    /// contributions, because their change is computed as a difference. Not serialised.
+    /// Sum of the absolute values of all works, stored energies and heats of all pieces and contacts, J. Works of opposite signs cancel in the
+    /// balance, so its rounding error is proportional to this sum. If directions of sliding turn on the round cone, the stored energies before and
+    /// after each step are summands, because their change is computed as a difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
 
 impl LegEnergy {
-    /// `(load_work + finger_work - stored - dissipated) / turnover`: zero in exact arithmetic.
+    /// `(load_work + finger_work - stored - dissipated) / turnover`: zero in exact arithmetic. Returns 0 if `turnover` is zero.
     #[must_use]
     pub fn residual(&self) -> f64 {
         let excess = self.load_work + self.finger_work - self.stored - self.dissipated;
@@ -55,7 +55,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies `part` of another piece of the same leg.
+    /// Adds the energies `part` of another piece (with fixed contact states) of the same leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;

@@ -30,20 +30,20 @@ pub struct Event<const C: usize> {
     /// Changes of contact states, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their
     /// states although other continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
-    /// Changes in the hand, if a hand holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
+    /// If a hand holds the object: the joints and tendons whose drives yield, hold again, slacken or tighten at this event.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
     /// Unit motions that nothing resists from this event on: any multiple of them may be added to the twist. The path continues without moving along
     /// them, unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of other ways in which the contacts on the edge of their cones could continue. `Some(0)` means that the continuation is unique. The
-    /// matrix of the complementarity problem for the rates is then a P-matrix, or a trial of all states of few contacts found no other solution.
-    /// `None`, and not written, if neither test gives the number, as at the apex of a round cone.
+    /// Number of other combinations of states with which the contacts on the edge of their cones could continue. `Some(0)` means that the
+    /// continuation is unique. The matrix of the complementarity problem for the rates is then a P-matrix, or a trial of all states of few contacts
+    /// found no other solution. `None`, which is not serialised, if neither test gives the number, as at the apex of a round cone.
     ///
-    /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
-    /// of Lemke's method. If several motions are possible with the same forces, the path takes a motion in which contacts without force do not drag
-    /// the object along.
+    /// Of several continuations the path takes the first that exists in this order: nothing changes; sliding contacts keep sliding and contacts at an
+    /// edge slide; everything sticks; the solution of Lemke's method. If several motions are possible with the same forces, the path takes a motion
+    /// in which contacts without force do not drag the object along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
     /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).
@@ -177,11 +177,11 @@ pub struct Loss<const C: usize> {
     pub kind: LossKind,
     /// The contacts that are on the edge of their cone at the loss.
     pub contacts: Vec<ContactLabel>,
-    /// The joints and tendons of a hand whose drives have reached their greatest torque or force at the loss.
+    /// The joints and tendons of a hand whose drives are at a limit of their torque or force at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves: every contact on the edge of its cone slides along its friction force, or opens. `None` if these
-    /// states do not determine a motion.
+    /// The unit motion with which the object leaves. In it every contact on the edge of its cone slides, with its finger slipping along the friction
+    /// force, or opens. `None` if these states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
     /// The slips in a jump (a motion at constant load) that starts at this load and leads to no equilibrium. The jump begins when the friction of
@@ -189,8 +189,8 @@ pub struct Loss<const C: usize> {
     /// equilibrium is lost. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// A virtual motion along which contact forces can do little or no negative work at the loss, in the engine's coordinates. It may prove that no
-    /// equilibrium exists beyond.
+    /// A virtual motion of the object, in the engine's coordinates, along which contact forces can do little or no negative work at the loss. It may
+    /// prove that no equilibrium exists beyond. `None` if no such motion is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
@@ -199,8 +199,8 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that may prove the loss, about the centroid of the contacts: contact forces can do little or no negative work along it.
-    /// `None` if no such motion is known.
+    /// The virtual motion that may prove the loss, about the centroid of the contacts: contact forces can do little or no negative work along this
+    /// motion. `None` if no such motion is known.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
@@ -228,13 +228,13 @@ impl Loss<3> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossKind {
-    /// The load has a smooth maximum while directions of sliding turn on the round cone: in these contact states the equilibrium continues under less
-    /// load only.
+    /// The load has a smooth maximum while directions of sliding turn on the round cone. In these contact states the equilibrium continues only under
+    /// a smaller load.
     Fold,
     /// Contacts are on the edge of their cones, and no combination of their states admits rates of forces and motion under the growing load.
     Corner,
-    /// The object moves without bound while the load approaches the load of this loss and never reaches it. Directions of sliding have turned along
-    /// this motion, and apart from friction nothing resists it.
+    /// The object moves without bound while the load approaches the load of this loss and never reaches it. All directions of sliding have turned
+    /// towards this motion, and only friction at its limit resists it.
     Asymptote,
     /// From this load on nothing resists some motion, and the change of the load does work along this motion.
     GivesWay,

@@ -12,9 +12,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Begins to store the present friction cone of every contact, if some contact has lower kinetic friction. Contacts that slide at the start get
-    /// kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then reports as its first event.
-    /// Changes nothing if the cones are stored already. The error is the end of the path in that jump.
+    /// Begins to store the present friction cone of every contact, if some contact has kinetic friction below its static friction. Contacts that
+    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then reports
+    /// as its first event. Changes nothing if the cones are stored already. The error is the end of the path in that jump.
     pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -73,8 +73,8 @@ impl<'g> PiecewiseFollower<'g> {
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Takes almost vanishing forces of the contacts in `reached` (whose present states end here) as zero: puts these contacts at the apex of their
-    /// cones. Adds the relative size of these forces to the step error.
+    /// Takes almost vanishing forces of the contacts in `reached` (whose present states end here) as zero, and puts these contacts at the apex of
+    /// their cones. Adds the ratio of each such force to the largest force to the step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {

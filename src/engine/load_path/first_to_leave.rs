@@ -29,8 +29,8 @@ pub(super) struct FirstToLeave {
     pub(super) there: PieceState,
 }
 
-/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor. Also `None` unless everything clearly sticks
-/// under the base load, and one contact stops sticking before all others.
+/// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor, or if the simple case of this file does not
+/// apply. It applies if everything clearly sticks under the base load, and one contact stops sticking before all others.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
     let piece = problem.trial();
@@ -161,7 +161,7 @@ impl FirstToLeave {
 }
 
 /// Whether the value of every condition of sticking, positive inside the friction cone, is more than the fraction `NEGLIGIBLE` of the size of its
-/// terms. For an absent contact the conditions are those of being open.
+/// terms. For an absent contact, the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // If the value of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
@@ -177,8 +177,8 @@ struct FirstContact {
     line: Line,
 }
 
-/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` unless everything clearly sticks
-/// under the base load, and no other exit has nearly the same load factor.
+/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` if a contact does not clearly
+/// stick under the base load, or if another force leaves its cone at nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &PieceState,

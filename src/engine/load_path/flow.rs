@@ -77,8 +77,8 @@ pub(super) struct Flow<'s, 'g> {
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start of the step, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
-    /// For each sliding contact, whether its normal force has almost vanished and still decreases, so that its direction of friction needs extra
-    /// accuracy.
+    /// For each sliding contact: true if its normal force has almost vanished and still decreases. Its friction force must then be computed with a
+    /// smaller error, so that its direction stays accurate.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start, to which errors are compared.
     sizes: [f64; 2],
@@ -147,8 +147,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         Direction { twist: self.point.twist_rate.clone(), factor: self.point.factor_rate }
     }
 
-    /// The largest rate at which the friction force of a sliding contact turns towards its slip, per unit of arclength, see [`Self::relaxations`]. At
-    /// least zero.
+    /// The largest rate at which the friction force of a sliding contact turns towards its slip, per unit of arclength, see [`Self::relaxations`].
+    /// Zero if all rates are negative.
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
@@ -168,13 +168,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// Makes a step of the arclength `length`, extended to end at the goal if it comes near enough. `None` if the rule or the correction onto the
-    /// cones does not converge, or if the path has no unique direction.
+    /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there. `None` if
+    /// the rule or the correction onto the cones does not converge, or if the path has no unique direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
-        // The works of load, fingers and friction, and the sum of their absolute values, are integrated together with the state.
+        // The works of fingers, friction and load, and the sum of their absolute values, are integrated together with the state.
         let mut first = vec![0.0; works + 4];
         rate(&first.clone(), &mut first)?;
         let size = |error: &[f64]| self.error_size(error, length);
@@ -229,8 +229,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices, in the list of integrated variables, of the load factor and of the first of four works (see [`Self::step`]). Before the load factor
-    /// are two friction components for each sliding contact, then the twist.
+    /// Indices, from 0 in the list of integrated variables, of the load factor and of the first of four works. The list has two friction components
+    /// for each sliding contact, then the twist, the load factor, the works of fingers, friction and load, and the sum of their absolute values.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
@@ -325,7 +325,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
         // The error of a friction force is compared with the largest force. The error of a vanishing friction force is also compared with this force
-        // itself, with the weight 1e-6, which keeps its direction accurate.
+        // itself, which keeps its direction accurate. This ratio is multiplied by 1e-6.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);

@@ -21,9 +21,9 @@ use crate::search::Settings;
 pub(crate) enum Advance<T> {
     /// The follower has reached an event or the end of a step, which the path returns to the caller.
     Reached(T),
-    /// The follower has advanced, but has reached no event or end of a step yet.
+    /// The follower has advanced, or has computed how the path continues, but has nothing yet to return to the caller.
     OnTheWay,
-    /// The leg is complete, and all its events or steps have been returned.
+    /// The leg (section of the load program) is complete, and all its events or steps have been returned.
     EndOfLeg,
 }
 
@@ -111,8 +111,8 @@ pub(crate) trait Follower<'g>: Debug {
         0.0
     }
 
-    /// The leg and fraction from which on every contact with friction and a normal force slides, up to the place `until`. `None` if there is no such
-    /// place, or from a follower that does not store its past.
+    /// The index of the leg and the fraction of it from which on, up to the place `until`, every contact with friction and a normal force slides.
+    /// `None` if there is no such place, or from a follower that does not store its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }

@@ -11,8 +11,8 @@ use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the torques that hold the joints of a hand change by `change`: N m, or N for prismatic joints, one for each joint. After the
-    /// joints follow the slides of contacts that are [held by a force](crate::grasp::Contact::force).
+    /// A leg along which the torques that hold the joints of a hand change by `change`, one number for each joint: N m, or N for a prismatic joint.
+    /// After the joints comes one number, N, for the slide of each contact that is [held by a force](crate::grasp::Contact::force).
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -106,7 +106,7 @@ impl HeldTorques {
         }))
     }
 
-    /// The torques at the beginning (`end` = 0) or at the end (1) of the leg; empty if no leg so far changes them.
+    /// The torques that hold all joints: at the beginning of the leg if `end` is 0, at its end if `end` is 1. Empty if no leg so far changes them.
     pub(super) fn at_end(&self, end: usize) -> &[f64] {
         self.0.as_ref().map_or(&[], |torques| &torques[end])
     }

@@ -11,8 +11,8 @@
 //!
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. Thus there is one equation for each
 //! sliding contact, where an [arc](super::arc) has one for each coordinate. In some cases the functions of this file return `None`, and the caller
-//! follows a load path: an onset without clear sticking before it, a slip that ends, a contact that opens, simultaneous events, several
-//! continuations.
+//! follows a load path instead. This happens if sticking before the onset is not clear, a slip ends, a contact opens, events coincide, or several
+//! continuations exist.
 
 use nalgebra::SVector;
 
@@ -36,7 +36,7 @@ use crate::search::Settings;
 pub(crate) struct InSlips {
     /// Indices of the contacts that slide, in the order in which they begin to slide, each with the load factor from which it slides.
     pub(crate) slid: Vec<(usize, f64)>,
-    /// The load factor from which all contacts slide; `None` if some stick up to the end.
+    /// The load factor from which on all contacts slide; `None` if some contact sticks up to the end.
     pub(crate) all_slide: Option<f64>,
     /// The load factor at the end of the path.
     pub(crate) factor: f64,
@@ -47,7 +47,7 @@ pub(crate) struct InSlips {
 
 /// The end of a path along which a load grows.
 pub(crate) enum SlipEnd {
-    /// The grasp holds up to the load factor `most` at which following stops.
+    /// The grasp holds up to the load factor `most`, the upper limit given by the caller.
     Held,
     /// This motion (a rotation or slip) has reached its limit of small motions.
     TooFar(CountedMotion),
@@ -101,12 +101,14 @@ impl Engine {
     }
 }
 
-/// Upper limit of the number of steps after the onset: a load that needs more is left to a `LoadPath`, which has implicit steps.
+/// Upper limit of the number of steps after the onset. A load that needs more steps is left to a `LoadPath`, which has implicit steps for directions
+/// of friction that turn fast.
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. At first `at`
-    /// holds 1 and the load factor at which the contact `first` begins to slide. `None` in cases that are left to a `LoadPath`.
+    /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. `at` lists the
+    /// factors of the forces F⁰, F¹ and R: the number 1, the load factor, and two slip components of each sliding contact, m. At first no contact
+    /// slides, and the load factor is the factor at which the contact `first` begins to slide. `None` in cases that are left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -164,8 +166,8 @@ impl Slips<'_> {
     }
 
     /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
-    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if there are too
-    /// many sliding contacts.
+    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if `MOST_SLIDING`
+    /// contacts slide already.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -209,9 +211,9 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // The path may instead continue with only some of these contacts slipping. Bit i of `combination` is set if contact i on the edge of its cone
-        // slips, else it sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases. If a
-        // combination may continue the path, `None` is returned, and the caller follows a load path.
+        // The path may instead continue with only some of these contacts slipping. Bit i of `combination`, from 0, is set if the contact `sliding[i]`
+        // slips; otherwise this contact sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases.
+        // If a combination may continue the path, `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -230,8 +232,8 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With these rates forces balance the load, but contacts slip against friction. The object leaves with the reversed motion, in which friction
-        // opposes the slips.
+        // With these rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids. The object
+        // leaves with the reversed motion, in which the slips have the directions of the friction forces.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.loss_of_kind(LossKind::Corner, at, &motion, ramp)
@@ -260,8 +262,8 @@ impl Slips<'_> {
         Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
     }
 
-    /// Whether the object, moving as with viscous contacts at a slightly larger load factor than at `at`, comes to rest in another equilibrium.
-    /// `None` for a malformed ramp.
+    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than at `at`. It moves in the artificial model of
+    /// `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
     fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;

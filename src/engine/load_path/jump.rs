@@ -15,7 +15,7 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A jump from one equilibrium to another under one load. In the first kind contacts begin to slide, and with [kinetic
+/// A jump from one equilibrium to another under one load. There are three kinds. In the first kind contacts begin to slide, and with [kinetic
 /// friction](crate::grasp::Contact::kinetic) they carry less tangential force.
 ///
 /// The tangential force that they lose is removed so slowly that other contacts can take it over. Contacts that reach their static friction limit
@@ -25,30 +25,32 @@ use crate::words::{Words, listed};
 /// In the second kind nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). At every point
 /// of this motion forces balance under the same load. The speed at which the gap closes plays no part.
 ///
-/// In the third kind no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. It moves as if
-/// every spring had a damper in proportion to its stiffness, and does not overshoot either.
+/// In the third kind no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. Its motion is
+/// computed as if every spring had a damper in proportion to its stiffness, and does not overshoot either.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Jump<const C: usize> {
-    /// Further changes of contact states in the jump, in the order in which they occur: contacts that begin to slide, stick again, open or close.
+    /// Changes of contact states in the jump, in addition to the changes listed by the event, in the order in which they occur. Contacts begin to
+    /// slide, stick again, open or close.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub changes: Vec<ContactChange<C>>,
-    /// The contacts that slip in the jump, and how far.
+    /// The contacts that slip in the jump, each with its slip.
     pub slips: Vec<JumpSlip<C>>,
     /// The contacts whose gaps close at the end of a free motion of the object, in the order of closing. Empty if the object does not move freely in
     /// the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
-    /// Whether the object snaps over from a fold, a corner or an asymptote of its path ([`LossKind`](super::LossKind)) to another equilibrium.
+    /// True if the object snaps over to another equilibrium (third kind), from a fold, a corner or an asymptote of its path
+    /// ([`LossKind`](super::LossKind)).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// The motion of the object, or of each of several bodies, in the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub moved: Vec<BodyMotion<C>>,
-    /// Energy lost in the jump, J: the work of the load minus the energy that springs take up. Most of it becomes heat by friction, and the rest by
-    /// the damping of the object.
+    /// Energy lost in the jump, J: the work of the load minus the energy that springs take up. Most of this energy becomes heat by friction; the rest
+    /// is lost in the damping of the object's motion.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
     /// The equilibrium after the jump.
@@ -69,8 +71,8 @@ pub struct JumpSlip<const C: usize> {
     pub slip: SVector<f64, C>,
 }
 
-/// The jump in words, for example "caught after left slips 0.4 mm", for a soft fingertip with the point that slips farthest, or "the object moves 0.4
-/// mm along +x to stop".
+/// The jump in words, for example "caught after left slips 0.4 mm" or "the object moves 0.4 mm along +x to stop". For a soft fingertip the largest
+/// slip of its points is named.
 impl<const C: usize> fmt::Display for Jump<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

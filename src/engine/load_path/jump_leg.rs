@@ -1,17 +1,17 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
 //!
-//! A contact j that leaves its static cone has the force F_j' on its kinetic cone in place of F_j, at the same stretch of its springs. The difference
-//! is first applied as an external force. It is then removed along a separate leg with load factor τ, at the same load W and commands, with the grasp
-//! maps G:
+//! Let a contact j leave its static cone with the force F_j. At the same stretch of its springs, its force on the kinetic cone is F_j'. The
+//! difference F_j - F_j' is first applied as an external force. It is then removed along a separate leg with load factor τ, at the same load W and
+//! commands. G_i and G_j are the grasp maps:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, its lost force is applied as an external force,
-//! too, and the leg begins anew. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise equilibrium is
-//! lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in which the
-//! object does not overshoot the new equilibrium.
+//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is added to the present
+//! external force, and a new leg removes both. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise
+//! equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in
+//! which the object does not overshoot the new equilibrium.
 
 use nalgebra::{Matrix, SVector};
 
@@ -35,7 +35,8 @@ use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
-    /// For all contacts and drives: slips before the jump, whether they have slid in the jump so far, and the successive lists of their states.
+    /// Three lists over all contacts and drives: slips before the jump; flags, true if the contact has slid in the jump so far; and the successive
+    /// contact states.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.
@@ -58,8 +59,8 @@ impl<'g> JumpInProgress<'g> {
     /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or contacts lose friction
     /// force too often.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
-        // A lost friction force is removed at most sixteen times for each contact or drive. Each jump loses energy, so contacts could only stick and
-        // slide again more often because of rounding.
+        // A lost friction force is removed at most sixteen times for each contact or drive. Each such removal loses energy, so that still more of
+        // them could only result from rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(run) {
@@ -81,8 +82,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg towards its next event and returns an empty list, or computes at an event how the leg continues. In the second case
-    /// returns the contacts that begin to slide with lower kinetic friction. `None` at the end of the leg.
+    /// Advances along the leg towards its next event and returns an empty list; `None` at the end of the leg. At an event it computes instead how the
+    /// leg continues, and returns the contacts that begin to slide with lower kinetic friction.
     fn advance_to_node(&mut self, run: &ProgramRun<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -179,8 +180,8 @@ impl<'g> PiecewiseFollower<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Each jump is
-        // therefore counted as a step.
+        // Contacts may alternate between sticking and sliding, with a jump each time. If friction falls only a little, there are very many jumps, so
+        // each jump counts as one of the limited number of steps.
         if self.pace.steps >= run.settings.most_steps {
             return Err(run.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -205,8 +206,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.end_jump(run, &goal, jump).map(Some)
     }
 
-    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump for the caller. Returns an error if the state there
-    /// is not accurate enough.
+    /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump in the form reported to users. Returns an error if
+    /// the state there is not accurate enough.
     pub(super) fn end_jump(
         &mut self,
         run: &ProgramRun<'g>,

@@ -50,7 +50,8 @@ pub struct Leg<const C: usize> {
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
     pub(super) torques: LegGoal<Vec<f64>>,
-    /// The bodies whose own loads change along the leg, each with the change of its load, or its load at the end.
+    /// The names of the bodies whose own loads change along the leg. With each name stands the change of this load, or the load at the end of the
+    /// leg.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
@@ -208,8 +209,8 @@ impl<const C: usize> Leg<C> {
 }
 
 impl Leg<3> {
-    /// This leg with one command for each contact point: the command of a soft fingertip is repeated for all of its points. Links between bodies,
-    /// which have no entry in the commands, keep their pretension. Returns an error if the number of commands is wrong.
+    /// This leg with one command for each contact point. The command of a soft fingertip is repeated for all of its points. A link between bodies has
+    /// no entry in the commands, and keeps its pretension. Returns an error if the number of commands is wrong.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {
@@ -269,7 +270,8 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the commands (or torques) at the beginning and end of the previous leg, by those of the next leg, which has this goal.
+    /// Replaces `commands`, the commands (or torques) at the beginning and end of the previous leg, by the commands at the beginning and end of the
+    /// next leg. This goal is the goal of the next leg.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

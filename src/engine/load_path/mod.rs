@@ -1,7 +1,8 @@
 //! The onset (first slip or opening) as the load grows, found directly, the situation just beyond it, and whole load programs with slip memory.
 //!
 //! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, contact forces are affine in the load factor τ of a [`Ramp`]. The
-//! onset is the least τ >= 0 at which a condition of sticking is met with equality. Two linear solves determine it, without stepping:
+//! onset is the least τ >= 0 at which a condition of sticking is met with equality. Two linear solves give the forces F⁰ under the base load and
+//! their rate F¹, and so the onset without stepping:
 //!
 //! ```text
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
@@ -19,8 +20,8 @@
 //! only if the normal force stays zero, and a slip only if the friction margin `μ F_n - |F_t|` stays zero. In this problem a contact inside its cone
 //! is treated as bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues
 //! ([`Continuation`]); without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate
-//! question: if no other equilibrium exists, the end is a limit load, otherwise a snap. At a snap a load path lets the object move as with viscous
-//! contacts, and continues from the equilibrium in which it comes to rest.
+//! question: if no other equilibrium exists, the end is a limit load, otherwise a snap. At a snap a load path moves the object in an artificial model
+//! in which viscous dampers act at the contacts. It continues from the equilibrium in which the object comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
 //! s)`. Here K_t is the tangential stiffness, a_t the tangential command, t·u_c the object's tangential displacement at the contact, and s the
@@ -34,7 +35,7 @@
 //! |---|---|
 //! | leg ([`Leg`]) | a part of the load program, along which load and commands change linearly to given values, or the load turns |
 //! | load factor on a leg | the fraction of the leg that is done, from 0 to 1 |
-//! | place | a point of the path, given by a leg and a fraction of it |
+//! | place | a point of the path, given by the index of a leg and the fraction of this leg that is done |
 //! | segment | the loads and commands along one leg (or ramp, or turn) in the engine's coordinates, with the slips so far |
 //! | piece | a part of a leg on which all contacts keep their states; its stored form is a `StoredPiece` |
 //! | arc | a piece on which contacts slide on the round cone, so that directions of sliding turn |

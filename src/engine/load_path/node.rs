@@ -42,7 +42,7 @@ pub(super) struct Node {
     /// For each contact the unit direction in which it slides, in coordinate axes; `None` if it does not slide.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) active_sets: Vec<ActiveSet>,
-    /// For each contact, whether it has infinite friction and carries a tangential force. Such a contact loses this force at once when its normal
+    /// For each contact: true if it has infinite friction and carries a tangential force. Such a contact loses this force at once when its normal
     /// force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether some contact starts to slide from the apex of its cone: it has a direction of sliding, but no friction force yet.
@@ -89,7 +89,7 @@ impl Node {
             slide_where_they_graze(&rates, &mut found);
         }
         // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. Of all admissible motions the path
-        // takes the shortest, rather than one at an end of their range.
+        // takes the shortest, and not a motion at one end of their range.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -138,8 +138,8 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
         let mut last = None;
-        // The continuation is taken from the rate problem with the rate of the load at this angle (rad) beyond the node. Smaller angles are tried
-        // next, because another event may occur before the larger angle.
+        // The continuation is taken from the rate problem with the rate of the load at this angle (rad) beyond the node. Smaller angles are tried in
+        // turn, because another event may occur before the larger angle.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let SearchOutcome::Found(found, _) = &decided.settled else {
@@ -147,8 +147,8 @@ impl Node {
                 continue;
             };
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
-            // problem at 1e-12 rad beyond the node, the accuracy of an event's angle. Closer to the node, the rate of a load that turns back might
-            // have the wrong sign.
+            // problem at 1e-12 rad beyond the node. An event's angle has an error of about 1e-12 rad, so that closer to the node the rate of a load
+            // that turns back might have the wrong sign.
             let rates_beyond = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_beyond, found.states.clone()), CandidateOutcome::Holds(_))
@@ -174,8 +174,8 @@ impl Node {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact at the apex of its cone no state is more likely than another. On the round cone it is first tried open; then Newton's method
-        // starts from sticking and from sliding.
+        // For a contact at the apex of its cone no state is more likely than another. On the round cone such a contact is first tried open. Then
+        // Newton's method starts with the contact sticking, and with the contact sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
@@ -218,8 +218,8 @@ impl Node {
         if nothing && (0..states.len()).all(comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than this fraction are equal up to rounding. Of equal motions, the motion without sliding contacts
-        // that carry no force is chosen, since the direction of such a slide would be rounding.
+        // Motions whose lengths differ by less than the fraction `NEGLIGIBLE` count as equal. Of equal motions, the motion is chosen in which
+        // contacts without force are open, since the direction in which they slide would be rounding.
         let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {
@@ -260,7 +260,7 @@ impl Node {
     }
 }
 
-/// Lets a contact of `found` slide if its force, while it sticks, would leave the round cone along a tangent, see
+/// Changes contacts of `found` from sticking to sliding if their force, with the contact sticking, would leave the round cone along a tangent, see
 /// [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);

@@ -32,8 +32,8 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond. The work stated in it is that of the rate of the load, J per unit of the load factor (J/rad
-        /// for a turn).
+        /// The reason why no equilibrium exists beyond. A work stated in the reason is done by the rate of the load, J per unit of the load factor
+        /// (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
     /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
@@ -139,8 +139,8 @@ impl DepartingContact<3> {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// As [`Self::new`], from the edges of its cone that the force has reached: the contact slides outwards across them. At the apex it opens, or
-    /// would have to pull. Used if no continuation determines the direction of its slip.
+    /// As [`Self::new`], with the way of leaving derived from the edges of the cone that the force has reached. The contact slides along the sum of
+    /// their outward normals. At the apex it opens, or would have to pull. Used if no continuation determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,
@@ -190,6 +190,7 @@ pub enum Departure<const C: usize> {
     },
     /// The contact opens, F_n = 0.
     Opens,
-    /// The contact is kept closed and would have to pull, F_n = 0, which its friction does not allow.
+    /// The contact is kept closed, and its normal force has fallen to F_n = 0. Beyond the onset it would have to pull, and while it pulls it cannot
+    /// have a friction force.
     WouldPull,
 }

@@ -21,9 +21,9 @@ pub enum DepartingPart {
     Drive(HandPart),
 }
 
-/// The margins that vanish at an onset, and the derivatives of its load factor τ with respect to the data of grasp and load: `dτ = -dm / m'`. The
-/// vanishing margin is m = `μ F_n - |F_t|` (F_n if a contact opens), and m' is its rate along the ramp. For a load that turns, τ is the angle of the
-/// onset.
+/// The margins that vanish at an onset, and the derivatives of the onset's load factor τ with respect to the data of grasp and load. The margin of a
+/// contact is m = `μ F_n - |F_t|`, N (F_n if the contact opens), and m' is its rate along the ramp. If a datum changes, the margin at constant τ
+/// changes by dm, and τ by `dτ = -dm / m'`. For a load that turns, τ is the angle of the onset.
 ///
 /// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
 ///
@@ -99,9 +99,9 @@ impl<'g> OnsetMargins<'g> {
         Some(mapped(&self.margins, &|margin| margin.factor_change(&change.forces, direct(margin))))
     }
 
-    /// The derivative of the onset's load factor with respect to x, at x = 0, if `load` times x is added to the base load. One derivative for each
-    /// contact or drive of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the whole load,
-    /// at the value 1. `None` if nothing resists `load` in the present contact states.
+    /// If x times `load` is added to the base load: the derivative of the onset's load factor with respect to x, at x = 0. There is one derivative
+    /// for each contact or drive of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the
+    /// whole load, at the value 1. `None` if nothing resists `load` in the present contact states.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;

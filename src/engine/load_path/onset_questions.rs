@@ -1,9 +1,9 @@
 //! The onset (first slip or opening) under a load that grows, found without stepping.
 //!
-//! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is the smallest τ at which a
-//! contact reaches the edge of its cone. Each facet of a polygonal cone gives a linear equation for τ, the round cone a quadratic one. The onset is
-//! the first pivot of Lemke's method with the load as covering vector. An open contact may close before the onset. It starts with F_t = 0 and sticks
-//! if the rate of its force lies in its cone.
+//! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`. Two linear solves give the forces F⁰ under the base load and
+//! their rate F¹. The onset is the smallest τ at which a contact reaches the edge of its cone. Each facet of a polygonal cone gives a linear equation
+//! for τ, the round cone a quadratic one. The onset is the first pivot of Lemke's method with the load as covering vector. An open contact may close
+//! before the onset. Such a contact starts with F_t = 0, and sticks if the rate of its force lies in its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;

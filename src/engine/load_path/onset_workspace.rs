@@ -36,7 +36,8 @@ pub(super) struct OnsetMemory {
     pub(super) leaving: Vec<DepartingContact<3>>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
-    /// Memory for the coordinates beyond those of one object (of joints and further bodies) of three vectors: twist, load and load rate at the onset.
+    /// Memory for three vectors at the onset, in this order: twist, load and load rate. Each list is for the coordinates of joints and further
+    /// bodies, which follow the coordinates of one object.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
     /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.

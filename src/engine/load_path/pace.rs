@@ -11,8 +11,7 @@ const CAUTION: f64 = 0.8;
 /// Least ratio of the length of a step to the length of the step before. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
-/// What the step control along an arc keeps from step to step: the length of the next step, its kind (explicit or implicit), and counters. An arc is
-/// a piece of the path on which directions of sliding turn.
+/// The data of the step control along an arc that pass from step to step: the length of the next step, its kind (explicit or implicit), and counters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
     /// Arclength of the next step. `None` right after a node (an event or the start of a leg): the rates at the node then determine the length.
@@ -90,7 +89,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // If this many implicit steps in a row are refused, explicit steps are tried for a while.
+        // If this many implicit steps in a row are refused, the next sixty-four accepted steps are explicit, unless an event comes first.
         if self.stiff && self.refused >= 4 {
             (self.stiff, self.patience) = (false, 64);
         }

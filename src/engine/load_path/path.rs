@@ -21,9 +21,8 @@ use crate::search::Settings;
 /// A load program being followed: an iterator over its events or steps. The caller can inspect each event or step, and stop after it. When the
 /// iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The method of following determines the type `T` of the items, events or steps, and for how many contacts the time of computing is acceptable:
-/// [`LoadPath`] for some hundreds, [`SteppedPath`] for 10⁵. The law is the same for both: contacts stick, slide with memory of their slip, open and
-/// close again.
+/// `T` is the type of the items: events of a [`LoadPath`], or steps of a [`SteppedPath`]. A [`LoadPath`] takes acceptable time for some hundreds of
+/// contacts, a [`SteppedPath`] for 10⁵. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 
@@ -198,7 +197,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.by_ref().list()
     }
 
-    /// Appends legs to the program: a completed path continues, a path that has ended otherwise does not.
+    /// Appends legs to the program. A completed path then continues along them; a path that has ended in another way does not continue.
     ///
     /// # Errors
     /// As for the method that has made the path.
@@ -207,15 +206,15 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
     }
 
     /// Whether another equilibrium exists at loads just beyond the load at which this path lost its equilibrium; `None` if the path has not ended in
-    /// a loss. The search has the limits on its work (steps, combinations of states) of the path's own settings, see [`Self::beyond_with`].
+    /// a loss. The search stays within the limits (steps, combinations of states) of the settings of this path, see [`Self::beyond_with`].
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)
     }
 
     /// Whether another equilibrium exists just beyond the loss of this one, with the slip so far. The search stays within the limits of `settings`.
-    /// It usually takes longer than the path; in space it may go as far as a proof over all contact states. With too many contacts to try all their
-    /// states, only a motion can prove a limit load. `None` if the path has not ended in a loss.
+    /// It usually takes longer than following the path; in space it may have to exclude all combinations of contact states. If there are too many
+    /// contacts for this, only a virtual motion can prove a limit load. `None` if the path has not ended in a loss.
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
         self.0.beyond(Some(settings))
@@ -231,14 +230,14 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all integration steps so far. Steps of integration are needed where directions of sliding turn on the round
-    /// cone. The estimated error of each step is below [`Settings::step_error`] unless rounding forbids that. Zero if nothing had to be integrated,
-    /// as in the plane and on polygonal friction cones. If events follow each other ever more closely, small gaps and margins (distances of contact
-    /// forces from the edge of their cone) are set to zero. The largest of them, relative to the terms from which it is computed, is added to the
-    /// sum.
+    /// Sum of the estimated errors of all integration steps so far. Integration is necessary where directions of sliding turn on the round cone. The
+    /// estimated error of each step is below [`Settings::step_error`], unless rounding prevents so small an error. Zero if nothing had to be
+    /// integrated, as in the plane and on polygonal friction cones. If events follow each other ever more closely, small gaps and margins (distances
+    /// of contact forces from the edge of their cone) are set to zero. The largest of them, relative to the terms from which it is computed, is added
+    /// to the sum.
     ///
-    /// The estimate is the larger of two ratios: error of forces to largest force of the step, and error of displacements to largest displacement.
-    /// The error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
+    /// The estimate for a step is the larger of two ratios: error of forces to largest force, and error of displacements to largest displacement. The
+    /// true error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()
@@ -263,8 +262,8 @@ impl<const C: usize> LoadPath<'_, C> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }
 
-    /// The leg and fraction from which on, up to `until` (a leg and a fraction of it), every contact with friction that carries a force slides
-    /// without interruption. `None` if such a contact sticks just before `until`.
+    /// The place from which on, up to the place `until`, every contact with friction that carries a force slides without interruption. A place is the
+    /// index of a leg, from 0, and the fraction of this leg that is done. `None` if such a contact sticks just before `until`.
     #[must_use]
     pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.0.all_slide_from(until)
@@ -287,8 +286,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
 impl<const C: usize> SteppedPath<'_, C> {
     /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the largest difference of a contact force
-    /// between this path and a second path. This path makes each step in two halves, and the second path makes it at once. For contacts that stop,
-    /// open or close, an estimate of the errors that both paths have in common is added. The error is usually a third of the estimate.
+    /// between this path and a second path. The second path makes one step where this path makes two half steps. For contacts that stop, open or
+    /// close, an estimate of the errors that both paths have in common is added. The true error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

@@ -23,7 +23,8 @@ use crate::search::SearchSolution;
 /// motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
-    // Forces are rounding below this fraction of the force that the displacements make in the softest spring: sixteen units of rounding may add up.
+    // About sixteen roundings may add up, so forces are rounding below the fraction `ROUNDED_SUM` of the force that the displacements cause in the
+    // softest spring.
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 

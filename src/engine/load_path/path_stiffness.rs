@@ -16,7 +16,7 @@ use crate::prelude::*;
 /// An order of the coordinates that makes the band of the tangent stiffness narrow: coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
-    /// The position of each coordinate in this order.
+    /// The position of each coordinate in this order, from 0.
     numbers: Vec<usize>,
     /// The half width of the band: the largest distance, in this order, of two coupled coordinates.
     reach: usize,
@@ -131,7 +131,7 @@ impl PathStiffness {
     }
 
     /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner` added. `None` if this matrix is nearly
-    /// singular: the path may continue in more than one direction.
+    /// singular, so that the path may continue in more than one direction.
     pub(super) fn bordered(
         self,
         size: Size,
@@ -146,7 +146,7 @@ impl PathStiffness {
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }
-                // The whole bordered matrix is factorised, since the tangent stiffness itself is singular at a maximum of the load.
+                // The band matrix alone may be singular, as at a maximum of the load. The whole bordered matrix is then factorised as a full matrix.
                 let mut square = Square::zeros(size);
                 let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
                 let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));

@@ -4,10 +4,10 @@
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event, the first place
 //! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's
-//! angle, and the next event is a root (see [`super::straight`], [`super::turning_load`]). If a contact slides on a round cone, its direction of
-//! sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contact forces are on an edge or at the apex
-//! of their friction cones, or gaps have just closed. The rates of forces and motion solve a complementarity problem for these contacts. Its solution
-//! determines the next piece; without a solution the path ends.
+//! angle, and the next event is a root of a trigonometric polynomial (see [`super::straight`], [`super::turning_load`]). If a contact slides on a
+//! round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contact forces
+//! are on an edge or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a complementarity problem
+//! for these contacts. Its solution determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -51,10 +51,11 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// All pieces that the path has passed so far, the first one first, jumps included.
     pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of successive pieces, up to the present place, that are no longer than the rounding error of their own length, see `straight`.
+    /// Number of successive pieces, up to the present place, whose lengths do not exceed the rounding errors of these lengths, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The load factor at which the path last treated events that follow each other ever more closely as one event; NaN before that.
+    /// The load factor at which the path last treated events that follow each other ever more closely as one event; NaN if it has not done so on this
+    /// leg.
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended at this factor.
     pub(super) stopped: (f64, Vec<usize>),
@@ -63,12 +64,12 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// Sum of the estimated relative errors so far. They are the errors of integration steps along arcs, on which directions of sliding turn, and
     /// errors made by treating close events as one.
     pub(super) step_error: f64,
-    /// An event to return before all others: a contact slides at the start, and its friction falls from the static to the kinetic value.
+    /// An event to return before all others, if a contact slides at the start of the path: its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
     /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump. A jump is a motion at
     /// constant load to another equilibrium. `None` if no jump has failed.
     pub(super) failed_jump: Option<Problem<'g>>,
-    /// The place on the path at which a motion exceeded its limit of small motions; `None` if no motion has done so far.
+    /// The place on the path at which a motion first exceeded its limit of small motions; `None` if no motion has exceeded its limit so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(super) farthest: f64,
@@ -187,7 +188,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// The follower at the start of its path, at an equilibrium that solves `problem`. If no equilibrium is found, the error is the end of the path.
     pub(super) fn at_start(run: &ProgramRun<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = run.start(problem)?;
-        // The path has not begun: load and commands have no rates yet.
+        // The path has not begun, so load and commands have no rates yet.
         let change = run.grasp.offset_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (run.grasp, run.answer_for(), problem.clone());
@@ -288,7 +289,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Whether the residuals of an equilibrium at the present place are small, or no larger than the forces that rounding of displacements causes. If
-    /// all forces vanish together, what remains of them is such rounding, and residuals relative to it mean nothing.
+    /// all forces vanish together, the computed forces are only rounding, and residuals relative to these forces mean nothing.
     pub(super) fn is_accurate(&self, state: &Equilibrium<3>) -> bool {
         let worst = state.residuals.worst();
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
@@ -301,7 +302,7 @@ impl<'g> PiecewiseFollower<'g> {
         WEIGHTLESS * self.segment.largest.max(springs)
     }
 
-    /// If all contact forces at the present place are rounding, sets them to zero; otherwise rounding would decide which contacts press.
+    /// If all contact forces at the present place are rounding, sets them to zero. Without this, rounding would decide which contacts press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
             largest(&self.node.at.forces, &SVector::norm).max(self.segment.course.at(self.factor).norm());
@@ -324,7 +325,7 @@ impl<'g> PiecewiseFollower<'g> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
-                // If the path does not continue, no rates along the leg exist: load and commands are then held constant.
+                // If the path does not continue, no rates along the leg exist. Load and commands are then held constant.
                 None => self.node.point_at(&self.segment, self.factor, None).ok().or_else(|| {
                     self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()
                 })?,

@@ -15,14 +15,14 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, IntoList, Vector, largest, mapped, paired};
 use crate::prelude::*;
 
-/// A load program in progress, at some place of its present leg.
+/// A load program in progress. The fraction of the present leg that is done is not stored here.
 #[derive(Debug, Clone)]
 pub(super) struct Program {
     /// The legs, except those that were already complete when legs were last added.
     legs: Vec<Leg<3>>,
     /// Number of complete legs that were removed from `legs`.
     done: usize,
-    /// The index of the present leg among all legs, from 0; the number of all legs when all are complete.
+    /// The index of the present leg among all legs, from 0. When all legs are complete, it equals their number.
     pub(super) leg: usize,
     /// The load as a function of the load factor, the fraction of the present leg.
     pub(super) course: Trajectory<Wrench<3>>,
@@ -34,11 +34,11 @@ pub(super) struct Program {
     joints: [Vec<f64>; 2],
     /// Names of the bodies, if there are several, else empty.
     names: Vec<Arc<str>>,
-    /// The bodies' own loads at both ends of the present leg.
+    /// The loads on single bodies, in addition to the program's load, at the beginning and at the end of the present leg.
     pub(super) bodies: BodyLoads,
     /// The constant torques that hold the joints of the hand, in addition to its drives, before the program begins, N m or N.
     held: Vec<f64>,
-    /// The torques that hold the joints at both ends of the present leg; empty as long as no leg has changed them.
+    /// The torques that hold the joints, at the beginning and at the end of the present leg; empty as long as no leg has changed them.
     pub(super) torques: HeldTorques,
 }
 
@@ -72,7 +72,8 @@ impl Program {
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        // Legs of points are made again, since a list of them would need memory of its own.
+        // The legs with a command for each contact point are made a second time here, since a list of them from the check above would need memory of
+        // its own.
         for leg in legs {
             self.legs.push(leg.of_points(grasp)?);
         }
@@ -135,8 +136,8 @@ impl Program {
         }
     }
 
-    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and commands, body loads and joint torques to those of the
-    /// grasp, which removes rounding.
+    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and sets commands, body loads and joint torques to their
+    /// values before the program, which removes rounding.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);
@@ -145,7 +146,7 @@ impl Program {
         self.torques = HeldTorques::default();
     }
 
-    /// Whether a leg with the index `leg` exists: not all legs are complete.
+    /// Whether a leg with the index `leg` exists. If not, all legs are complete.
     pub(super) fn has_leg(&self) -> bool {
         self.leg - self.done < self.legs.len()
     }
@@ -194,8 +195,8 @@ impl Program {
         }
     }
 
-    /// Loads in addition to the program's load: loads on single bodies, and torques that hold joints. Each is given at the beginning and at the end
-    /// of the present leg; `None` if no leg so far changes it.
+    /// Loads in addition to the program's load: loads on single bodies, and torques that hold joints. Each entry has two vectors of generalised
+    /// forces, at the beginning and at the end of the present leg; `None` if no leg so far changes these loads.
     fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }

@@ -1,4 +1,4 @@
-//! What every method of following a load program needs: the grasp, the load program with its legs, and the caller's settings.
+//! The data that every method of following a load program needs: the grasp, the load program with its legs, and the caller's settings.
 
 use alloc::sync::Arc;
 
@@ -95,8 +95,8 @@ impl<'g> ProgramRun<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
-    /// The loss of equilibrium at a fraction of the present leg. The contacts and drives with the indices `sites` are on the edge of their cones; the
-    /// object moves away with the motion `motion`.
+    /// The loss of equilibrium at a fraction of the present leg. The contacts and drives with the indices `sites` are on the edge of their cones. The
+    /// object leaves with the motion `motion`, about the centroid of the contacts; `None` if it is not known.
     pub(super) fn loss(
         &self,
         fraction: f64,

@@ -1,18 +1,20 @@
 //! The derivative J of the rates of a [`Flow`](super::flow::Flow) along an arc with respect to the friction forces of sliding contacts. Implicit
-//! steps use it: friction forces turn towards the directions of slip, often fast.
+//! steps need J, because friction forces often turn fast towards the directions of slip.
 //!
-//! A friction force along p that turns by the angle φ towards d changes the tangent stiffness C of its contact. Thus it changes the rate `r = C s` of
-//! its own force, with the rate s of the stretch. To keep forces in balance, the rates of the twist q and of the load factor λ change as well, by δq
-//! and δλ, which affects all contacts. T and b are the tangent stiffness and right-hand side of the arc, G_i the grasp maps, and a_i' the rates of
-//! the offsets (command minus clearance and slip) per unit of λ. With φ = d·Δ / |F_t| for a change Δ of the friction forces, J is given by
+//! T and b are the tangent stiffness and right-hand side of the arc, q is the twist and λ the load factor. Contact i has the grasp map G_i, the
+//! tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (command minus clearance and slip) is a_i'
+//! per unit of λ. The unit tangent d_i is perpendicular to F_t,i. The quantities s_i', T' and b' are defined by the formulas below.
+//!
+//! A change Δ_i of the friction force turns it by the angle φ_i = d_i·Δ_i / |F_t,i| towards d_i. This changes C_i, and thus the rate C_i s_i of the
+//! contact's own force. To keep forces in balance, the rates of q and λ change as well, by δq and δλ, which affects all contacts. J is given by
 //!
 //! ```text
-//! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
+//! (J Δ)_i = v_i φ_i + C_i s_i',     v_i = (∂C_i/∂φ_i) s_i,     s_i' = a_i' δλ - G_iᵀ δq
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path
 //! ```
 //!
-//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. The inverse of 1 - hJ for a step of length h has the same
-//! form. With the right-hand side g and c = Cᵀ d, the system for Δ is solved by
+//! For D coordinates of the twist, J is a diagonal matrix plus a matrix of rank D + 1. The inverse of 1 - hJ for a step of arclength h has the same
+//! form. With the right-hand side g and c_i = C_iᵀ d_i, the system for Δ is solved by
 //!
 //! ```text
 //! (1 - hJ) Δ = g:     φ_i = (d_i·g_i + h c_i·s_i') / e_i,     e_i = |F_t,i| - h d_i·v_i
@@ -86,8 +88,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
-            // Angle, rad, by which the friction force is turned either way, to compute the derivative of a contact's tangent stiffness as a central
-            // difference. Two thirds of the digits of this derivative are correct.
+            // Angle, rad, by which the friction force is turned to both sides. A central difference then gives the derivative of the rate of the
+            // contact force with respect to this angle, with two thirds of its digits correct.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));

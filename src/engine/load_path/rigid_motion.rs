@@ -73,7 +73,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         return Some(motion.normalize());
     }
     // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the component of
-    // the load along motions in which contacts at their friction limit slide without a normal velocity, and other pressing contacts stick.
+    // the load along the motions that the pressing contacts allow. In these motions, contacts at their friction limit slide without a normal
+    // velocity, and other pressing contacts stick.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);

@@ -68,8 +68,8 @@ impl PathPoint {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// A copy of this point in which all rates are multiplied by `part`. It converts rates per unit of the load factor to rates per unit of
-    /// arclength.
+    /// A copy of this point in which all rates are multiplied by `part`. With `part`, the rate of the load factor per unit of arclength, it converts
+    /// rates per unit of the load factor to rates per unit of arclength.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut point = self.clone();
         point.twist_rate *= part;
@@ -138,9 +138,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor` with its rates. Rounding errors are estimated from the sizes of the terms of the state: those of
-    /// the state `base` at the load factor `since`, plus those of the change from `since` to `factor`. The state itself may be a small difference of
-    /// these terms.
+    /// The state `at` at the load factor `factor` with its rates. Rounding errors are proportional to sizes of terms: the terms of the state `base`
+    /// at the load factor `since`, plus the terms of the change from `since` to `factor`. The state itself may be a small difference of these terms.
     pub(super) fn point_with_rates(
         &self,
         piece: alloc::sync::Arc<Piece>,
@@ -201,8 +200,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor, solved for anew: extrapolation from another load factor would add the rounding of larger terms. If no
-    /// spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
+    /// Forces and twist at a load factor. They are solved for anew, since extrapolation from another load factor would add the rounding of larger
+    /// terms. If no spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
@@ -284,8 +283,8 @@ impl<'g> Segment<'g> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
-    /// For every contact the law for the rates of its force and motion: which rates keep the contact law satisfied. It follows from the contact state
-    /// and from the active set, i.e. the edges of its cone on which its force lies.
+    /// For every contact the law for the rates of its force and motion, i.e. the condition on these rates under which the contact law stays
+    /// satisfied. It follows from the contact state and from the active set, the edges of the cone on which the contact force lies.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()

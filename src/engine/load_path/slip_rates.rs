@@ -1,4 +1,4 @@
-//! Contact forces and twist as linear combinations of the load factor and of the slips of sliding contacts, and the rates of load factor and slips.
+//! Contact forces and twist as affine functions of the load factor and of the slips of sliding contacts, and the rates of load factor and slips.
 
 use nalgebra::SVector;
 
@@ -28,11 +28,11 @@ pub(super) struct Slips<'g> {
     pub(super) forces: Vec<SVector<f64, 3>>,
     /// Twists of the object in the terms, in the same order as `forces`.
     pub(super) twists: Vec<Vector>,
-    /// Indices of the sliding contacts.
+    /// Indices of the sliding contacts, in the order in which they began to slide.
     pub(super) sliding: Vec<usize>,
     /// The largest contact force, N, at the load at which the first contact begins to slide; other forces are compared with it.
     pub(super) largest: f64,
-    /// The load factor up to which the growing load is followed.
+    /// The upper limit of the load factor, given by the caller, up to which the growing load is followed.
     pub(super) most: f64,
     /// The slip, m, that counts as much in the arclength as one unit of the load factor: arclength is measured along the curve (slips / unit, load
     /// factor).

@@ -9,8 +9,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Each, Stepped, explicit_step, largest, numbered, paired, regula_falsi};
 use crate::prelude::*;
 
-/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates, and the step's estimated relative
-/// error.
+/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates per unit of arclength, and the
+/// step's estimated relative error.
 pub(super) struct SlipStep {
     pub(super) length: f64,
     pub(super) at: Vec<f64>,
@@ -19,9 +19,9 @@ pub(super) struct SlipStep {
     /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Index of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value that must stay
-/// positive. After the first three conditions come the slip rates of sliding contacts along friction and their normal forces. The last ones are the
-/// margins of sticking contacts, `μ F_n - |F_t|`.
+/// Index, from 0, of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value that
+/// must stay positive. After the first three conditions come the slip rates of sliding contacts along their friction forces, and then their normal
+/// forces. Last come the margins of sticking contacts, `μ F_n - |F_t|`.
 pub(super) const GROWS: usize = 0;
 /// Index, in the list described at [`GROWS`], of the condition that the load factor is below [`Slips::most`], up to which the load is followed.
 pub(super) const GOES_ON: usize = 1;
@@ -82,8 +82,8 @@ impl Slips<'_> {
     }
 
     /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of this condition.
-    /// `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic. The cubic has the values and slopes of
-    /// condition `k` at both ends of a bracket. As a rule the first trial is close enough.
+    /// `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of
+    /// condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -95,8 +95,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the change of the arclength is below this fraction of the step, Heun's method is more accurate than repeating the step: the error of
-            // Heun's method is of third order.
+            // If the change of the arclength is below this fraction of the step, Heun's method is more accurate than repeating the step, since its
+            // error is of third order in this change.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -143,7 +143,7 @@ impl Slips<'_> {
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference is taken. With a slope this accurate each Newton iteration gains six digits.
+        // The arclength over which the difference is taken. The derivative is then accurate enough that each Newton iteration gains six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -151,9 +151,9 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// A fraction of the step `end` at which a sticking contact is clearly outside its cone, although it may be inside again at the end. The least
-    /// such fraction over the sticking contacts is returned. For a contact for which this is not decided, one half is taken. `None` if all forces
-    /// stay inside.
+    /// The least fraction of the step `end`, over the sticking contacts, at which a contact force is clearly outside its cone; it may be inside again
+    /// at the end of the step. If it is not decided whether a force leaves its cone, the fraction for this contact is one half. `None` if all forces
+    /// stay inside their cones.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -204,7 +204,8 @@ impl Slips<'_> {
     }
 }
 
-/// The value at the argument `to` of the cubic polynomial with given values and slopes at two arguments, each given as (argument, value, slope).
+/// The value at the argument `to` of the cubic polynomial with given values and derivatives at two arguments, each given as (argument, value,
+/// derivative).
 fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     let length = high.0 - low.0;
     let (part, rise) = ((to - low.0) / length, high.1 - low.1);

@@ -1,8 +1,9 @@
 //! The place on a load path where a motion exceeds its limit of small motions, and the place from which all contacts slide.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg: their largest value is at an end of the piece.
-//! While the load turns, they are harmonics of its angle, and the first place is a root of a trigonometric polynomial. Integration steps on arcs,
-//! along which directions of sliding turn, are checked at their ends. Regula falsi then finds the place within the piece or step.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
+//! piece. While the load turns, they are harmonics of its angle, and the first place beyond a limit is a root of a trigonometric polynomial.
+//! Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the place within the piece
+//! or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -38,8 +39,8 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Updates the largest ratio of a rotation, slip or opening to its limit of small motions. Records the first place where one of them exceeds its
-    /// limit. Must be called at the start and after each piece of the path.
+    /// Updates the largest ratio of a rotation, slip or opening to its limit of small motions. Records the first place where such a motion exceeds
+    /// its limit. Must be called at the start and after each piece of the path.
     pub(super) fn record_motion_ratio(&mut self, run: &ProgramRun<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);
@@ -69,8 +70,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The leg and fraction from which on, without interruption up to the place `until`, every contact with friction that presses slides. This place
-    /// is the beginning of a stored piece. `None` if such a contact sticks just before `until`.
+    /// The place (index of the leg from 0, fraction of the leg) from which on, without interruption up to the place `until`, every contact with
+    /// friction that presses slides. It is the beginning of a stored piece. `None` if such a contact sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {

@@ -1,18 +1,19 @@
 //! Snapping over: the equilibrium of the path ends, and the object moves on under nearly the same load until it rests in another equilibrium. The
 //! path ends at a fold, a corner or an asymptote, see [`LossKind`].
 //!
-//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is taken to
-//! be that of viscous contacts, with dampers in proportion to their springs K_i. The load W is slightly beyond the end of the path. q is the twist of
-//! the object, and G_i are grasp maps. Each contact has a force F_i, a spring offset a_i and an accumulated slip s_i. R is the imbalance of forces:
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is computed
+//! in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is slightly beyond the
+//! end of the path, and q is the twist of the object. Contact i has the grasp map G_i, the spring offset a_i, the accumulated slip s_i, and the force
+//! F_i as a function of its stretch. R is the imbalance of forces:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
 //! ```
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
-//! contact is added to its slip memory s_i. Steps become longer as long as the imbalance after each is nearly the expected imbalance D Δq/h. Once
-//! forces nearly balance, the rest of R is removed along an additional leg, as in [`super::jump_leg`]. The path continues at the end of this leg. If
-//! the motion exceeds the limits of small motions, the equilibrium is taken as lost.
+//! contact is added to its slip memory s_i. Steps become longer as long as the imbalance after each step is nearly D Δq/h, the value expected from
+//! the dampers. Once forces nearly balance, the rest of R is removed along an additional leg, as in [`super::jump_leg`]. The path continues at the
+//! end of this leg. If the motion exceeds the limits of small motions, the equilibrium is taken as lost.
 
 use nalgebra::SVector;
 
@@ -53,15 +54,15 @@ pub(super) struct StateAfterSnap<'g> {
 }
 
 impl<'g> StateAfterSnap<'g> {
-    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance, as with viscous contacts.
-    /// `None` if the motion exceeds the limits `small` or does not end, or if there are very many coordinates.
+    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance. The motion is that of the
+    /// model with dampers, see the head of this file. `None` if it exceeds the limits `small` or does not end, or if there are very many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
         mut problem: Problem<'g>,
         start: &Vector,
     ) -> Option<Self> {
-        // With very many coordinates each step would take longer than the rest of a path.
+        // With very many coordinates each step in time would take longer than following the whole path.
         if uses_band(problem.size()) {
             return None;
         }
@@ -89,7 +90,8 @@ impl<'g> StateAfterSnap<'g> {
                 problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
             };
             let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, both));
-            // For a step so long that the determinant is not positive, an implicit step would go back to an equilibrium that is not stable.
+            // The determinant is not positive if the step is too long near an unstable equilibrium. An implicit step would then go back to this
+            // equilibrium.
             let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
                 length *= SHORTER;
                 if length < SHORTEST_SNAPPING_STEP {
@@ -131,7 +133,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor of the last time.
+/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor at which it last came to rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,
@@ -142,7 +144,7 @@ pub(super) struct SnapCount {
 }
 
 impl SnapCount {
-    /// The value before the object has snapped over on a leg.
+    /// The initial value on each leg, before the object has snapped over.
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 

@@ -11,7 +11,7 @@ use crate::contact::{Mode, State};
 
 impl PiecewiseFollower<'_> {
     /// Whether a contact whose slip has ended at the present place can neither stick nor slide on. This is so if both states fail in trial steps
-    /// along the path: sticking, because the force leaves the friction cone, and sliding, because friction drives the slip. Only trial steps whose
+    /// along the path. Sticking fails if the force leaves the friction cone, and sliding fails if friction drives the slip. Only trial steps whose
     /// estimated relative error is at most `tolerance` are used.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);

@@ -32,9 +32,9 @@ pub(super) struct StoredPiece<'g> {
     pub(super) course: Trajectory<Vector>,
     /// The caller's load as a function of the fraction of the leg.
     pub(super) load: Trajectory<Wrench<3>>,
-    /// Loads on single bodies at both ends of the leg.
+    /// Loads on single bodies at the beginning and at the end of the leg.
     pub(super) bodies: BodyLoads,
-    /// Torques that hold joints at both ends of the leg.
+    /// Torques that hold joints at the beginning and at the end of the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
     /// Forces, twist and gaps at the fraction `from` of the leg, with their rates along the piece.
@@ -52,7 +52,7 @@ pub(super) struct StoredPiece<'g> {
 pub(super) struct JumpRecord {
     /// For each contact or drive its accumulated slip before the jump, m.
     pub(super) slips: Vec<SVector<f64, 3>>,
-    /// For each contact or drive, whether it slid in the jump.
+    /// For each contact or drive: true if it slid in the jump.
     pub(super) slid: Vec<bool>,
     /// Successive lists of the states of all contacts and drives in the jump.
     pub(super) states: Vec<Vec<State>>,

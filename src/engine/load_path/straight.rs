@@ -1,6 +1,6 @@
 //! Advance along a piece on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg. A ratio test gives the
 //! next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces and motions are harmonics of
-//! its angle, and the event is a root ([`super::turning_load`]).
+//! its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;

@@ -1,4 +1,5 @@
-//! Tolerances of load paths: a value below one of them is taken as zero, as rounding, or as equal to another. Also limits of steps.
+//! Tolerances of load paths: a value below one of them is taken as zero, as rounding, or as equal to another. Other constants limit the numbers and
+//! lengths of steps.
 //!
 //! They are pure numbers, or angles in rad. Unless its comment says otherwise, each number is a fraction of the leg, of the largest force, or of the
 //! quantity that is compared.
@@ -6,7 +7,7 @@
 use crate::contact::ZERO_SLACK;
 
 /// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that would build
-/// up the whole load or all spring offsets at their present rates; or the leg, if there is neither.
+/// up the whole load or all spring offsets at their present rates. If both are zero, its unit is the whole leg.
 ///
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
@@ -24,15 +25,15 @@ pub(super) const LEAST_FORCE: f64 = 1e-3;
 /// If smaller, slow motions take more steps; if larger, an object that still moves is taken as at rest.
 pub(super) const AT_REST_AGAIN: f64 = 1e-3;
 
-/// Upper limit of the number of steps in which an object snaps over to another equilibrium; as a rule some dozens are made. With fewer, an object
-/// that moves slowly away from the end of its path is taken as lost: an object that turns about a stop takes two hundred steps.
+/// Upper limit of the number of steps in which an object snaps over to another equilibrium; as a rule some dozens are made. With fewer steps, an
+/// object that moves slowly away from the end of its path is taken as lost. An object that turns about a stop takes two hundred steps.
 pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
 /// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium is taken as lost.
 ///
 /// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
-/// leg, and forty more to the load at which the object is lost. Each time takes as long as a complete search for an equilibrium under a load, since
-/// the search for rates of forces and motion must fail first.
+/// leg, and forty more to the load at which the object is lost. Each snap takes as long to compute as a complete search for an equilibrium under a
+/// load, since the search for rates of forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
 /// While an object snaps over, a step in time is accepted if the imbalance after it differs from the imbalance expected from the dampers by up to
@@ -89,8 +90,8 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// A value that must stay positive along an arc, as a gap, is taken as zero up to this fraction of the terms whose difference it is. The fraction is
-/// the sum of rounding and of the error of steps along the arc, 1e-13.
+/// A value that must stay positive along an arc, such as a gap, is taken as zero up to this fraction of the terms whose difference it is. The
+/// fraction is the sum of rounding, `ZERO_SLACK`, and of the error of steps along the arc, 1e-13.
 ///
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;

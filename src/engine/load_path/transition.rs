@@ -1,5 +1,5 @@
-//! From one piece of the path (on which contacts keep their states) to the next: the guess that no state changes, the changes of states, and other
-//! continuations.
+//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes, the
+//! list of changes of states, and the number of other continuations.
 
 use nalgebra::SVector;
 
@@ -12,8 +12,8 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, combinations, search_among};
 
-/// Translates the contact states `states` to states in `rates`, the problem for the rates of forces and motion: the guess that every contact keeps
-/// its state. `None` if the laws of the rates exclude that for some contact.
+/// The guess that every contact keeps its state, expressed by states in `rates`, the problem for the rates of forces and motion. `states` are the
+/// present contact states. `None` if the laws of the rates exclude that some contact keeps its state.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
@@ -43,7 +43,7 @@ pub(super) fn change(
 /// the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None`
 /// if there are too many combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
-    // At the apex of a round cone, the number of solutions is not known: it may differ from the number with a polygonal cone.
+    // With a contact at the apex of a round cone the number of solutions is not known, since it may differ from the number with a polygonal cone.
     if rates.round {
         return None;
     }
@@ -52,7 +52,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
-    // With at most this many combinations of states of the contacts on the edge of their cones, all of them are tried.
+    // All combinations of states of the contacts on the edge of their cones are tried, if there are at most this many.
     if combinations(rates) > 256.0 {
         return None;
     }

@@ -145,7 +145,7 @@ impl<const C: usize> Turn<C> {
     }
 
     /// The turn of a force from three terms: its component along the axis, its component across the axis at θ = 0, and its component across the axis
-    /// a quarter revolution later. `wrench` applies each at its point.
+    /// a quarter revolution later. `wrench` makes the wrench of each of these forces.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)
@@ -153,21 +153,22 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<2> {
-    /// A force (N) through `point` (m) that turns from x to y.
+    /// A force (N) through `point` (m) that turns in the sense from the x axis to the y axis. `force` is its value at angle zero.
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         let ([x, y], point) = (force.into(), point.into());
         let parts = [SVector::zeros(), SVector::from([x, y]), SVector::from([-y, x])];
         Self::of_forces(parts, |force| Wrench::<2>::force_at(force, point))
     }
 
-    /// A weight (N) whose centre is at `point` (m), while the object is tilted from x to y together with its grasp.
+    /// A weight (N) whose centre is at `point` (m), while the object is tilted together with its grasp, in the sense from the x axis to the y axis.
     pub fn tilting(weight: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         Self::force_at(weight, point).reversed()
     }
 }
 
 impl Turn<3> {
-    /// A force (N) through `point` (m) that turns about an axis by the right-hand rule; the axis has any length but zero.
+    /// A force (N) through `point` (m) that turns about an axis by the right-hand rule. `force` is its value at angle zero; the axis has any length
+    /// but zero.
     ///
     /// ```
     /// use grasp_lcp::spatial::Turn;

@@ -6,7 +6,7 @@
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
 //! open      the gap
-//! sliding   the rate at which it slips, and F_n
+//! sliding   the slip rate along the friction force, and F_n
 //! path      the rate of the load factor, and the rest of the leg
 //! ```
 //!
@@ -67,7 +67,8 @@ impl<'g> PiecewiseFollower<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = run.settings.step_error * self.pace.looser;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // Steps shorter than this fraction of the load factor do not advance: the arc cannot be followed further with the present contact states.
+        // Steps shorter than this fraction of the load factor do not advance. The arc then cannot be followed further with the present contact
+        // states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -107,8 +108,7 @@ impl<'g> PiecewiseFollower<'g> {
                 end = self.locate(point, &start, end, condition)?;
             }
             let ends = [point, &end.reached.point];
-            // The bounds on margins within a step are valid for a straight leg only; while the load turns, these bounds would shorten steps
-            // needlessly.
+            // The bounds on margins within a step are used on a straight leg only. While the load turns, these bounds would shorten steps needlessly.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
@@ -218,8 +218,8 @@ impl<'g> PiecewiseFollower<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step covers at most half of the way to the point at which a sliding contact loses its normal force: directions of friction may
-                // turn ever faster near that point.
+                // A step covers at most half of the arclength after which a sliding contact loses its normal force, since near that point directions
+                // of friction may turn ever faster.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }
@@ -257,7 +257,7 @@ impl<'g> PiecewiseFollower<'g> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg it does not matter that a slip rate is zero: rates on the next leg are different.
+                // At the end of a leg it does not matter that a slip rate is zero, since the next leg has other rates.
                 _ if leg_done => {}
                 // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
@@ -292,8 +292,8 @@ impl<'g> PiecewiseFollower<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Those of `contacts` that do not slip at all in a step: their slip rate is zero already at `point`, the beginning of the step. `contacts` are
-    /// the contacts whose slip rate is zero at the end of the step.
+    /// The contacts among `contacts` that do not slip at all in a step, because their slip rate is zero already at `point`, the beginning of the
+    /// step. `contacts` are the contacts whose slip rate is zero at the end of the step.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -305,7 +305,7 @@ impl<'g> PiecewiseFollower<'g> {
         contacts.iter().copied().filter(met).list()
     }
 
-    /// The loss of equilibrium of the kind `kind` at the present place, the end of an arc. The object moves away with the twist rate of `point`.
+    /// The loss of equilibrium of the kind `kind` at the present place, the end of an arc. The object leaves with the twist rate of `point`.
     fn loss_at_end(&self, run: &ProgramRun<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();

@@ -1,4 +1,4 @@
-//! The state of a path under a load that turns, by three linear solves: one for each of the load's constant, cosine and sine terms. As long as
+//! The state of a path under a load that turns, by three linear solves, one each for the constant, cosine and sine terms of the load. As long as
 //! contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
 
 use alloc::sync::Arc;

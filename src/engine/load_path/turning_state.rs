@@ -19,7 +19,7 @@ pub(super) struct TurningState {
 }
 
 impl TurningState {
-    /// Contact forces after the change `step` of the load factor, and in place of the twist its change in this step.
+    /// Contact forces after the change `step` of the load factor. The field of the twist holds the change of the twist in this step.
     pub(super) fn after(&self, step: f64) -> PieceState {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
@@ -36,7 +36,7 @@ impl TurningState {
             let mut exits = Vec::new();
             for exit in local.turning_exits(state, [force, stretch], rest * self.angle) {
                 match exit {
-                    // Converts an angle to the load factor of the leg, which is 1 at the end of the leg.
+                    // Converts the angle up to the exit to a change of the load factor.
                     TurningExit::Leaves(exit) => exits.push(Exit {
                         step: exit.step / self.angle,
                         uncertainty: exit.uncertainty / self.angle,

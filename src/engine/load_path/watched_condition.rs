@@ -1,5 +1,5 @@
 //! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive, such
-//! as the gap of an open contact. Where one becomes zero, the piece ends.
+//! as the gap of an open contact. Where such a value becomes zero, the piece ends.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -13,9 +13,9 @@ use crate::prelude::*;
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
-    /// The load factor grows along the arc: its rate per unit of arclength is positive.
+    /// The load factor grows along the arc, so that its rate per unit of arclength is positive.
     Growth,
-    /// The load factor is below 1: the end of the leg is not reached.
+    /// The load factor is below 1, its value at the end of the leg.
     Leg,
 }
 
@@ -41,9 +41,8 @@ impl ConditionValue {
         self.value.abs() <= SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value is negative by more than a thousand times rounding and the error of steps.
+    /// Whether the value is certainly negative, i.e. by more than a thousand times rounding and the error of steps.
     pub(super) fn is_broken(&self) -> bool {
-        // A value below minus this multiple of the tolerance for zero is certainly negative.
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
 
@@ -64,8 +63,8 @@ pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the terms whose sum it is. The direction
-/// of friction was then not accurate enough to end the last step where the normal force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the terms whose sum it is. If so, the
+/// direction of friction was not accurate enough to end the last step where the normal force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }

@@ -45,7 +45,8 @@ pub enum PadChange<const C: usize> {
     Touches,
     /// The last points of a fingertip touch, so that no point is open.
     TouchesEverywhere,
-    /// The contact is kept closed and would have to pull on the object, which its friction does not allow.
+    /// The contact is kept closed, and its normal force has fallen to zero. Beyond the event it would have to pull on the object, and while it pulls
+    /// it cannot have a friction force.
     WouldPull,
 }
 
@@ -101,7 +102,7 @@ impl<const C: usize> WholeChange<C> {
 
 impl<const C: usize> Event<C> {
     /// The changes at this event, contact by contact, as [`PadChange`]s: the points of a soft fingertip are taken together. Empty if only points of
-    /// fingertips change between the first and the last.
+    /// fingertips change that are neither the first nor the last of their fingertip to change.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         whole_changes(&self.state, &self.changes)

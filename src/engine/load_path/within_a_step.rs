@@ -1,9 +1,10 @@
 //! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The condition
 //! is a force inside the friction cone or, for an open contact, a gap that is not negative.
 //!
-//! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic through the values
-//! and rates at both ends, up to an error `s²(1 - s)² g`. A margin `μ F_n - |F_t|` is concave in the force. Hence on a piece of the cubic it is at
-//! least its minimum over the four Bézier points P_i of the piece. As pieces are halved, these points converge to the curve.
+//! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic polynomial through
+//! the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is estimated. A margin `μ F_n - |F_t|` is
+//! concave in the force. Hence on a piece of the cubic it is at least its minimum over the four Bézier points P_i of the piece. As pieces are halved,
+//! these points converge to the curve.
 //!
 //! ```text
 //! F(s) = Σ_i B_i(s) P_i,   B_i >= 0,  Σ B_i = 1:      margin(F(s)) >= min_i margin(P_i)
@@ -18,7 +19,8 @@ use crate::numerics::{Each, least};
 /// The four Bézier points of a piece of the cubic.
 type BezierPoints = [SVector<f64, 3>; 4];
 
-/// A contact force or a gap as a cubic polynomial along a step. Its margin must stay positive: the gap itself, the normal force, or `μ F_n - |F_t|`.
+/// A contact force or a gap as a cubic polynomial along a step. Its margin must stay positive. The margin is the gap itself, the normal force, or `μ
+/// F_n - |F_t|`.
 pub(super) struct BoundedCubic {
     points: BezierPoints,
     /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
@@ -30,9 +32,9 @@ pub(super) struct BoundedCubic {
     nothing: f64,
 }
 
-/// A fraction of a step at which a sticking or open contact clearly violates its condition, although the condition may hold again at the end. Returns
-/// the least such fraction over the contacts. If the step is too long for a decision about a contact, one half is taken for this contact. `None` if
-/// all conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
+/// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates its condition; the condition may hold again
+/// at the end. If the step is too long for a decision about a contact, the fraction for this contact is one half. `None` if all conditions hold
+/// within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -79,13 +81,13 @@ impl BoundedCubic {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
         // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding error of a margin, relative to the terms whose difference it is: a smaller violation is ignored.
+        // The rounding error of a margin, relative to the terms whose difference it is. A smaller violation is ignored.
         let rounded = 2e-13;
         let nothing = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The interpolating cubic neglects the term of fourth order. It is estimated from above by the larger of the term of third order and 0.05
-        // times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
+        // The interpolating cubic neglects the term of fourth order. The neglected term is estimated from above by the larger of the term of third
+        // order and 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
         let bend = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
     }

@@ -45,7 +45,8 @@ struct WrittenLeg<const C: usize> {
     /// The commands of joints and then tendons at the end of the leg, instead of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
-    /// The change along the leg of the torques that hold joints, N m or N: one for each joint; slides of contacts that are held by a force come last.
+    /// The change along the leg of the torques that hold joints, one for each joint, N m or N. The slides of contacts that are held by a force come
+    /// last.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     torques_by: Option<Vec<f64>>,
     /// The torques that hold joints at the end of the leg, instead of `torques_by`.

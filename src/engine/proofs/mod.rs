@@ -10,7 +10,7 @@
 //! | `escape` | the safety factor of a proof: rounding may hide only forces far larger than load and commands |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | a radius around a lost equilibrium within which no other equilibrium exists |
-//! | `opening_cases` | a linear problem for each choice of open contacts, with friction of any direction |
+//! | `opening_cases` | for each choice of open contacts a linear problem, in which friction may have any direction |
 
 mod escape;
 mod nothing_near;

@@ -25,15 +25,16 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// The largest radius ρ for which it is proved that no equilibrium exists at any motion `q* + δ` of the object with δ within the radius; q* is the
-/// argument `at`. Within the radius, δ moves the centroid of the contacts by at most ρ, and turns the object by at most ρ divided by the engine's
-/// unit of length. It moves each further coordinate by at most ρ. Infinite if no equilibrium exists at all; `None` if nothing is proved even at q*.
+/// argument `at`. The argument `motion` is the virtual motion v of the proof. Within the radius, δ moves the centroid of the contacts by at most ρ,
+/// and turns the object by at most ρ divided by the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no
+/// equilibrium exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open, and the increase, beyond this radius, of the slope of the bound on the
-    // contacts' work.
+    // For each contact that may open: the radius ρ at which it may first open, and the increase there of the derivative with respect to ρ of the
+    // bound h on the contacts' negative work.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -45,8 +46,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
-                // The bound h (see the top of the file) has a negative term for a contact that is open at `at`. It is cancelled here: an open contact
-                // resists nothing at `at`, and elsewhere at most c times the distance by which it closes.
+                // The bound h (see the top of the file) has a negative term for a contact that is open at `at`. This term is cancelled here, since an
+                // open contact does no negative work at `at`. Elsewhere it does at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }
@@ -75,8 +76,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest scalar product of `row`, a wrench, with a displacement of size 1. It is the sum of the norms of the force and moment parts of `row`
-/// and of the sizes of all other entries.
+/// The largest scalar product of `row`, a wrench, with a displacement δ within the radius ρ = 1, see [`nothing_near`]. It is the sum of the norms of
+/// the force and moment parts of `row` and of the sizes of all other entries.
 fn reach(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

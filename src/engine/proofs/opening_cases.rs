@@ -27,7 +27,7 @@ use crate::prelude::*;
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // If more contacts may open, the 2ⁿ choices of open contacts would take too long.
+    // If more than eight contacts may open, trying all 2ⁿ choices of open contacts would take too long.
     whole
         && free.len() <= 8
         && (0..1_usize << free.len()).all(|choice| {
@@ -55,8 +55,9 @@ fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// A vector with an entry for each equation and inequality of the linear system: the wrench and the normal conditions that result from the stretches
-/// of the contacts and a load.
+/// A vector with an entry for each equation and inequality of the linear system. First comes `wrench` plus the wrench that the springs of closed
+/// contacts exert at the stretches `stretch`, without friction. Then comes, for each contact with an inequality, its normal spring force at this
+/// stretch, with the opposite sign if the contact is open.
 fn response(
     problem: &Problem,
     open: &[bool],

@@ -28,7 +28,8 @@ use crate::prelude::*;
 /// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion with a
 /// force.
 struct PenalisedCone {
-    /// The coordinates with entries in the contact's map, and these entries, scaled to length one.
+    /// The coordinates that the contact couples, each by its position in the order `numbers`, with its row of the contact's grasp map. The map is
+    /// scaled so that a unit force along the first axis has a wrench of length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,
@@ -37,7 +38,7 @@ struct PenalisedCone {
 }
 
 impl PenalisedCone {
-    /// The projection of x onto the cone, and its derivative.
+    /// The projection of x onto the cone, and its derivative with respect to x.
     fn nearest(&self, x: &SVector<f64, 3>) -> (SVector<f64, 3>, SMatrix<f64, 3, 3>) {
         let Some(mu) = self.cone else {
             let normal = unit::<3>(0);
@@ -98,11 +99,12 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow. They remove rounding from the
     // separating motion, since users see it.
     while more < 6 && clearer < 4 {
-        // A round ends at the imbalance `enough`: 1e-3 / ρ with the penalty ρ until a proof is found, then the least value.
+        // A round ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with the penalty ρ,
+        // afterwards the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A residual below this fraction of the load is taken as zero: the load is balanced.
+        // A residual below this fraction of the load is taken as zero, and the load as balanced.
         if left < 1e-5 {
             return Residual::Nothing;
         }
@@ -183,8 +185,8 @@ impl AugmentedLagrangian {
                 let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // Line search: the step is reduced, at most twelve times, while the energy still rises at its end. A rising slope below this fraction
-                // of the initial descent is tolerated.
+                // Line search: the step is shortened, at most twelve times, while the energy still rises along it at its end. A rate of rise is
+                // accepted up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;

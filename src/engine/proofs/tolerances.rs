@@ -6,13 +6,14 @@
 /// If smaller, proofs are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
-/// Rounding error of the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. Smaller computed works are replaced
-/// by it.
+/// Rounding error of the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. A negative work of smaller magnitude
+/// is replaced by this magnitude.
 ///
 /// If smaller, rounded work makes contradictions seem clear; if larger, clear contradictions are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;
 
-/// A residual below this fraction of the load is no proof: the load is on the boundary, up to rounding.
+/// A residual (the part of the load that admissible contact forces cannot balance) below this fraction of the load is no proof. The load is then on
+/// the boundary of the cone of contact forces, up to rounding.
 ///
 /// If smaller, a load on the boundary seems to lie outside the cone of contact forces; if larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;

@@ -11,7 +11,8 @@
 //! positive work along v). Stiffness, commands and history play no part in this.
 //!
 //! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
-//! along `e_n - μ u_t/|u_t|`. This generator joins those that carry the load, until no generator does negative work along the residual.
+//! along `e_n - μ u_t/|u_t|`. This generator is added to the generators of the sum. The sum is then minimised again, until no generator does negative
+//! work along the residual.
 
 use nalgebra::SVector;
 
@@ -40,8 +41,8 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator along a motion, per unit of its normal force. Generators have unit wrenches. With large friction they are
-    /// nearly tangential, so that a normal force as large as the load needs a large multiple of a generator.
+    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of its normal force to its force. With large friction this
+    /// ratio is small, so that a normal force as large as the load takes a large multiple of the generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -52,9 +53,9 @@ impl Generator {
 pub(crate) struct NearestForces {
     /// The wrench of these forces minus the target wrench, taken as a motion: no generator does negative work along it, except for rounding.
     pub(crate) motion: Vector,
-    /// The most negative work of any generator, a unit wrench, along the motion.
+    /// The largest magnitude of negative work that any generator, a unit wrench, does along the motion.
     pub(crate) against: f64,
-    /// The generators that carry the sum, with their coefficients β.
+    /// The generators whose weighted sum these forces are, each with its coefficient β > 0.
     pub(crate) shares: Vec<(Generator, f64)>,
 }
 
@@ -72,8 +73,9 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow the tags of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate. Cones that are not round rarely need as
-    // many to carry a load. Near the boundary of round cones the distance shrinks only by a constant factor with each new generator.
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate. Above `MOST_COORDINATES` coordinates
+    // there are only the two hundred. Cones that are not round rarely need so many. If the target is near the boundary of the sum of round cones,
+    // each new generator reduces the distance only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, against) = loop {

@@ -134,7 +134,8 @@ fn equilibrium_after(
     cleared_for(&mut to.states, answers.len());
     for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
         let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
-        // The slip of a contact that stuck throughout the step is exactly zero; computed from its springs it would have a rounding error.
+        // The slip of a contact that stuck throughout the step is exactly zero. If this slip were computed from the springs, it would have a rounding
+        // error.
         if !(answer.state.is_sticking() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }

@@ -1,4 +1,4 @@
-//! What the step control keeps from step to step along a leg: the length of the next step, and the speeds of the object (see [`Speeds`]).
+//! The data of the step control that pass from step to step along a leg: the length of the next step, and the speeds of the object (see [`Speeds`]).
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -6,7 +6,7 @@ use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::Vector;
 
-/// What the step control of a path followed in steps keeps from step to step, along one leg.
+/// The data of the step control of a path followed in steps, on its present leg (section of the load program).
 #[derive(Debug, Clone)]
 pub(super) struct StepPace {
     /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
@@ -21,7 +21,7 @@ pub(super) struct StepPace {
     /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of a load that turns. Over a step of a full revolution the load
     /// would seem unchanged.
     pub(super) longest: f64,
-    /// Whether the last step was refused: the step length then does not grow after the next step.
+    /// True if the last step was refused. The step length then does not grow after the next step.
     pub(super) refused: bool,
     /// Number of steps tried on the leg so far, refused ones included.
     pub(super) tried: usize,

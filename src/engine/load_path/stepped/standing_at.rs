@@ -29,7 +29,8 @@ impl SteppedState {
     }
 
     /// The forces of this state, with the complementarity problem for the rates of forces and motion in this state. A contact force is taken as on
-    /// the edge of its cone if its distance from the edge is at most 1e-9 of the largest force. That is the resolution of the last steps.
+    /// the edge of its cone if its distance from the edge is at most 1e-9 of the largest force. The last steps of a path cannot resolve smaller
+    /// distances.
     pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
         let segment = run.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());

@@ -13,7 +13,7 @@ use crate::numerics::{Vector, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Sizes of a step made both in two halves and at once; its states are in [`StepDoubling`].
+/// Forces and errors of a step made both in two halves and at once. The states of this step are in [`StepDoubling`].
 #[derive(Debug)]
 struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
@@ -76,8 +76,9 @@ impl<'g> SteppedFollower<'g> {
         // object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction decay while the third measure
         // grows to one.
         let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with `way`, the sum of the
-        // changes of forces along the path, up to twice the allowed error. The error is about a third of this difference.
+        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with the sum of the
+        // relative changes of forces along the path, `self.way` before this step and `way` in it, up to twice the allowed error. The error of the
+        // path is about a third of this difference.
         let budget = self.error * (self.way + way).min(2.0);
         // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;

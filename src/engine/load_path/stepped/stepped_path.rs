@@ -29,7 +29,7 @@ pub(crate) struct SteppedFollower<'g> {
     pub(super) along: StepProblem<'g>,
     /// The state at the present place of the path.
     pub(super) present: SteppedState,
-    /// The states after the halves of the last step tried, and after this step at once.
+    /// The states after each half of the last step tried, and after the same step made at once.
     pub(super) places: StepDoubling,
     /// Step control along the present leg: the length of the next step, and the speeds of the object.
     pub(super) pace: StepPace,
@@ -40,8 +40,8 @@ pub(crate) struct SteppedFollower<'g> {
     /// The largest error of a contact force that this path and the second path may have in common in one of the steps so far. It is divided by the
     /// largest contact force of that step.
     pub(super) unseen: f64,
-    /// Length of the path so far, measured by contact forces. Each step adds the largest change of a contact force in the step, divided by the
-    /// largest contact force at either end of the step.
+    /// Sum of the relative changes of contact forces on the path so far. Each step adds the largest change of a contact force in the step, divided by
+    /// the largest contact force at either end of the step.
     pub(super) way: f64,
 }
 

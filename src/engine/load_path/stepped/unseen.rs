@@ -1,22 +1,25 @@
 //! Errors of contact forces that a step made at once shares with the same step made in two halves. The difference between the two does not reveal
 //! these errors.
 //!
-//! Along a step of length h the twist deviates from a straight line by up to `off`. Let a contact with the grasp map G have springs of stiffness K
-//! and stretch v, and k_n the normal stiffness. Over the step the rate of the spring force, times h, changes by `K v'' h² = 8 K Gᵀ off`. Let the
-//! contact slide along the unit vector p with the coefficient of friction μ. At the beginning the motion would drive its force out of the cone at the
-//! rate `a = (p·K v_t' - μ k_n v_n') h` per step. At the fraction s of the step this rate is a + c s, with `c = a' h` < 0:
+//! Along a step of length h the twist deviates from a straight line by up to `off`, a change of the twist. Let a contact have the grasp map G,
+//! springs of stiffness K (k_n along the normal), the stretch v and the coefficient of friction μ. Over the step the rate of its spring force, times
+//! h, changes by `K v'' h² = 8 K Gᵀ off`. Let the contact slide along the unit vector p. At the beginning, middle or end of the step the motion
+//! drives its force out of the cone at the rate `a = (p·K v_t' - μ k_n v_n') h` per step. Farther on by the fraction s of the step, this rate is
+//! a + c s, with `c = a' h` < 0. The contact stops where the rate is zero. In the computed step the stretch changes along a straight line in each
+//! half. The contact then stops at the point itself, or slides on through the half. This causes an error of the contact force:
 //!
 //! ```text
-//! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
-//! and so errs by the force a² / 2|c| if that place is nearer than half a straight part, 1/4 of the step
+//! stop at s = a / |c|,     error of the force a² / 2|c|,
+//! if |s| < 1/4, i.e. the stop is nearer than half the length of a straight line
 //! ```
 //!
-//! This is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the distance by
-//! which a sticking contact may have been outside its cone within the step, and for the error of the force of an opening or closing contact.
+//! The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the
+//! distance by which a sticking contact may have been outside its cone within the step, and for the error of the force of an opening or closing
+//! contact.
 //!
-//! If a contact begins to slide, the twist as a function of the load factor has a bend, and deviates by up to `2 off`. Sliding contacts do not feel
-//! the part of this deviation along their slips. They feel the part across, as if they stuck. Thus only the rotation of their friction forces on the
-//! cones makes an error.
+//! If a contact begins to slide, the derivative of the twist with respect to the load factor jumps, and the twist deviates by up to `2 off`. The
+//! component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as if
+//! the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
 
 use nalgebra::SVector;
 
@@ -47,8 +50,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the twist as a function of the load factor has a bend in a half of the step, it deviates by up to twice the deviation in the middle
-            // of the step. A friction force turns no farther than the direction of slip.
+            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates by up to twice the
+            // deviation in the middle of the step. A friction force turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -58,8 +61,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The softening of the springs by slip gives the fraction of the half step on which the contact slid. On the part before, the contact
-                // stuck.
+                // The state of the contact stores the fraction of the half step on which the contact slid, as the factor by which slip softens the
+                // springs. This fraction is exact if the normal force is constant. On the fraction `stuck` before that, the contact stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
