@@ -88,8 +88,8 @@ impl<const C: usize> ContactAnswer<C> {
         self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// Friction used, `|F_t| / F_n`, to be compared with μ; zero without tangential force, or if F_n is not positive. The number has no meaning for a
-    /// bonded contact, whose normal force may pull.
+    /// Friction used: the ratio `|F_t| / F_n`, to be compared with the coefficient μ. Zero without tangential force, or if F_n is not positive. The
+    /// number has no meaning for a bonded contact, whose normal force may pull.
     #[must_use]
     pub fn friction_used(&self) -> f64 {
         let friction = self.friction_force();

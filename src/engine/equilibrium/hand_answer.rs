@@ -20,7 +20,7 @@ pub struct JointAnswer {
     /// Label of the joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
-    /// Whether the joint is revolute or prismatic.
+    /// Kind of the joint's motion: rotation, translation, or a motion given only by Jacobians.
     #[cfg_attr(feature = "serde", serde(default))]
     pub kind: JointKind,
     /// State of the joint's own drive.
@@ -62,7 +62,8 @@ pub struct TendonAnswer {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the tendon's drive has given way in addition to its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r
-    /// are the moment arms, φ the joint displacements, T is the tension and k the stiffness.
+    /// are the moment arms, φ the joint displacements, T is the tension of the spring (without the constant tension) and k its stiffness. Negative
+    /// while the tendon is slack.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -83,7 +84,7 @@ pub enum DriveState {
     Absent,
 }
 
-/// State, force and yielded displacement of a joint or tendon that may have several drives, combined from these drives.
+/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives: a saturating drive consists of two.
 struct CombinedDrives {
     carried: f64,
     state: DriveState,

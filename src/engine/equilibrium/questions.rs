@@ -71,8 +71,8 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // The polygon lies inside the round cone. On the round cone there may be an equilibrium although there is none on the polygon, or an
-        // equilibrium far from every equilibrium on the polygon.
+        // If the polygon lies inside the round cone, the round cone may allow an equilibrium although the polygon allows none, or one far from every
+        // equilibrium on the polygon.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {

@@ -91,7 +91,7 @@ impl Engine {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
-        // A residual that is NaN would be ignored by the comparisons below.
+        // The comparisons below ignore NaN, so that an answer with such a number would seem exact. Its residuals are infinite instead.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
@@ -109,7 +109,7 @@ impl Engine {
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
-            // `SMALLEST` is the least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
+            // Residuals are not divided by sizes, N or m, below `SMALLEST`: products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {
@@ -121,8 +121,8 @@ impl Engine {
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The size by which its residuals are
-        // divided is therefore at least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring
-        // under the largest force.
+        // divided is therefore at least this fraction of the largest size of all contacts, and at least the stretch of the stiffest spring under the
+        // largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {
@@ -157,8 +157,8 @@ impl Engine {
         r
     }
 
-    /// The displacement of a contact due to the joints of its finger, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
-    /// are zero without a hand.
+    /// The displacement of a contact due to joints and other bodies, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
+    /// are zero for contacts on a single object that no joint moves.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -193,8 +193,8 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(site_answer).list()
     }
 
-    /// The largest imbalance of torques at any joint. It is divided by the sum of the sizes of its terms, but at least by `force_size`. Zero without
-    /// a hand.
+    /// The largest imbalance of generalised forces along any coordinate after the object's: at joints, and at other bodies. It is divided by the sum
+    /// of the sizes of its terms, but at least by `force_size`. Zero if the grasp has no such coordinate.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,
@@ -282,7 +282,7 @@ mod tests {
     use crate::object::Load;
     use crate::search::{SearchSolution, Settings};
 
-    /// If any number of the answer is not finite, a test whether residuals are below a bound must fail.
+    /// If any number of an answer is not finite, its largest residual is infinite. A comparison with a tolerance then fails.
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {

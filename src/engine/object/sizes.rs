@@ -62,7 +62,8 @@ impl Problem<'_> {
         twist.norm() + self.least_stretch(largest)
     }
 
-    /// Stretch of the stiffest spring under the force `largest`, m. Smaller displacements may be rounding of displacements that cancel.
+    /// Stretch of the stiffest spring under the force `largest`, m. A smaller displacement may be the rounding error of larger displacements that
+    /// cancel.
     pub(crate) fn least_stretch(&self, largest: f64) -> f64 {
         largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
@@ -74,8 +75,8 @@ impl Problem<'_> {
         self.sites[contact].span(&self.offsets[contact], twist)
     }
 
-    /// Stretch and force of a contact with the sizes to which their rounding errors are proportional; `largest` is the largest force of the grasp, N.
-    /// The conditions of the contact's state are evaluated from them.
+    /// Stretch and force of a contact, each with the size to which its rounding error is proportional; `largest` is the largest force of the grasp,
+    /// N. The inequalities that the contact's state must satisfy are evaluated from these values.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -86,7 +87,7 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// [`Self::at`] with the norm `norm` of `twist`, which the caller has computed once for all contacts.
+    /// [`Self::at`] with the size `norm` of the twist, m, which the caller has computed once for all contacts ([`Self::size_of_motion`]).
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

@@ -21,7 +21,7 @@ impl Coordinates {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// Makes the same value as [`Self::of`], in the memory of the list `more`. This list receives the coordinates for which `first` has no room.
+    /// Makes the same value as [`Self::of`], in the memory of the list `more`, which receives the coordinates beyond the first six.
     pub(crate) fn of_in(coordinates: &Vector, mut more: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (in_place, others) = all.split_at(WHOLE.min(all.len()));

@@ -20,9 +20,9 @@ use crate::prelude::*;
 /// `C` is the number of axes: 2 in the plane, 3 in space; use the short names in [`crate::planar`] and [`crate::spatial`]. [`Self::contacts`]
 /// replaces a contact by the patch.
 ///
-/// Point i has the share w_i of stiffness and load, `Σ w_i = 1`, and the position ρ_i relative to the centre. With r_i = |ρ_i| the mean of a
-/// quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. The tip has the normal and tangential stiffness k_n, k_t (N/m) and is pressed with the normal force N
-/// (N).
+/// Point i has the fraction w_i of stiffness and load, `Σ w_i = 1`, and the position ρ_i relative to the centre. With r_i = |ρ_i| the mean of a
+/// quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. The fingertip has the normal and tangential stiffness k_n, k_t (N/m), the radius R (m) and the coefficient of
+/// friction μ, and is pressed with the normal force N (N).
 ///
 /// In space:
 ///
@@ -37,7 +37,7 @@ use crate::prelude::*;
 ///
 /// For a rectangle with sides a and b under uniform pressure, see its [constructor](SoftFingertip::rectangle).
 ///
-/// In the plane, for a pad of width 2b:
+/// In the plane, for a pad of width 2b, with the coordinate x along the tangent:
 ///
 /// | | formula | pair | pad: uniform | parabolic | Hertz |
 /// |---|---|---|---|---|---|
@@ -66,7 +66,7 @@ use crate::prelude::*;
 /// let tip = SoftFingertip::disc(0.006, 1, 4, Pressure::Hertz)?;
 /// let pinch = Grasp::new([tip.contacts(&finger(-0.03))?, tip.contacts(&finger(0.03))?].concat())?;
 ///
-/// // About the line of the pinch the two tips share a moment (N m), which two points would not carry at all.
+/// // The two fingertips share a moment (N m) about the line through both. Two single points could not carry this moment.
 /// let state = pinch.solve(Wrench::new([0.0; 3], [0.01, 0.0, 0.0]))?;
 /// let turn = state.equilibrium().expect("within friction").twist.rotation()[0];
 /// let k_theta = 2.0 / 5.0 * 1000.0 * 0.006_f64.powi(2);
@@ -172,18 +172,19 @@ impl SoftFingertip<3> {
         Ok(Self { radius, points: all })
     }
 
-    /// Torsional stiffness about the normal, N m/rad, while no point slides: `Σ w_i (k_1 y_i² + k_2 x_i²)`. Point i has the share w_i of the
-    /// tangential stiffnesses k_1, k_2 and the coordinates x_i along the first and y_i along the second tangent. The sum equals `(k_1 + k_2)/2 ⟨r²⟩`.
+    /// Torsional stiffness about the normal, N m/rad, while no point slides. Point i has the fraction w_i of the tangential stiffnesses k_1, k_2, and
+    /// the coordinates x_i along the first and y_i along the second tangent. The stiffness is `Σ w_i (k_1 y_i² + k_2 x_i²)`, which equals `(k_1 +
+    /// k_2)/2 ⟨r²⟩` on rings and discs.
     #[must_use]
     pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
         let k = contact.series_stiffness_of_axes();
         self.mean(|at| k[1] * at[2] * at[2] + k[2] * at[1] * at[1])
     }
 
-    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force` (N) and no other load:
-    /// `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first, with the [torsional stiffness](Self::torsional_stiffness)
-    /// k_θ and the tangential stiffnesses k_1, k_2. On a ring with equal tangential stiffnesses all points slide at once, and the moment equals
-    /// [`Self::torsional_limit`].
+    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force`, N (N in the formula), and no other load.
+    /// With the coefficient of friction μ, the [torsional stiffness](Self::torsional_stiffness) k_θ and the tangential stiffnesses k_1, k_2, it is `μ
+    /// N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first. On a ring with equal tangential stiffnesses all points slide at
+    /// once, and the moment equals [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -214,7 +215,7 @@ impl SoftFingertip<2> {
     /// ```
     /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
     ///
-    /// // 12 mm wide, b = 6 mm, Hertz: it turns against k_n b²/4 and lifts off an edge at N b/4.
+    /// // A pad 12 mm wide, b = 6 mm, under Hertz pressure: turning stiffness k_n b²/4, first opening at the moment N b/4.
     /// let finger = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(2000.0, 1000.0).friction(0.5);
     /// let tip = SoftFingertip::pad(0.012, 2, Pressure::Hertz)?;
     /// assert_eq!(tip.contacts(&finger)?.len(), 8);
@@ -309,10 +310,10 @@ impl<const C: usize> SoftFingertip<C> {
         contact.series_stiffness_of_axes()[0] * least
     }
 
-    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the
-    /// plane. In space this holds for a tilt towards a point on the rim. For a tilt between two such points the first point opens later, by up to the
-    /// factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about the two tangents; under a tilt towards a corner a
-    /// point opens earlier.
+    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space with the radius R,
+    /// `N ⟨x²⟩/b` in the plane with half the width b. In space this holds for a tilt towards a point on the rim. For a tilt between two such points
+    /// the first point opens later, by up to the factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about the two
+    /// tangents; under a tilt towards a corner a point opens earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());
@@ -336,7 +337,6 @@ impl<const C: usize> SoftFingertip<C> {
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    // The range of a length that error messages give as allowed.
     check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 

@@ -29,7 +29,8 @@ impl Engine {
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether a joint or a tendon has a nonzero command or constant torque. The slides of contacts with a constant force do not count.
+    /// Whether a joint or a tendon has a nonzero command or constant torque. Slides, the joints that are added for contacts with a constant force, do
+    /// not count.
     pub(crate) fn is_driven(&self) -> bool {
         let is_pushed =
             |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;

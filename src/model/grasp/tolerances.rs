@@ -1,7 +1,7 @@
 //! Tolerances of a grasp, and of the words for its motions.
 
-/// Largest negative pivot remainder, relative to its diagonal entry, that counts as rounding. The same bound applies to remainders of
-/// offdiagonal entries.
+/// In the Cholesky factorisation of a stiffness or compliance matrix, a negative remainder of a diagonal entry counts as rounding up to this fraction
+/// of the original entry. So do remainders of offdiagonal entries in the block that should vanish.
 ///
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;

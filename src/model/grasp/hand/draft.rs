@@ -12,11 +12,10 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and the displacement of the contact per unit of this
-/// coordinate, along the coordinate axes.
+/// Motion of one contact with joints and other bodies, as a list of pairs: the index of a coordinate, counted after the object's coordinates, and the
+/// displacement of the contact per unit of this coordinate, along the coordinate axes.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
-/// The parts of a grasp while it is assembled.
 pub(in crate::model::grasp) struct Assembly {
     /// Whether the grasp is in the plane or in space.
     pub(in crate::model::grasp) space: Space,

@@ -131,7 +131,7 @@ impl<const C: usize> Joint<C> {
         /// force control and the weight of a link.
         pub fn torque(mut self, torque: f64) { self.torque = torque; }
 
-        /// Sets a bound on the torque of the joint's own spring, in both directions.
+        /// Sets a bound on the magnitude of the torque of the joint's own spring. A constant [torque](Self::torque) does not count.
         pub fn limit(mut self, limit: Limit) { self.limit = Some(limit); }
     }
 }
