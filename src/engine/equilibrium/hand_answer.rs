@@ -11,7 +11,7 @@ use crate::search::SearchSolution;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Displacement, torque and drive of one joint in an equilibrium.
+/// Displacement and torques of one joint in an equilibrium, and the state of its drive.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -44,7 +44,7 @@ pub struct JointAnswer {
     pub yielded: f64,
 }
 
-/// Tension and drive of one tendon in an equilibrium.
+/// Tension of one tendon in an equilibrium, and the state of its drive.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -58,7 +58,7 @@ pub struct TendonAnswer {
     /// Tension of the tendon, N: the sum of the tension of its spring and its constant tension.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
-    /// Margin of the tension to the greatest tension of the drive, N; infinite if the tension is not limited.
+    /// Greatest allowed tension of the drive's spring minus the present tension of the spring, N; infinite if the tension is not limited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the tendon's drive has given way in addition to its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r
@@ -74,7 +74,7 @@ pub struct TendonAnswer {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveState {
-    /// The drive holds like a spring.
+    /// The force of the drive is that of its spring, below any limit.
     Holds,
     /// The drive yields: it gives way at a constant torque or force, which has reached its greatest allowed value.
     Yields,

@@ -142,7 +142,7 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     equilibrium.residuals.worst() <= most
 }
 
-/// Whether two solutions are the same equilibrium: forces and twist agree. If both have free motions, their twists may differ.
+/// Whether two solutions are the same equilibrium. They are if forces and twist agree; if both have free motions, their twists may differ.
 fn same(problem: &Problem, a: &SearchSolution, b: &SearchSolution) -> bool {
     let size = |found: &SearchSolution| problem.largest_force(&found.forces, &found.twist);
     // Solutions are the same if forces and motions differ by less than this fraction of the largest force or motion.

@@ -99,8 +99,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law holds for the slip without `problem.slips`, the slip accumulated on a load path, which is subtracted from the finger
-        // offsets already.
+        // The offsets already contain the slip `problem.slips` that was accumulated on a load path. The contact law holds for the remaining slip.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -256,7 +255,7 @@ impl Engine {
         }
         // If no contact carries a force, the computed forces are rounding, in proportion to the force that displacements could cause in a spring.
         force_size += spring_force;
-        // Moments are compared with the sum of all moments and of all forces times the mean arm of the contacts.
+        // The size of moments is the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();

@@ -63,7 +63,7 @@ pub enum TooFar {
     },
 }
 
-/// For example "it turns by more than 5.7°", "left slips by more than 4 mm".
+/// Writes the name of the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
@@ -113,7 +113,7 @@ pub(crate) struct CountedMotion {
 enum MotionOf {
     /// The rotation of a body, given by the index of its first coordinate.
     Body(usize),
-    /// The rotation of a revolute joint, given by the number of the joint.
+    /// The rotation of a revolute joint, given by the index of the joint, from 0.
     Joint(usize),
     Slip(usize),
     Opening(usize),

@@ -24,7 +24,7 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// Whether the tangent stiffness for this number of coordinates is factorised as a band matrix: from 36 coordinates on.
+/// Whether the tangent stiffness is factorised as a band matrix, which is done from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
     // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
     // bodies in space take a third less time, but nine bricks in the plane more than twice as much.

@@ -26,7 +26,8 @@ use crate::prelude::*;
 pub(crate) struct Imbalance {
     /// The residual wrench `R = Σ G_i F_i + W`.
     pub(crate) left: Vector,
-    /// The sum of the norms of forces, N, to which the rounding error of R is proportional.
+    /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of R is proportional
+    /// to it.
     pub(crate) size: f64,
 }
 

@@ -27,7 +27,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
-    /// The friction polygon of every contact without a polygon of its own.
+    /// The friction polygon of every contact that has neither a polygon of its own nor an entry in `turned`.
     pub(crate) polygon: Arc<Polygon>,
     /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
     /// the list is empty, contacts use their own polygon, or `polygon`.

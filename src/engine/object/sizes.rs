@@ -12,8 +12,9 @@ use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The least force, N, that displacements could cause in a contact's springs, to judge which forces are mere rounding. It is the minimum over the
-/// contacts of the softest spring's stiffness times the size of displacements. `spans` has this size for each contact, m.
+/// The least force, N, that the displacements of a contact could cause in its springs; forces far below it are mere rounding. It is the minimum over
+/// the contacts of the stiffness of the softest spring times the size of the displacements of this contact. `spans` has this size for each contact,
+/// m.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }

@@ -46,7 +46,7 @@ impl TangentFactors {
         }
     }
 
-    /// Whether the tangent stiffness T is regular: not singular up to rounding.
+    /// Whether the tangent stiffness T is regular, that is, clearly not singular in spite of rounding.
     pub(crate) fn is_regular(&self) -> bool {
         match self {
             Self::Whole(factors) => matches!(factors, Factors::Regular(_)),

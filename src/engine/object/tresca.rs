@@ -33,7 +33,8 @@ use crate::prelude::*;
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// For each contact in turn, the positions of the coordinates that move it, each with the contact's displacement per unit of the coordinate.
+    /// List, contact after contact, of the coordinates that move a contact: the position of the coordinate in the narrow order, and the contact's
+    /// displacement per unit of the coordinate, in its contact frame.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in the order that makes the band of the stiffness matrix narrow.
     numbers: Vec<usize>,

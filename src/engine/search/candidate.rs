@@ -59,15 +59,15 @@ pub(super) fn admit(
     // To compute the factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this
     // factor, so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
-        // Upper bound of the tolerance, however badly conditioned the linear problem is.
+        // A violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
     };
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // The value of an inequality, which should not be negative, may be below zero by this fraction of the size of its terms, times the factor by
-    // which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero is computed as a
-    // few roundings of 1e-16.
+    // An inequality counts as satisfied if its value is above minus this fraction of the size of its terms, times the factor by which the linear
+    // problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero is computed as a few roundings of
+    // 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.

@@ -277,7 +277,7 @@ fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
             }
         };
     }
-    // A proof on the polygon says nothing about the round cone.
+    // A proof for the polygon would prove nothing for the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }

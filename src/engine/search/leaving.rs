@@ -88,7 +88,7 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // If more contacts leave the states of the similar grasp, the pivots take longer than pivots from the elastic trial.
+        // With at most 24 leaving contacts the pivots from the states of the similar grasp take less time than pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }

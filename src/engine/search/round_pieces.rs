@@ -14,7 +14,7 @@ use crate::numerics::{IntoList, Vector, by_axis};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// A state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
+/// An iterate of Newton's method: a state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
 #[derive(Debug, Clone)]
 pub(super) struct RoundPieces {
     states: Vec<State>,
@@ -151,8 +151,8 @@ impl RoundPieces {
         admit(problem, states, piece, at).ok()
     }
 
-    /// Whether a motion that seems free turns the friction force of a sliding contact. Such a motion meets a resistance that is only lost in the
-    /// rounding of the stiffest spring. The component of the solution along this motion is then not known.
+    /// Whether a motion that no spring seems to resist turns the friction force of a sliding contact. The resistance of friction to such a motion is
+    /// lost in the rounding of the stiffest spring. The component of the solution along this motion is then not known.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
@@ -216,8 +216,8 @@ fn next_state(
                     *force = answer.force;
                     answer.state
                 }
-                // A normal force below zero, but only by rounding, opens a contact that has friction: without a normal force no friction is possible.
-                // Otherwise the contact keeps sticking.
+                // A contact with a friction force opens if its normal force is zero up to rounding, since without a normal force no friction is
+                // possible. Otherwise the contact keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }

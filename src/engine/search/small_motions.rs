@@ -16,11 +16,11 @@ use crate::error::{Error, is_moderate};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SmallMotions {
-    /// No body turns by more than this angle, rad (default 0.1), nor does a revolute joint behind a closed contact.
+    /// Upper limit of the rotation of any body, and of any revolute joint that moves a closed contact, rad (default 0.1).
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub rotation: f64,
-    /// No contact slips or opens farther than this fraction of the grasp's size (default 0.1). The size is the root mean square distance of contact
-    /// points from their centroid. A grasp at a single point has no size, and no limit of this kind.
+    /// Upper limit of the slip and of the opening of any contact, as a fraction of the grasp's size (default 0.1). The size is the root mean square
+    /// distance of contact points from their centroid. A grasp at a single point has no size, and no limit of this kind.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub slip: f64,
 }

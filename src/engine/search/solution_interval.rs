@@ -15,9 +15,9 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// In the plane, the solution with the same forces in other states, which show the free motions. In these states contacts on the edge of their cone
-/// slide, and contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no
-/// further free motion.
+/// Looks, in the plane, for a solution with the same forces in states that allow a free motion: contacts on the edge of their cone slide, and
+/// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
+/// motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
     // In space a tangential spring perpendicular to the slip still resists, so that no motion stays free. Searches that start near given states do
     // not report such motions.

@@ -167,7 +167,7 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let imbalance = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(imbalance);
-        // Contacts whose label restricts nothing yet are preferred: until they are divided, other divisions contribute little.
+        // Contacts whose label restricts nothing yet are divided first: until then, divisions of other contacts contribute little.
         let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);

@@ -13,7 +13,7 @@ pub(crate) enum Rotation {
 }
 
 impl Twist<3> {
-    /// Translation of the body's point at the origin, m, and rotation, rad.
+    /// The parts of a twist of space: the translation of the body's point at the origin, m, and the rotation, rad.
     pub(crate) fn parts(&self) -> (SVector<f64, 3>, Rotation) {
         self.parts_in(Space::Spatial)
     }

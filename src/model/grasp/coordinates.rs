@@ -11,7 +11,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {
     count: usize,
-    /// The first coordinates; unused components are zero. The other coordinates are in `more`.
+    /// The first six coordinates; unused components are zero. The other coordinates are in `more`.
     first: SVector<f64, WHOLE>,
     more: Vec<f64>,
 }

@@ -107,12 +107,13 @@ pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
 }
 
 impl SoftFingertip<3> {
-    /// `points` points with equal shares on a circle of this radius (m). The first point lies along the first tangent.
+    /// A ring of points on a circle of this radius (m), each with the same fraction of stiffness and load. `points` is their number. The first point
+    /// lies along the first tangent.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, SoftFingertip};
     ///
-    /// // A tip that was measured to slip at 0.02 N m under 10 N with μ = 0.5: a ring of radius τ/(μ N).
+    /// // A fingertip slips at the measured torsion τ = 0.02 N m under N = 10 N, with μ = 0.5: a ring of radius τ/(μ N).
     /// let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(2000.0, 1000.0).friction(0.5);
     /// let tip = SoftFingertip::ring(0.02 / (0.5 * 10.0), 6)?;
     /// assert!((tip.torsional_limit(&finger, 10.0) - 0.02).abs() < 1e-16);
@@ -192,8 +193,8 @@ impl SoftFingertip<3> {
         contact.friction_coefficient() * normal_force * (self.torsional_stiffness(contact) / fastest)
     }
 
-    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force` (N) and no other load: `μ N ⟨r⟩` with the
-    /// mean distance ⟨r⟩ of the points from the centre, independent of the springs.
+    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force`, N (N in the formula), and no other load.
+    /// With the coefficient of friction μ and the mean distance ⟨r⟩ of the points from the centre it is `μ N ⟨r⟩`, independent of the springs.
     #[must_use]
     pub fn torsional_limit(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         contact.friction_coefficient() * normal_force * self.mean(SVector::norm)
@@ -201,7 +202,7 @@ impl SoftFingertip<3> {
 }
 
 impl SoftFingertip<2> {
-    /// Two points of share 1/2 at the edges of a pad of this width (m).
+    /// A pad of this width (m) that is represented by two points at its edges, each with half of the stiffness and load.
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50.
@@ -289,7 +290,8 @@ impl<const C: usize> SoftFingertip<C> {
         inside(self).contacts_inside(&inside(contact)).map(outside)
     }
 
-    /// Distance of the outermost points from the centre, m: the radius R, or half the width.
+    /// Distance of the outermost points from the centre, m: the radius R of a ring or disc, half the width of a pad, half the diagonal of a
+    /// rectangle.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
@@ -302,8 +304,9 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the [two
-    /// tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness, and ⟨r²⟩ and
+    /// ⟨x²⟩ are the mean squares of the points' distances from the centre. For a rectangle it is the smaller of the [two tilting
+    /// stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);

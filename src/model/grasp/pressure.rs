@@ -64,7 +64,7 @@ impl Pressure {
         layers
     }
 
-    /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3.
+    /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3; distances ρ are in units of the radius.
     fn integral(self, power: i32, rho: f64) -> f64 {
         let monomial = |k: i32| rho.powi(k + 1) / f64::from(k + 1);
         match self {

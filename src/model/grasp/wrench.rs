@@ -228,7 +228,7 @@ impl Wrench<2> {
         Self::new(force, 0.0)
     }
 
-    /// A force at `point`, whose moment about the origin is `x f_y - y f_x`.
+    /// A force at `point` (x, y), m, whose moment about the origin is `x f_y - y f_x`.
     ///
     /// ```
     /// use grasp_lcp::planar::Wrench;
@@ -318,7 +318,8 @@ impl Twist<2> {
         self.0[2]
     }
 
-    /// Displacement of the object's point `point`, m, to first order: `(dx - θ y, dy + θ x)`.
+    /// Displacement of the object's point `point`, (x, y), m, to first order: `(dx - θ y, dy + θ x)`, with the translation (dx, dy) and the rotation
+    /// θ.
     ///
     /// ```
     /// use grasp_lcp::planar::Twist;

@@ -56,7 +56,7 @@ pub struct Link<const C: usize> {
     pub(crate) slack: f64,
 }
 
-/// Place and free motion of a link.
+/// Kind of a link, with the points, directions and lengths that define it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LinkPlace<const C: usize> {
     /// A hinge. In space `bearings` holds its axis, a vector of any length, and the distance between its two bearings, m. In the plane `bearings` is

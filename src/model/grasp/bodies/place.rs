@@ -18,7 +18,7 @@ use crate::words::printable;
 /// Where the coordinates of one body stand among all coordinates of the engine, and the point to which its rotations refer.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPlace {
-    /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
+    /// Index, from 0, of the body's first coordinate among all coordinates; zero for the body that has the object's coordinates.
     pub(crate) first: usize,
     /// Centroid of the body's contact points, m. The coordinates of rotation refer to this point.
     pub(crate) centre: SVector<f64, 3>,
@@ -44,7 +44,7 @@ pub(crate) struct PlacedBodies {
     /// Whether the bodies are in the plane or in space.
     space: Space,
     pub(crate) names: Vec<Arc<str>>,
-    /// Index of the body that has the object's coordinates.
+    /// Index, from 0, of the body that has the object's coordinates.
     pub(crate) object: usize,
     /// Constant load on each body, in addition to the loads that are passed to questions.
     pub(crate) loads: Vec<Wrench<3>>,

@@ -23,7 +23,7 @@ pub(in crate::model::grasp) struct Assembly {
     pub(in crate::model::grasp) motions: Vec<Columns>,
     /// Joints of all fingers, then the slides of contacts with a constant force.
     pub(super) joints: Vec<Joint<3>>,
-    /// Number of coordinates assigned so far to joints, drives and bodies, after the coordinates of the object.
+    /// Number of coordinates assigned so far to joints, drives and bodies; the coordinates of the object are not counted.
     pub(in crate::model::grasp) used: usize,
     pub(in crate::model::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,

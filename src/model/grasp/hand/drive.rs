@@ -13,9 +13,9 @@ use crate::prelude::*;
 /// The part of the hand to which a drive, a spring with its command, belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveOwner {
-    /// The joint with this index.
+    /// The joint with this index, from 0, finger by finger.
     Joint(usize),
-    /// The tendon with this index.
+    /// The tendon with this index, from 0.
     Tendon(usize),
     /// Neither: the drive is a spring of a stiffness matrix of joints, or of a compliance matrix.
     Nobody,
@@ -178,7 +178,7 @@ impl Drive {
         force / self.stiffness
     }
 
-    /// Whether the drive never pushes: a tendon, or the lower half of a saturating tendon.
+    /// Whether the drive never pushes. This is so for the drive of a tendon that only pulls, and for the lower half of such a drive if it saturates.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
     }

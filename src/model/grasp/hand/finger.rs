@@ -48,7 +48,8 @@ pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
     /// Stiffness matrix of the joints, in addition to their own springs.
     pub(crate) coupling: Option<DMatrix<f64>>,
-    /// Compliance matrix over the axes of all contacts, in addition to the compliance of joints and pads.
+    /// Compliance matrix of the finger, m/N: displacements along the axes of all contact frames per unit force along these axes. It acts in series
+    /// with joints and pads.
     pub(crate) compliance: Option<DMatrix<f64>>,
     pub(super) contacts: Vec<FingerContact<C>>,
 }
@@ -93,7 +94,7 @@ impl<const C: usize> Finger<C> {
         Self { compliance: Some(compliance), ..finger }
     }
 
-    /// Adds a stiffness matrix of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the joints,
+    /// Adds a stiffness matrix K of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the joints,
     /// and acts in addition to the joints' own springs. Its torques are `K (θ - φ)`, with the commanded displacements θ and the actual displacements
     /// φ of the joints.
     pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {

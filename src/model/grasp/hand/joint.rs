@@ -111,7 +111,8 @@ impl<const C: usize> Joint<C> {
         Self::moving(JointMotion::Prismatic { direction: SVector::from(direction.into()) })
     }
 
-    /// A coordinate of another kind. Only [`Finger::contact_moved_by`](super::Finger::contact_moved_by) determines its effect on contacts.
+    /// A joint whose motion is neither a rotation nor a translation of links. Only [`Finger::contact_moved_by`](super::Finger::contact_moved_by)
+    /// determines how contacts move with it.
     pub fn given() -> Self {
         Self::moving(JointMotion::Given)
     }

@@ -34,7 +34,7 @@ pub(crate) struct Linkage {
     pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
     pub(crate) bones: Vec<[SVector<f64, 3>; 2]>,
-    /// Points on the axes of revolute joints, for pictures only.
+    /// A point on the axis of each revolute joint, `None` for other joints; for pictures only.
     pub(crate) centres: Vec<Option<SVector<f64, 3>>>,
     /// Commanded displacements of the joints (rad or m), then of the tendons (m).
     pub(crate) commands: Vec<f64>,
