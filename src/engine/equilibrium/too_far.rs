@@ -104,7 +104,7 @@ pub(crate) struct CountedMotion {
     /// The vector of the rotation (rad) or slip (m). For the rotation of a joint and for an opening (m), only the first component is used. An opening
     /// is positive if the surfaces have moved apart; only then is it a motion.
     pub(crate) shift: SVector<f64, 3>,
-    /// The largest length of a small motion, rad or m.
+    /// Upper limit of the length of a small motion, rad or m.
     pub(crate) limit: f64,
     of: MotionOf,
 }

@@ -154,7 +154,7 @@ fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
 /// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most along it is
 /// made to stick; sticking contacts are left out. `None` if the tangent stiffness is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // Further contacts are made to stick in at most eight rounds.
+    // In at most eight rounds further contacts are made to stick.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

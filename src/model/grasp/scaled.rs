@@ -61,8 +61,8 @@ impl Engine {
         self.with_data(contacts, &|_| 1.0)
     }
 
-    /// Whether all forces except the caller's loads scale with the squeeze, i.e. with all commands, constant forces and vacuums. Twice the squeeze
-    /// then carries twice the load.
+    /// Whether all forces except the caller's loads scale with the squeeze, i.e. with all commands, constant forces and vacuums. If so, twice the
+    /// squeeze carries twice the load.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);

@@ -11,8 +11,8 @@ use crate::serial::{AsGiven, is_absent, object::read_as_object};
 /// A tendon over joints of a hand, with its spring and the displacement of its motor. It only pulls, unless it is a rod or a gear.
 ///
 /// The motor pulls the tendon by the displacement x. Joint displacements φ shorten the path of the tendon by `r·φ`, with the moment arms r. With the
-/// stiffness k the tension is `k (x - r·φ)` while this is positive, and zero otherwise. It exerts the torque r_j times the tension on joint j. A
-/// tendon with a constant tension and no stiffness is a differential: its tension does not depend on the joint positions.
+/// stiffness k the tension is `k (x - r·φ)`; a tendon that only pulls is slack where this is negative. The tension exerts the torque r_j times the
+/// tension on joint j. A tendon with a constant tension and no stiffness is a differential: its tension does not depend on the joint positions.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(remote = "Self", deny_unknown_fields))]
