@@ -61,9 +61,10 @@ pub struct Equilibrium<const C: usize> {
     pub load: Wrench<C>,
     /// Motion of the object from its position before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain,
     /// which no contact resists, the twist has the least norm that gaps and slips allow. On a load path it is instead the twist nearest to the
-    /// preceding position of the object on the path. The norm is the root of a sum of squares. The terms are the displacement of the centroid of the
-    /// contact points, the rotation (rad) times the root mean square distance of these points from the centroid, and the displacement of each joint
-    /// times its reference length. The reference length is a power of two near the largest motion of a contact per unit of the joint.
+    /// preceding position of the object on the path. The norm is the root of a sum of squares. The first term is the displacement of the centroid of
+    /// the contact points. The second is the rotation (rad) times the root mean square distance of these points from the centroid. Further terms are
+    /// the displacements of the joints, each times its reference length. The reference length is a power of two near the largest motion of a contact
+    /// per unit of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]

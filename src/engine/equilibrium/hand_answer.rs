@@ -62,8 +62,8 @@ pub struct TendonAnswer {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the tendon's drive has given way in addition to its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r
-    /// are the moment arms, φ the joint displacements, T is the tension of the spring (without the constant tension) and k its stiffness. Negative
-    /// while the tendon is slack.
+    /// are the moment arms, and φ the joint displacements. T is the tension of the spring, without the constant tension, and k its stiffness.
+    /// Negative while the tendon is slack.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }

@@ -120,8 +120,8 @@ impl Engine {
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The size by which its residuals are
-        // divided is therefore at least this fraction of the largest size of all contacts, and at least the stretch of the stiffest spring under the
-        // largest force.
+        // divided is therefore at least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring
+        // under the largest force.
         let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for travel in &mut travels {

@@ -119,9 +119,8 @@ impl Piece {
         Ok(())
     }
 
-    /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns true if it converged. It converges at the first
-    /// correction if this is at most the fraction [`NEARLY_CORRECTED`] of the largest force, and at a later correction if that is at most the
-    /// fraction `sharp`.
+    /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns true if a correction is small enough. The first
+    /// correction must be at most the fraction [`NEARLY_CORRECTED`] of the largest force, a later one at most the fraction `sharp`.
     fn refine(
         &self,
         sites: &[Site],

@@ -65,9 +65,9 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // An inequality counts as satisfied if its value is above minus this fraction of the size of its terms, times the factor by which the linear
-    // problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero is computed as a few roundings of
-    // 1e-16.
+    // An inequality counts as satisfied if its value, divided by the size of its terms, is at least minus a tolerance. The tolerance is this number,
+    // times the factor by which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero
+    // is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.

@@ -21,8 +21,8 @@ pub struct Settings {
     /// The polygonal friction cone in space, on which Lemke's method pivots; by default 8 facets, inscribed in the round cone. Ignored in the plane.
     /// For equilibria on the round cone each contact's polygon is rotated: a corner then lies along the friction force of the elastic trial, and more
     /// facets only cost time. For equilibria on the polygon itself more facets come closer to the round cone, at the cost of more pivots. With m
-    /// facets, the error of the onset load, at which a contact first slips or opens, falls like 1/m², and the error of a state with sliding contacts
-    /// like 1/m.
+    /// facets, the error of the onset load, at which a contact first slips or opens, falls like 1/m². The error of a state with sliding contacts
+    /// falls like 1/m.
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
@@ -38,10 +38,11 @@ pub struct Settings {
     /// exists. With 0 neither combinations nor cases are tried, and there are no proofs by trying all of them. A larger limit gives proofs for more
     /// contacts.
     pub most_states: usize,
-    /// On a load path on the round cone, the upper limit of the estimated error of one step along an arc, a part of the path on which contacts slide
-    /// in turning directions. It is the error of forces relative to the largest force, and of slips relative to the largest displacement. The default
-    /// is 1e-9. Step lengths scale with the eighth root of this limit: 1e-13 takes about three times as many steps. If rounding allows only a larger
-    /// error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
+    /// On a load path on the round cone, the upper limit of the estimated error of one step along an arc. An arc is a part of the path on which
+    /// contacts slide in turning directions. It is the error of forces relative to the largest force, and of slips relative to the largest
+    /// displacement. The default is 1e-9. Step lengths scale with the eighth root of this limit: 1e-13 takes about three times as many steps. If
+    /// rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a
+    /// path need no steps.
     pub step_error: f64,
     /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, a section of the
     /// load program; refused steps are included. The same number limits the jumps from static to kinetic friction (default 20 000). A path that needs

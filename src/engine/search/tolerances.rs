@@ -13,9 +13,8 @@ pub(super) const COVERING_VECTORS: usize = 3;
 /// If smaller, some grasps with few contacts get no proof; if larger, grasps with many contacts wait for a search that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// From this number of contacts on, Newton's method precedes Lemke's method in the plane and on polygons, if there are no more coordinates than those
-/// of one object in space (six). With 8 to 20 contacts Newton's method needs two thirds of the time of Lemke's method on a matrix. With more
-/// coordinates it often cycles.
+/// In the plane and on polygons, Newton's method precedes Lemke's method from this number of contacts on, if there are at most six coordinates. With
+/// 8 to 20 contacts Newton's method needs two thirds of the time of Lemke's method on a matrix. With more coordinates it often cycles.
 ///
 /// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.
 pub(super) const SEVERAL_CONTACTS: usize = 8;

@@ -44,7 +44,7 @@ struct Case {
 }
 
 /// Whether branch and bound is needed, since some contact has a round cone. Otherwise trying all combinations of states is a complete search. False
-/// if a contact is on the edge of its cone in a rate problem (for derivatives along a load path), since the law of such a contact is a plane facet.
+/// if a contact is on the edge of its cone in a rate problem (for derivatives along a load path): the law of such a contact is a plane facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -103,8 +103,8 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case only, since it costs as much as a few cases.
         let every = 4;
-        // If the forces differ from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding,
-        // and Newton's method starts from this case, too.
+        // If the forces differ from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding.
+        // Newton's method then starts from this case, too.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -152,8 +152,8 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
 }
 
 /// The contact whose label to divide next, and the largest distance of all contacts. The distance of a contact is the difference between its force
-/// and the force that its law gives at its stretch, in energy units, as a fraction of the norm of the elastic trial state. The contact with the
-/// largest distance is divided; distances count three times for contacts whose label restricts nothing yet.
+/// and the force that its law gives at its stretch. It is measured in energy units, as a fraction of the norm of the elastic trial state. The contact
+/// with the largest distance is divided; distances count three times for contacts whose label restricts nothing yet.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,

@@ -22,7 +22,7 @@ use crate::prelude::*;
 ///
 /// Point i has the fraction w_i of stiffness and load, `Σ w_i = 1`, and the position ρ_i relative to the centre. With r_i = |ρ_i| the mean of a
 /// quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. The fingertip has the normal and tangential stiffness k_n, k_t (N/m), the radius R (m) and the coefficient of
-/// friction μ, and is pressed with the normal force N (N).
+/// friction μ. It is pressed with the normal force N (N).
 ///
 /// In space:
 ///

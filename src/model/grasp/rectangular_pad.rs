@@ -14,8 +14,8 @@ impl SoftFingertip<3> {
     /// A rectangular pad with sides a, b (m) along the first and the second tangent, under uniform pressure. Half of each side is divided into
     /// the given number of strips, and two points represent each strip. `[1, 1]` gives 16 points, four of them on every edge.
     ///
-    /// With the normal and tangential stiffness k_n, k_t, the normal force N and the coefficient of friction μ, the points reproduce the uniform pad
-    /// to rounding for any number of strips:
+    /// Let k_n, k_t be the normal and tangential stiffness, N the normal force and μ the coefficient of friction. The points reproduce the uniform
+    /// pad to rounding for any number of strips:
     ///
     /// | | formula |
     /// |---|---|
