@@ -11,8 +11,8 @@
 //!
 //! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that is
 //! lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces at the minimum follow new limits μ F_n, and the
-//! minimum is computed again. This is repeated until no contact changes its state, in at most 30 rounds. The states are a proposal: some may be
-//! wrong.
+//! minimum is computed again. This is repeated until no contact changes its state and the limits hardly change, in at most 30 rounds. The states are
+//! a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
