@@ -39,10 +39,9 @@ pub struct Settings {
     /// contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the upper limit of the estimated error of one step along an arc. An arc is a part of the path on which
-    /// contacts slide in turning directions. It is the error of forces relative to the largest force, and of slips relative to the largest
-    /// displacement. The default is 1e-9. Step lengths scale with the eighth root of this limit: 1e-13 takes about three times as many steps. If
-    /// rounding allows only a larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a
-    /// path need no steps.
+    /// contacts slide in turning directions. Errors of forces are relative to the largest force, errors of slips to the largest displacement. The
+    /// default is 1e-9. Step lengths scale with the eighth root of this limit: 1e-13 takes about three times as many steps. If rounding allows only a
+    /// larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
     pub step_error: f64,
     /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, a section of the
     /// load program; refused steps are included. The same number limits the jumps from static to kinetic friction (default 20 000). A path that needs
