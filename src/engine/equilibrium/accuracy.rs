@@ -44,7 +44,7 @@ impl Engine {
     /// file. `None` also for a state of a load path on the round cone in which a contact slides.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
-        // Slips along a load path on the round cone are integrated over its history: the present state does not determine them.
+        // The slips along a load path on the round cone depend on its history, so that the present state does not determine them.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
@@ -60,7 +60,7 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The displacement is a sum of terms. Its error is taken to be at least half a unit of rounding of these terms.
+            // The displacement is a sum of terms. Half a unit of rounding of these terms is added to its error.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {

@@ -59,11 +59,12 @@ impl<const C: usize> Outcome<C> {
 pub struct Equilibrium<const C: usize> {
     /// The load that the contact forces balance; its moment is about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain,
+    /// Motion of the object from its position before load and commands: translation of the origin (m) and rotation (rad). If `free_motions` remain,
     /// which no contact resists, the twist has the least norm that gaps and slips allow. On a load path it is instead the twist nearest to the
-    /// preceding position of the object on the path. The square of the norm is a sum. It contains the displacement of the centroid of the contact
-    /// points, and the rotation (rad) times the root mean square distance of the points from the centroid. It also contains the displacement of each
-    /// joint times its reference length: a power of two near the largest motion of a contact per unit of the joint.
+    /// preceding position of the object on the path. The norm is the root of a sum of squares. The first term is the displacement of the centroid of
+    /// the contact points. The second is the rotation (rad) times the root mean square distance of these points from the centroid. Further terms are
+    /// the displacements of the joints, each times its reference length. The reference length is a power of two near the largest motion of a contact
+    /// per unit of the joint.
     pub twist: Twist<C>,
     /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then the motion of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -125,15 +126,15 @@ pub struct Equilibrium<const C: usize> {
     /// Counts of the work of the search for this equilibrium; only the number of pivots of Lemke's method is serialised.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub work: WorkDone,
-    /// The solution in the engine's coordinates (contact states, drive forces, motions, offsets), from which further questions about this equilibrium
-    /// start.
+    /// The engine's own solution: contact states, drive forces, motions and offsets in its coordinates. Further questions about this equilibrium
+    /// start from it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) local: LocalAnswer,
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Whether a body turns, or a contact slips or opens, by more than [small motions](crate::Settings::small_motions) allow. [`Self::too_far`] then
-    /// has the motion that is farthest beyond its limit.
+    /// Whether a body turns, a joint turns, or a contact slips or opens by more than [small motions](crate::Settings::small_motions) allow.
+    /// [`Self::too_far`] then has the motion that is farthest beyond its limit.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
         self.too_far.is_some()
@@ -154,8 +155,8 @@ impl<const C: usize> Equilibrium<C> {
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer still has the engine's solution `local`, for `sites` contacts and drives together. Without it calls that start from the
-    /// answer, such as `accuracy`, return `None`.
+    /// Whether the answer still has the engine's solution `local` of a grasp with `sites` contacts and drives together. Without it calls that start
+    /// from the answer, such as `accuracy`, return `None`.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }

@@ -41,16 +41,16 @@ pub struct ContactAnswer<const C: usize> {
     /// Zero for a sliding, separated or frictionless contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Whether working precision distinguishes the state from neighbouring states, such as sticking from sliding, see
-    /// [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` if this was not computed; it is computed in answers to the question `solve` of a
-    /// scene.
+    /// Flag: true if the state is certain up to rounding; false if the last digits of the given numbers decide between it and a neighbouring state,
+    /// such as sticking and sliding. See [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` if this was not computed; it is computed in answers
+    /// to the question `solve` of a scene.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub distinct: Option<bool>,
     /// Displacement u_c of the contact point as a point of the rigid body, without the deformation of its surface, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
-    /// Displacement u_d of the body's surface along the coordinate axes, m. `None`, and omitted, if only the stiffness of body and finger in series
-    /// is known.
+    /// Displacement u_d of the body's surface along the coordinate axes, m: u_c plus the deformation of the body. `None`, and omitted, if only the
+    /// stiffness of body and finger in series is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -61,8 +61,8 @@ pub struct ContactAnswer<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement u_e of the finger's surface along the coordinate axes, m. `None`, and omitted, if only the stiffness of body and finger in series
-    /// is known.
+    /// Displacement u_e of the finger's surface along the coordinate axes, m: the displacement of the finger plus its deformation. `None`, and
+    /// omitted, if only the stiffness of body and finger in series is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -88,8 +88,8 @@ impl<const C: usize> ContactAnswer<C> {
         self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// Friction used, `|F_t| / F_n`, to be compared with μ; zero without tangential force, or if F_n is not positive. The number has no meaning for a
-    /// bonded contact, whose normal force may pull.
+    /// Friction used: the ratio `|F_t| / F_n`, to be compared with the coefficient μ. Zero without tangential force, or if F_n is not positive. The
+    /// number has no meaning for a bonded contact, whose normal force may pull.
     #[must_use]
     pub fn friction_used(&self) -> f64 {
         let friction = self.friction_force();
@@ -104,7 +104,8 @@ impl ContactAnswer<2> {
         self.force[1]
     }
 
-    /// `F_t / F_n` with the sign of `F_t`, as the paper "Position Control for Multifingered Robot Hand" tabulates it; zero without tangential force.
+    /// The ratio `F_t / F_n` with the sign of `F_t`, as the paper "Position Control for Multifingered Robot Hand" tabulates it. Zero without
+    /// tangential force, or if F_n is not positive.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.friction_used().copysign(self.force[1])

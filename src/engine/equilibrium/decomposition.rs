@@ -15,10 +15,10 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Decomposition<const C: usize> {
-    /// The smallest forces that balance the load: `F_E = -G⁺W` with the load W and the pseudo-inverse of the grasp map G of the contacts that carry
+    /// The forces of least norm that balance the load W: `F_E = -G⁺W`, with the pseudo-inverse G⁺ of the grasp map G of the contacts that carry
     /// force.
     pub equilibrating: Vec<SVector<f64, C>>,
-    /// Forces that contacts exert on each other only: `F_I = F - F_E`, whose resultant `Σ G_i F_I` is zero.
+    /// Forces that contacts exert on each other only: `F_I = F - F_E` with the contact forces F of the equilibrium. The resultant of F_I is zero.
     pub interaction: Vec<SVector<f64, C>>,
 }
 
@@ -29,7 +29,7 @@ impl Engine {
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).list();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
-        // Only the components of the load on the object are balanced here, not those on joints.
+        // Only the components of the load on the object are balanced here, not its components on joints.
         let load = self.space().object_alone(&load);
         let on_object = |site: &Site| {
             let mut map = Map::zeros(site.map.size());

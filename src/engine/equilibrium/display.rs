@@ -50,7 +50,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
     }
 }
 
-/// For example "left: sticks, force (8, -2.4525) N, margin 1.5475 N".
+/// Writes the name, the state, the force in the contact frame and the margin, for example "left: sticks, force (8, -2.4525) N, margin 1.5475 N".
 impl<const C: usize> fmt::Display for WholeAnswer<'_, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -69,7 +69,7 @@ impl<const C: usize> fmt::Display for ContactAnswer<C> {
     }
 }
 
-/// For example "left base: torque -0.28 N m, 0.1 N m left of its limit".
+/// Writes the name, the torque or force, and its distance from the limit, for example "left base: torque -0.28 N m, 0.1 N m left of its limit".
 impl fmt::Display for JointAnswer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (what, unit) = match self.kind {
@@ -87,7 +87,7 @@ impl fmt::Display for JointAnswer {
     }
 }
 
-/// For example "flexor: tension 4 N, slack".
+/// Writes the name, the tension, and the state or the distance from the limit, for example "flexor: tension 4 N, slack".
 impl fmt::Display for TendonAnswer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);

@@ -30,7 +30,7 @@ fn dot(a: &[Rational], b: &[Rational]) -> Rational {
     a.iter().zip(b).fold(Rational::zero(), |sum, (a, b)| sum + a * b)
 }
 
-/// One contact in rational numbers.
+/// Data of one contact as exact rational numbers.
 struct Exact {
     /// The columns of the contact's grasp map.
     map: [[Rational; 6]; 3],
@@ -100,7 +100,8 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let half = 0.25 * (to - from) / f64::from(pieces);
     let point = |angle: f64, reach: f64| {
         let (sin, cos) = angle.sin_cos();
-        // Relative distance by which corners of polygons around arcs are moved outwards: more than the rounding of sines.
+        // The corners are moved outwards by this fraction, more than the rounding errors of sines and cosines, so that the polygon surely contains
+        // the arc.
         [cos, sin].map(|x| exact(x * reach * (1.0 + 1e-15)))
     };
     let corner = |k: i32| point(from + f64::from(2 * k + 1) * half, 1.0 / half.cos());
@@ -203,7 +204,8 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // The grasp holds a quarter of the load, so the same steps cannot be a proof for a quarter of the load.
+        // The grasp holds a quarter of the load. For that load no proof exists, so the same steps must fail there: this shows that the check can
+        // fail.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

@@ -11,7 +11,7 @@ use crate::search::SearchSolution;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Displacement, torque and drive of one joint in an equilibrium.
+/// Displacement and torques of one joint in an equilibrium, and the state of its drive.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -20,7 +20,7 @@ pub struct JointAnswer {
     /// Label of the joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
-    /// Whether the joint is revolute or prismatic.
+    /// Kind of the joint's motion: rotation, translation, or a motion given only by Jacobians.
     #[cfg_attr(feature = "serde", serde(default))]
     pub kind: JointKind,
     /// State of the joint's own drive.
@@ -44,7 +44,7 @@ pub struct JointAnswer {
     pub yielded: f64,
 }
 
-/// Tension and drive of one tendon in an equilibrium.
+/// Tension of one tendon in an equilibrium, and the state of its drive.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -58,11 +58,12 @@ pub struct TendonAnswer {
     /// Tension of the tendon, N: the sum of the tension of its spring and its constant tension.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
-    /// Margin of the tension to the greatest tension of the drive, N; infinite if the tension is not limited.
+    /// Greatest allowed tension of the drive's spring minus the present tension of the spring, N; infinite if the tension is not limited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the tendon's drive has given way in addition to its spring, `x - r·φ - T/k`, m. Here x is the motor's displacement, r
-    /// are the moment arms, φ the joint displacements, T is the tension and k the stiffness.
+    /// are the moment arms, and φ the joint displacements. T is the tension of the spring, without the constant tension, and k its stiffness.
+    /// Negative while the tendon is slack.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -73,7 +74,7 @@ pub struct TendonAnswer {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum DriveState {
-    /// The drive holds like a spring.
+    /// The force of the drive is that of its spring, below any limit.
     Holds,
     /// The drive yields: it gives way at a constant torque or force, which has reached its greatest allowed value.
     Yields,
@@ -83,7 +84,7 @@ pub enum DriveState {
     Absent,
 }
 
-/// State, force and yielded displacement of a joint or tendon that may have several drives, combined from these drives.
+/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives: a saturating drive consists of two.
 struct CombinedDrives {
     carried: f64,
     state: DriveState,

@@ -63,7 +63,7 @@ mod tests {
         Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
     }
 
-    /// The direction of a force of 2 N at `point` that leaves the least margin at the thumb, and that margin.
+    /// The direction of a force of 2 N at `point` that leaves the least margin to the friction cone at the thumb, and that margin, N.
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];
@@ -74,7 +74,8 @@ mod tests {
         (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 
-    /// Equilibria under forces of many other directions leave a larger margin, and the worst direction leaves exactly the computed margin.
+    /// The thumb's margin (distance of its force to the friction cone) under the computed worst direction equals the computed margin. None of 400
+    /// other directions of the added force leaves a smaller margin.
     #[test]
     fn no_equilibrium_leaves_less_at_the_thumb() {
         let (grasp, weight, point) =

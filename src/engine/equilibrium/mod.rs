@@ -1,9 +1,10 @@
 //! Equilibrium under a load: the conditions, the order of the methods that solve them, and the answer in physical quantities.
 //!
-//! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts, and
-//! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one for
-//! each coordinate of the twist. Here `a` is a finger's offset (command minus clearance), `u_c` the displacement of the body at the contact, and `g`
-//! the gap. `k_n`, `k_t` and K are the stiffnesses of the contact, n and t its normal and tangent, and G_i its grasp map:
+//! Sought are the twist q and the contact forces F that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts,
+//! and given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one
+//! for each coordinate of the twist. Here `a` is a finger's offset (command minus clearance), `u_c` the displacement of the body at the contact, and
+//! `g` the gap. A contact has the stiffnesses `k_n`, `k_t` along its normal n and tangent t, the stiffness matrix K, the grasp map G_i and the
+//! coefficient of friction μ:
 //!
 //! | state | force | must hold |
 //! |---|---|---|
@@ -13,10 +14,10 @@
 //!
 //! The states remain to be found. Several methods ([`FoundBy`]) propose them, in this order, the cheapest first: everything sticks; everything that
 //! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
-//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method solves for the round cone. It starts from the
-//! trial state, then from proposals of Lemke's method on a polygonal cone. If both starts fail, branch and bound over states and directions of
-//! friction finds an equilibrium or a proof that none exists. Proposed states are solved for again, and every condition is checked. Residuals are
-//! recomputed from the numbers given for grasp and load before the answer is called an [`Equilibrium`].
+//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method solves for the round cone. It starts near the
+//! state in which everything sticks, then from proposals of Lemke's method on a polygonal cone. If both starts fail, branch and bound over states and
+//! directions of friction finds an equilibrium or a proof that none exists. Proposed states are solved for again, and every condition is checked.
+//! Residuals are recomputed from the numbers given for grasp and load before the answer is called an [`Equilibrium`].
 //!
 //! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
 //! resists, or a motion that separates the load from all admissible contact forces. Other proofs tried all contact states, or contradicted all cases

@@ -209,8 +209,8 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // The change of force along the axis, minus the part that slip takes up: the component of friction along the facet normal h stays at its
-            // limit. On the round cone slip also reduces the stiffness across the direction of sliding.
+            // The change of force along the axis, minus the part that slip compensates: the component of friction along the facet normal h stays at
+            // its limit. On the round cone slip also reduces the stiffness across the direction of sliding.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -91,7 +91,7 @@ impl Engine {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
-        // A residual that is NaN would be ignored by the comparisons below.
+        // The comparisons below ignore NaN, so that an answer with such a number would seem exact. Its residuals are infinite instead.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
@@ -99,8 +99,7 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The contact law holds for the slip without `problem.slips`, the slip accumulated on a load path, which is subtracted from the finger
-        // offsets already.
+        // The offsets already contain the slip `problem.slips` that was accumulated on a load path. The contact law holds for the remaining slip.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut travels: Vec<f64> = numbered(self.len(), &|i| {
@@ -109,7 +108,7 @@ impl Engine {
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
-            // `SMALLEST` is the least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
+            // Residuals are not divided by sizes, N or m, below `SMALLEST`: products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {
@@ -157,8 +156,8 @@ impl Engine {
         r
     }
 
-    /// The displacement of a contact due to the joints of its finger, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
-    /// are zero without a hand.
+    /// The displacement of a contact due to joints and other bodies, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
+    /// are zero for contacts on a single object that no joint moves.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -193,8 +192,8 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(site_answer).list()
     }
 
-    /// The largest imbalance of torques at any joint. It is divided by the sum of the sizes of its terms, but at least by `force_size`. Zero without
-    /// a hand.
+    /// The largest imbalance of generalised forces along any coordinate after the object's: at joints, and at other bodies. It is divided by the sum
+    /// of the sizes of its terms, but at least by `force_size`. Zero if the grasp has no such coordinate.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,
@@ -256,7 +255,7 @@ impl Engine {
         }
         // If no contact carries a force, the computed forces are rounding, in proportion to the force that displacements could cause in a spring.
         force_size += spring_force;
-        // Moments are compared with the sum of all moments and of all forces times the mean arm of the contacts.
+        // The size of moments is the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();
@@ -282,7 +281,7 @@ mod tests {
     use crate::object::Load;
     use crate::search::{SearchSolution, Settings};
 
-    /// If any number of the answer is not finite, a test whether residuals are below a bound must fail.
+    /// If any number of an answer is not finite, its largest residual is infinite. A comparison with a tolerance then fails.
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {

@@ -15,9 +15,10 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by the sum of the sizes of its terms. To this sum is added the
-    /// least force that the displacements of a contact could cause in its spring. The imbalance of moments is divided likewise, by the sizes of all
-    /// moments plus those of all forces times the root mean square distance of the contacts. The residual is the larger of the two ratios.
+    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by a size of forces. This size is the sum of the sizes of all
+    /// terms, plus the least force that the displacements of a contact could cause in its spring. The imbalance of moments is divided by the sizes of
+    /// all moments, plus the size of forces times the root mean square distance of the contacts from their centroid. The residual is the larger of
+    /// the two ratios. For a hand and for several bodies it also covers every joint and body.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal

@@ -53,7 +53,7 @@ impl<'g> StickingResponse<'g> {
         grasp.problem_on(cone, grasp.offsets(), &Load::from(&Vector::zeros()))
     }
 
-    /// The linear response of the grasp while contacts keep these states. The offsets and the load of `problem` do not matter.
+    /// The linear response of the grasp while contacts keep these states. Offsets and load of `problem` are not used.
     pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
         let piece = problem.piece(states);
         let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).list();
@@ -102,9 +102,9 @@ impl<'g> StickingResponse<'g> {
 }
 
 impl Engine {
-    /// The least distance of any contact force from the edge of its friction cone, or from opening, under a load, as a fraction of the largest
-    /// contact force. It is computed as if every contact stuck, and may be negative. `None` if the load is invalid, if nothing resists it, or if all
-    /// contact forces are zero.
+    /// The least margin of all contacts and drives under a load, as a fraction of the largest force. The margin is the distance, N, of a contact
+    /// force from the edge of its friction cone or from opening, computed as if every contact stuck; it is negative beyond the edge. `None` if the
+    /// load is invalid, if nothing resists it, or if all forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

@@ -63,7 +63,7 @@ pub enum TooFar {
     },
 }
 
-/// For example "it turns by more than 5.7°", "left slips by more than 4 mm".
+/// Writes the name of the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
@@ -97,13 +97,14 @@ impl TooFar {
     }
 }
 
-/// The rotation of a body, or the slip or opening of a contact, whose length is compared with its limit. In given contact states its vector is affine
-/// in the motion of the object, the contact forces and the commands.
+/// A motion whose length is compared with a limit of small motions: the rotation of a body or joint, or the slip or opening of a contact. In given
+/// contact states its vector is affine in the motion of the object, the contact forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// The vector of the rotation (rad) or slip (m). An opening (m) has one component, along the normal, and is a motion only if it is positive.
+    /// The vector of the rotation (rad) or slip (m). For the rotation of a joint and for an opening (m), only the first component is used. An opening
+    /// is positive if the surfaces have moved apart; only then is it a motion.
     pub(crate) shift: SVector<f64, 3>,
-    /// The largest length of a small motion, rad or m.
+    /// Upper limit of the length of a small motion, rad or m.
     pub(crate) limit: f64,
     of: MotionOf,
 }
@@ -112,14 +113,14 @@ pub(crate) struct CountedMotion {
 enum MotionOf {
     /// The rotation of a body, given by the index of its first coordinate.
     Body(usize),
-    /// The rotation of a revolute joint, given by the number of the joint.
+    /// The rotation of a revolute joint, given by the index of the joint, from 0.
     Joint(usize),
     Slip(usize),
     Opening(usize),
 }
 
 impl CountedMotion {
-    /// Whether the motion is an opening, whose component is compared with its limit with its sign.
+    /// Whether the motion is an opening of a contact. Its component is compared with the limit with its sign, not by its magnitude.
     pub(crate) fn is_opening(&self) -> bool {
         matches!(self.of, MotionOf::Opening(_))
     }
@@ -168,7 +169,8 @@ impl Engine {
         places.iter().map(|place| place.reach).fold(self.length(), f64::max)
     }
 
-    /// The rotation of each body, and the slip or opening of each contact. Open cables, which may hang loose, are excluded.
+    /// All motions that are compared with limits: the rotation of each body, of each revolute joint that moves a closed contact, and the slip or
+    /// opening of each contact except cables.
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
@@ -190,14 +192,14 @@ impl Engine {
         self.push_joint_turns(small, standing, &mut motions);
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // A slack cable is an open contact, but it may hang loose by any length.
+            // Cables are left out: a slack cable is an open contact, but may hang loose by any length.
             if contact.link == Some(LinkKind::Cable) {
                 continue;
             }
             let moved = site.map.tr_mul(standing.twist);
             let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
             if standing.states[i].is_open() {
-                // An opening that a retracting command causes is no motion of the object, and is subtracted.
+                // The gap before the object moves, due to a retracting command or a clearance, is no motion of the object and does not count.
                 (shift[0], of) = (moved[0] - standing.offsets[i][0].max(0.0), MotionOf::Opening(i));
             } else {
                 let mut slip = standing.slips[i];

@@ -158,8 +158,8 @@ struct SolvedContact<'s> {
 }
 
 impl SolvedContact<'_> {
-    /// State of the contact, and its slip since the slip `memory` was accumulated, m. This slip is zero if the contact sticks. For an open or
-    /// frictionless contact the second value is the displacement of the surfaces past each other.
+    /// State of the contact, and its slip, m, beyond the slip `memory` that was accumulated before. This slip is zero if the contact sticks. For an
+    /// open or frictionless contact the second value is the displacement of the surfaces past each other.
     fn state(&self) -> (ContactState<3>, SVector<f64, 3>) {
         let slip = self.local.springs.slip(&(self.offset - self.moved), &self.force);
         match self.state {
@@ -178,8 +178,8 @@ impl SolvedContact<'_> {
         }
     }
 
-    /// The answer for the contact with this index, in physical quantities. `moved_with_joints` is the part of `moved` due to joints: by this part the
-    /// finger moves, not the body.
+    /// The answer for the contact with this index, in physical quantities. `moved_with_joints` is the part of `moved` due to joints: the negative
+    /// displacement of the finger by its joints. The displacement of the body is computed without this part.
     fn answer(
         &self,
         (contact, index): (&Contact<3>, usize),

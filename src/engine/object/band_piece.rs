@@ -1,12 +1,11 @@
-//! The linear problem in known contact states for 36 or more coordinates of the twist, of which every contact couples only a few.
+//! The linear problem in known contact states for 36 or more coordinates of the twist q, of which every contact couples only a few. Contact i has the
+//! grasp map G_i and the tangent stiffness C_i. Row r of the matrix A is the scaled stretch of spring r per unit of each coordinate. Row r of B is
+//! the direction in which this spring pushes (see `piece`). The tangent stiffness is T. Under the load W, scaled spring forces x at zero motion
+//! become x - A q:
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
-//!
-//! Row r of A is the scaled stretch of spring r per unit of each coordinate. Row r of B is the direction in which this spring pushes (see `piece`).
-//! The tangent stiffness T is the sum over the contacts of their tangent stiffnesses C_i, with the grasp maps G_i. Under the load W, scaled spring
-//! forces x at zero motion become x - A q at the twist q.
 //!
 //! T has an entry for every two coordinates that a contact couples; a suitable order puts these entries near its diagonal. LU factors of T take a few
 //! thousandths of the time of orthogonal factors of A and B. But they lose twice as many digits if stiffnesses differ widely. Iterative refinement in
@@ -25,7 +24,7 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// Whether the tangent stiffness for this number of coordinates is factorised as a band matrix: from 36 coordinates on.
+/// Whether the tangent stiffness is factorised as a band matrix, which is done from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
     // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
     // bodies in space take a third less time, but nine bricks in the plane more than twice as much.

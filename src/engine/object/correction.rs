@@ -1,16 +1,16 @@
 //! The error of given contact forces and twist: the exact solution with the same contact states, minus the given values.
 //!
-//! The residuals of the contact law and of equilibrium are evaluated in twice the working precision. The linear problem is then solved with these
-//! residuals as right-hand side:
+//! Contact i has the offset a_i, the grasp map G_i, the stiffness matrix K_i and the given force F_i. The given twist is q, and the load W. Spring r
+//! of a contact is stretched along right_r, a vector that contains the square root of its stiffness. Three residuals are evaluated in twice the
+//! working precision: the residual displacement w_i of each contact, the scaled residual e_r of each spring, and the imbalance ρ.
 //!
 //! ```text
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
-//! For contact i, with offset a_i, grasp map G_i, stiffness K_i and force F_i, w_i is the residual displacement at the twist q. Spring r of the
-//! contact is stretched along right_r, a vector with the square root of its stiffness, and e_r is its scaled residual. W is the load, and ρ the
-//! imbalance. At the solution w is zero along a spring that resists; its other components are gaps and slips. Solving with the residuals gives the
-//! error itself, not only a bound. On the round cone this is the error to first order, which is enough if Newton's method has converged.
+//! The linear problem is then solved with e_r and ρ as right-hand side. This gives the error itself, not only a bound. On the round cone it is the
+//! error to first order, which is enough if Newton's method has converged. At the solution w_i is zero along a spring that resists; its other
+//! components are gaps and slips.
 
 use nalgebra::SVector;
 
@@ -22,7 +22,8 @@ use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Each, IntoList, Vector, by_axis, mapped, without};
 use crate::prelude::*;
 
-/// The exact solution in given contact states, minus given contact forces (N, in the contact frames) and a given twist.
+/// The exact solution in given contact states minus a given approximate solution: differences of the contact forces (N, in the contact frames) and of
+/// the twist.
 #[derive(Debug, Clone)]
 pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
@@ -51,7 +52,7 @@ impl Piece {
             let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.left.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
-            // Stiff springs turn the rounding of the twist into forces of this size.
+            // Stiff springs turn the rounding of the twist into forces of this size, N.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
@@ -119,8 +120,9 @@ impl Piece {
     }
 }
 
-/// For a contact that slides on the round cone: the tangential component of its residual displacement w across the friction force F_t, `c·w` with
-/// `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before convergence.
+/// For a contact that slides on the round cone: the component of its residual displacement w in the tangential direction c perpendicular to the
+/// friction force F_t, `c·w` with `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before
+/// convergence.
 struct TransverseResidual {
     along: [DoubleDouble; 3],
     length: f64,

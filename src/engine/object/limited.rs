@@ -13,7 +13,7 @@ pub(super) struct Limited {
     opens: bool,
     slides: SlideDirections,
     cone: Coulomb,
-    /// Whether the contact is on the edge of its cone in a rate problem, whose unknowns are rates along a load path. Its friction limit is then the
+    /// Flag: true for a contact on the edge of its cone in a rate problem, whose unknowns are rates along a load path. Its friction limit is then the
     /// rate of the actual limit, and may be negative.
     is_rate: bool,
 }
@@ -42,7 +42,7 @@ struct AtLimit {
     state: Mode<u16>,
 }
 
-/// Contact force, tangent stiffness and contact state at a stretch of a contact with a given friction limit.
+/// Response of a contact to a stretch, for a given friction limit: contact force, tangent stiffness and contact state.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
@@ -53,9 +53,9 @@ pub(super) struct LimitedAnswer {
 }
 
 impl Limited {
-    /// The contact with its polygonal friction cone if `on_polygons`, otherwise with its round cone. `None` for two cases that Tresca friction does
-    /// not cover: a contact that may open but never slides, and in space a contact on the edge of its cone in a rate problem (for derivatives along a
-    /// load path).
+    /// The contact with its polygonal friction cone if `on_polygons` is true, otherwise with its round cone. `None` in two cases that Tresca friction
+    /// does not cover. The first is a contact that may open but never slides. The second is, in space, a contact on the edge of its cone in a rate
+    /// problem (for derivatives along a load path).
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -76,7 +76,8 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, SlideDirections::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In a rate problem, the facets of a contact on the edge of its friction cone do not form a polygon.
+        // In space Tresca friction needs a whole polygon. In a rate problem the facets of a contact on the edge of its friction cone do not form a
+        // polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,
@@ -119,7 +120,8 @@ impl Limited {
     /// The response if the tangential part of `force` exceeds the friction limit, otherwise `None`. `force` is the force that the springs would have
     /// if the contact stuck.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
-        // Stiffness in the tangential directions perpendicular to `normal`, in which friction still follows the motion.
+        // Stiffness in the tangential directions perpendicular to `normal`, the outward normal of the limit curve of friction. In these directions
+        // friction still changes with the stretch.
         let along = |normal: &SVector<f64, 3>| {
             let mut across = SMatrix::<f64, 3, 3>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;

@@ -1,4 +1,5 @@
-//! The coupling of the contacts by the twist of the object, which has d coordinates. Only springs of contacts and drives resist a twist.
+//! The coupling of the contacts by the twist of the object. The twist has d coordinates: those of the object, of joints and of further bodies. Only
+//! springs of contacts and drives resist it.
 //!
 //! With every contact in a known state, twist and contact forces follow from one linear `d x d` system. This folder solves it for the other folders
 //! of the engine.

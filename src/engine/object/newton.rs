@@ -26,7 +26,8 @@ use crate::prelude::*;
 pub(crate) struct Imbalance {
     /// The residual wrench `R = Σ G_i F_i + W`.
     pub(crate) left: Vector,
-    /// The sum of the norms of forces, N, to which the rounding error of R is proportional.
+    /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of R is proportional
+    /// to it.
     pub(crate) size: f64,
 }
 
@@ -104,8 +105,8 @@ pub(crate) fn newton(
         let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // The smallest fraction p of a Newton step that is tried. A step must reduce the norm of the imbalance by at least its fraction `p
-        // SUFFICIENT_DECREASE`.
+        // A Newton step is halved until at most this fraction of it is left. The fraction p of a step is accepted if it reduces the norm of the
+        // imbalance to at most the fraction `1 - p SUFFICIENT_DECREASE`.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;
@@ -121,8 +122,8 @@ pub(crate) fn newton(
     None
 }
 
-/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its `size`, the sum of the
-/// magnitudes of the terms, is increased by `beside`.
+/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its `size` is the sum of the
+/// norms of contact forces and load, plus `beside`, N.
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

@@ -33,7 +33,7 @@ pub(super) struct NullMotions {
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
-/// Null vectors in two lists.
+/// Null vectors of the tangent stiffness or of its transpose, divided by whether they stretch springs.
 struct SortedNullVectors {
     /// Null vectors that stretch no spring.
     unstretched: Vec<Vector>,
@@ -87,9 +87,9 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether contact offsets and load are an inconsistent right-hand side, so that forces cannot balance: along a left null vector in
-    /// `without_response` they do more work than rounding explains. `x` holds the scaled stretch of each spring due to the offsets of the contacts at
-    /// zero twist. `growth` is the factor by which the LU factors amplify rounding.
+    /// Whether no spring forces can balance the load under the given contact offsets. This is so if offsets and load do more work along a left null
+    /// vector in `without_response` than rounding explains. `x` holds the scaled stretch of each spring due to the offsets of the contacts at zero
+    /// twist. `growth` is the factor by which the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());

@@ -4,9 +4,9 @@
 //! `F_i = Σ_r left_r (right_r · v_i)`. Each vector contains the square root of the spring's stiffness. The stretch `v_i = a_i - G_iᵀq` follows from
 //! offset a_i, grasp map G_i and twist q.
 //!
-//! The scaled spring forces x_r = right_r · v satisfy `x = α - A q`, and balance the load W if `Bᵀx = -W`. Here A = right Gᵀ, B = left Gᵀ and α =
-//! right·a have a row for each spring. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are factorised by
-//! orthogonal transformations.
+//! With a row for each spring, let A = right Gᵀ, B = left Gᵀ and α = right·a. The scaled spring forces x_r = right_r · v_i then satisfy `x = α - A
+//! q`, and balance the load W if `Bᵀx = -W`. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are
+//! factorised by orthogonal transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
 use core::ops::Range;
@@ -182,10 +182,10 @@ impl Piece {
         motions
     }
 
-    /// A virtual motion y with `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. It is a left null vector of
-    /// the tangent stiffness. Of the left null vectors along which no spring pushes, it is the one along which the load does the most work. If the
-    /// load does no work along any of these, y is a left null vector along which springs push, and along which offsets and load do work. `None` if
-    /// offsets and load do no work along any left null vector.
+    /// A virtual motion y along which no motion of the object changes the work of the springs: a left null vector of the tangent stiffness, `Σ G_i
+    /// C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. Of the left null vectors along which no spring pushes, it
+    /// is the one along which the load does the most work. If the load does no work along any of these, y is a left null vector along which springs
+    /// push, and along which offsets and load do work. `None` if offsets and load do no work along any left null vector.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -219,7 +219,7 @@ impl Piece {
         }
     }
 
-    /// Whether the springs can balance the load: it does no work, up to rounding, along any motion along which no spring pushes.
+    /// Whether the springs can balance the load. They can if the load does no work, up to rounding, along any motion along which no spring pushes.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         motion_of_work(&self.unbalanced, wrench).is_none()
     }

@@ -27,7 +27,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
-    /// The friction polygon of every contact without a polygon of its own.
+    /// The friction polygon of every contact that has neither a polygon of its own nor an entry in `turned`.
     pub(crate) polygon: Arc<Polygon>,
     /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
     /// the list is empty, contacts use their own polygon, or `polygon`.
@@ -44,10 +44,11 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rest: Vector,
-    /// Whether a contact with infinite friction has friction-cone facets like a contact with a very large coefficient, so that it may slide.
+    /// Flag: true if a contact with infinite friction is treated like a contact with a very large coefficient, which has facets of a friction cone
+    /// and may slide.
     pub(crate) infinite_friction_has_edges: bool,
-    /// In space: the friction force is limited by the round cone, and the polygon only proposes contact states. Otherwise it is limited by the
-    /// polygon.
+    /// Flag: true if the round cone limits friction forces in space, so that the polygon only serves to propose contact states. If false, the polygon
+    /// limits friction forces.
     pub(crate) round: bool,
     /// Memory of the grasp for the factorised elastic trial, in which all contacts stick; the trial is stored once it is computed. `None` in the rate
     /// problem.
@@ -66,8 +67,8 @@ pub(crate) struct ProblemLists {
 }
 
 impl Engine {
-    /// The static problem of this grasp under `load`, with these offsets and without accumulated slip. In space the round cone limits friction if
-    /// `round`.
+    /// The static problem of this grasp under `load`, with these offsets and without accumulated slip. If `round` is true, the round cone limits
+    /// friction in space, otherwise the polygon.
     pub(crate) fn problem(
         &self,
         polygon: Arc<Polygon>,
@@ -103,8 +104,8 @@ impl Engine {
 }
 
 impl<'g> Problem<'g> {
-    /// The static problem without accumulated slip: every contact has its full law, not a law of rates. In space the round cone limits friction if
-    /// `round`, otherwise the polygon. No elastic trial is kept.
+    /// The static problem without accumulated slip: every contact has its full law, not a law of rates. If `round` is true, the round cone limits
+    /// friction in space, otherwise the polygon. The problem has no memory for the factorised elastic trial.
     pub(crate) fn at_rest(
         sites: &'g [Site],
         polygon: Arc<Polygon>,
@@ -230,8 +231,9 @@ impl<'g> Problem<'g> {
         self.each(|local| local.yielding())
     }
 
-    /// Returns `states`, in which each contact that slides on the round cone gets the direction of its friction force. Its ratio of slip to friction
-    /// becomes λ = slip·friction/|friction|², at least 0. The slip is computed at `twist`. A contact without friction force keeps its state.
+    /// A copy of `states` with new slides for the contacts that slide on the round cone. A slide is the direction of the friction force and the ratio
+    /// λ of slip to friction force, m/N: λ = slip·friction/|friction|², or 0 if this is negative. The slip is computed at `twist`. A contact without
+    /// friction force keeps its state.
     pub(crate) fn slid_on(
         &self,
         states: &[State],
@@ -253,7 +255,7 @@ impl<'g> Problem<'g> {
     }
 
     /// The slip of a contact at `twist`: its tangential stretch minus the deflection of its springs under `friction`. It is computed in twice the
-    /// working precision, since at a stiff contact the two nearly cancel.
+    /// working precision, since stretch and deflection of a stiff contact nearly cancel.
     fn precise_slip(
         &self,
         contact: usize,

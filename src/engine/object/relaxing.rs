@@ -1,16 +1,17 @@
-//! Relaxation of a stuck grasp: contacts beyond their friction cones slip, and the object moves as it would with viscous contacts.
+//! Relaxation of a stuck grasp: an artificial motion of the object, from the state in which every contact sticks towards a nearby equilibrium. It
+//! only selects the twist from which Newton's method starts.
 //!
-//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies next to the fingers. Steps of the twist q with the
-//! stiffness T of the stuck grasp,
+//! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies next to the fingers. Newton's method from a distant
+//! start jumps from one equilibrium to another. Let R(q) be the imbalance of contact forces and load at the twist q, G_i the grasp map and K_i the
+//! stiffness of contact i. With the stiffness T of the grasp in which everything sticks, the steps of the relaxation are
 //!
 //! ```text
 //! q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
 //! ```
 //!
-//! move the object as viscous contacts would. R is the imbalance of forces, G_i the grasp map and K_i the stiffness of contact i. In each step,
-//! contacts with forces beyond their cones slip little by little. Steps in nearly the same direction are made longer. The steps approach one
-//! equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction. Newton's method from a
-//! distant start jumps from one equilibrium to another.
+//! At every twist the contact forces follow from the contact law, with slip where the spring force is beyond the friction cone. The object then moves
+//! as if every contact resisted its motion by a dashpot in proportion to its stiffness. Steps in nearly the same direction are made longer. The steps
+//! approach one equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction.
 
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
@@ -20,12 +21,12 @@ use crate::contact::ContactResponse;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The sequence of twists along which the object relaxes, from the equilibrium in which everything sticks.
+/// The sequence of twists of the relaxation (see the top of the file), from the equilibrium in which everything sticks.
 ///
-/// It iterates over twists at which the object has nearly relaxed. At the first, the estimated rest of the way is a hundredth of the way covered, at
-/// the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the imbalance R of forces is zero. Short steps
-/// indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no equilibrium from such a twist,
-/// the caller asks for the next twist.
+/// It iterates over twists at which the object has nearly relaxed. At the first, the estimated remaining displacement is a hundredth of the
+/// displacement so far, at the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the imbalance R of
+/// forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no
+/// equilibrium from such a twist, the caller asks for the next twist.
 pub(crate) struct ViscousRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -37,14 +38,14 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     /// stiffness T.
     pace: f64,
     steps: usize,
-    /// The next twist is returned once the estimated rest of the way is at most this fraction of the distance from the twist at which everything
-    /// sticks.
+    /// The next twist is returned once the estimated remaining displacement is at most this fraction of the displacement from the twist at which
+    /// everything sticks.
     nearly: f64,
 }
 
 impl<'p, 'a> ViscousRelaxation<'p, 'a> {
-    /// The relaxation from the twist `stuck`, at which everything sticks and is in balance. `None` if no spring resists some motion of the stuck
-    /// grasp.
+    /// The relaxation from the twist `stuck`, at which forces balance if everything sticks. `None` if some motion of the stuck grasp meets no
+    /// resistance from springs.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
         let factors = problem.tangent_factors(&|i| problem.local(i).trial_state());
         let contacts = vec![ContactResponse::open(); problem.len()];
@@ -73,7 +74,7 @@ impl Iterator for ViscousRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // The estimated rest of the way is `whole` times this step, if steps keep shrinking by the same ratio. Steps that grow, as past an
+            // The estimated remaining displacement is `whole` times this step, if steps keep shrinking by the same ratio. Steps that grow, as past an
             // unstable equilibrium, give no estimate.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {

@@ -12,8 +12,9 @@ use crate::grasp::Site;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The least force, N, that displacements could cause in a contact's springs, to judge which forces are mere rounding. It is the minimum over the
-/// contacts of the softest spring's stiffness times the size of displacements. `spans` has this size for each contact, m.
+/// The least force, N, that the displacements of a contact could cause in its springs; forces far below it are mere rounding. It is the minimum over
+/// the contacts of the stiffness of the softest spring times the size of the displacements of this contact. `spans` has this size for each contact,
+/// m.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
@@ -62,7 +63,8 @@ impl Problem<'_> {
         twist.norm() + self.least_stretch(largest)
     }
 
-    /// Stretch of the stiffest spring under the force `largest`, m. Smaller displacements may be rounding of displacements that cancel.
+    /// Stretch of the stiffest spring under the force `largest`, m. A smaller displacement may be the rounding error of larger displacements that
+    /// cancel.
     pub(crate) fn least_stretch(&self, largest: f64) -> f64 {
         largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
@@ -74,8 +76,8 @@ impl Problem<'_> {
         self.sites[contact].span(&self.offsets[contact], twist)
     }
 
-    /// Stretch and force of a contact with the sizes to which their rounding errors are proportional; `largest` is the largest force of the grasp, N.
-    /// The conditions of the contact's state are evaluated from them.
+    /// Stretch and force of a contact, each with the size to which its rounding error is proportional; `largest` is the largest force of the grasp,
+    /// N. The inequalities that the contact's state must satisfy are evaluated from these values.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -86,7 +88,7 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// [`Self::at`] with the norm `norm` of `twist`, which the caller has computed once for all contacts.
+    /// [`Self::at`] with the size `norm` of the twist, m, which the caller has computed once for all contacts ([`Self::size_of_motion`]).
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

@@ -1,7 +1,8 @@
 //! Contact forces and twist that solve the linear problem of a [`Piece`], accurate to the last digits.
 //!
-//! Each spring r has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is
-//! solved for them again (iterative refinement). With scaled spring forces x (see `piece`), offsets a_i, grasp maps G_i, twist q and load W they are
+//! Spring r of contact i is stretched along the vector right_r, pushes along left_r and has the scaled force x_r (see `piece`). With the offsets a_i,
+//! the grasp maps G_i, the twist q and the load W, each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
+//! working precision, and the linear problem is solved for them again (iterative refinement):
 //!
 //! ```text
 //! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
@@ -41,7 +42,7 @@ pub(crate) struct SolutionMemory {
     change: Vec<f64>,
 }
 
-/// The answer that the linear problem of a [`Piece`] has no solution under the given offsets and load.
+/// The error if the linear problem of a [`Piece`] has no solution under the given offsets and load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced {
     /// A unit motion along which the load does work and no spring pushes. `None` if there is no such motion, but sliding contacts push in directions
@@ -100,7 +101,8 @@ impl Piece {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // `pushed` and `loaded` may cancel; a remainder below the rounding of the larger of both is taken as zero.
+                // The forces `pushed` of the springs and `loaded` of the load may cancel. A remainder below the rounding of the larger of both is
+                // taken as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -117,8 +119,8 @@ impl Piece {
         Ok(())
     }
 
-    /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns whether it converged: whether the first correction was
-    /// at most the fraction [`NEARLY_CORRECTED`] of the largest force, or a later correction the fraction `sharp`.
+    /// Iterative refinement of `x` and `twist`, in at most [`MOST_CORRECTIONS`] steps. Returns true if a correction is small enough. The first
+    /// correction must be at most the fraction [`NEARLY_CORRECTED`] of the largest force, a later one at most the fraction `sharp`.
     fn refine(
         &self,
         sites: &[Site],
@@ -188,7 +190,7 @@ impl Piece {
         }
     }
 
-    /// Contact forces after the object has moved until forces balance the load. `stretches` are the stretches of the contacts before this motion. A
+    /// Contact forces after the object has moved until they balance the load. `stretches` are the stretches of the contacts before this motion, m. A
     /// component of the load that springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);

@@ -1,13 +1,12 @@
-//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force with respect to its
-//! stretch in its present state.
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force F_i with respect to
+//! its stretch in its present state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the imbalance R is
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
 //! ```
 //!
-//! Here dq is a Newton step of the twist for the imbalance R. The forces are corrected, not recomputed from the twist: the force of a very stiff
-//! spring follows from equilibrium, not from its tiny stretch. After a step R is mere rounding, so that a few steps give the last digits if T is
-//! regular. For a singular T see [`super::Piece`].
+//! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
+//! After a step R is mere rounding, so that a few steps give the last digits if T is regular. For a singular T see [`super::Piece`].
 
 use crate::numerics::{Each, Square, Vector};
 use core::ops::Range;
@@ -47,7 +46,7 @@ impl TangentFactors {
         }
     }
 
-    /// Whether the tangent stiffness T is regular: not singular up to rounding.
+    /// Whether the tangent stiffness T is regular, that is, clearly not singular in spite of rounding.
     pub(crate) fn is_regular(&self) -> bool {
         match self {
             Self::Whole(factors) => matches!(factors, Factors::Regular(_)),
@@ -98,7 +97,7 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> Sprin
 /// Adds the term `G_i C_i G_iᵀ` of one contact to the tangent stiffness of the object.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
-    // The map of a contact has no entries for joints of other fingers, and the map of a drive only for its own joint.
+    // The grasp map of a contact has no entries for joints of other fingers, and the grasp map of a drive only for the joints on which it acts.
     for columns in site.support.ranges() {
         for j in columns {
             let column = t.column_slice_mut(j);

@@ -9,15 +9,16 @@
 /// taken as balanced.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// Forces below this fraction of the forces that displacements could cause in the springs are rounding. A statically determinate grasp may carry no
-/// force at all. Three projections then leave 1e-45 of the forces that its springs could have from displacements of this size. With this fraction
-/// such noise is not compared with itself.
+/// Forces below this fraction of the force that the displacements could cause in the springs are rounding. If commands alone move a statically
+/// determinate grasp, its exact forces are zero. The computed forces are then about 1e-45 of that spring force, after three projections. With this
+/// lower bound of the size of forces, such rounding errors are not compared with each other.
 ///
 /// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
-/// Refinement ends at the first correction of the spring forces if it changes no force by more than this fraction of the largest force. The next
-/// correction would be smaller by about the same factor.
+/// Iterative refinement ends once a correction changes no spring force by more than this fraction of the largest force: the next correction would be
+/// smaller by about the same factor. With factors of a band matrix only the first correction is compared with this fraction, later corrections with a
+/// smaller one.
 ///
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
@@ -25,16 +26,16 @@ pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 /// Upper limit of the number of refinement steps. If the exact force is zero, each step leaves about 1e-16 of the force before it.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Upper limit of the number of steps of `relaxing`, from the stuck grasp towards the equilibrium to which it relaxes; as a rule ten to thirty steps
-/// are made. With fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
+/// Upper limit of the number of steps of the relaxation in `relaxing`, from the stuck grasp towards an equilibrium; as a rule ten to thirty steps are
+/// made. With fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
-/// The object has nearly relaxed once the estimated rest of its way is below this fraction of its distance from the position at which everything
-/// sticks. Newton's method completes the way. With a fraction twenty times as large, Newton's method finds a different equilibrium in one of 240
-/// random scenes (test `needed_amounts`). With a smaller fraction there are more steps.
+/// The object has nearly relaxed once its estimated remaining displacement is below this fraction of its displacement from the position at which
+/// everything sticks. Newton's method completes the motion. With a fraction twenty times as large, Newton's method finds a different equilibrium in
+/// one of 240 random scenes (test `needed_amounts`). With a smaller fraction there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// If the cosine of the angle between two steps of the relaxation is at least this number, they have nearly the same direction. The factor by which
+/// Two steps of the relaxation have nearly the same direction if the cosine of the angle between them is at least this number. The factor by which
 /// steps are made longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 

@@ -2,15 +2,17 @@
 //! force.
 //!
 //! If the friction limits r_i do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The
-//! stretch is `a_i - G_iᵀq`, with the offset a_i and the grasp map G_i. Under the load W forces balance at the twist q that minimises an energy:
+//! stretch is `a_i - G_iᵀq`, with the offset a_i, the grasp map G_i and the twist q of the object. Forces balance the load W at the twist that
+//! minimises an energy:
 //!
 //! ```text
-//! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
+//! Σ G_i F_i(a_i - G_iᵀq) + W = 0      at the q for which  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness of
-//! yielding springs; as a rule this fraction decreases. From the normal forces at the minimum follow new limits μ F_n, and the minimum is computed
-//! again. This is repeated until no contact changes its state, in at most 30 rounds. The states are a proposal: some may be wrong.
+//! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that is
+//! lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces at the minimum follow new limits μ F_n, and the
+//! minimum is computed again. This is repeated until no contact changes its state and the limits hardly change, in at most 30 rounds. The states are
+//! a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -31,7 +33,8 @@ use crate::prelude::*;
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// For each contact in turn, the positions of the coordinates that move it, each with the contact's displacement per unit of the coordinate.
+    /// List, contact after contact, of the coordinates that move a contact: the position of the coordinate in the narrow order, and the contact's
+    /// displacement per unit of the coordinate, in its contact frame.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in the order that makes the band of the stiffness matrix narrow.
     numbers: Vec<usize>,
@@ -40,15 +43,16 @@ struct GivenLimits {
     band: PositiveBand,
 }
 
-/// The forces and states of all contacts after a motion of the object, with the friction limits given.
+/// The forces and states of all contacts at a twist of the object, for given friction limits.
 struct ContactResponses {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W` of contact forces and load.
     imbalance: Vec<f64>,
 }
 
-/// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance, and friction limits nearly agree with the
-/// normal forces. `None` with few coordinates, with motions that nothing resists, or if a contact has infinite friction and may open.
+/// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance in these states, and friction limits nearly
+/// agree with the normal forces. `None` with too few coordinates for a band matrix ([`uses_band`]), with motions that nothing resists, or if a
+/// contact has infinite friction and may open.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -109,7 +113,7 @@ impl GivenLimits {
         &self.coupled[self.first[contact]..self.first[contact + 1]]
     }
 
-    /// Forces and states of all contacts at the twist `q`; `answer(i, stretch)` is the law of contact i.
+    /// Forces and states of all contacts at the twist `q`. The function `answer(i, stretch)` returns the force and state of contact i.
     fn answers_by(
         &self,
         q: &[f64],
@@ -131,8 +135,8 @@ impl GivenLimits {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
-    /// Factorises the tangent stiffness of the object, in which yielding springs keep the fraction `kept` of their stiffness. `None` if this matrix
-    /// is not positive definite.
+    /// Factorises the tangent stiffness of the object. Springs of contacts that slide or are open keep the fraction `kept` of their stiffness
+    /// (regularisation). `None` if this matrix is not positive definite.
     fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
         let Self { coupled, first, band, .. } = self;
         band.clear();
@@ -163,8 +167,8 @@ impl GivenLimits {
         self.band.solve(&mut q);
         answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
         self.limits = self.limits_of(&answers.of);
-        // The Newton matrix keeps a fraction of the stiffness of yielding springs (regularisation): half at first, and at least 1e-4 at the start of
-        // later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
+        // The Newton matrix keeps a fraction of the stiffness that is lost at sliding and open contacts (regularisation): half at first, and at least
+        // 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
         // Outer iterations, each with new friction limits.
@@ -215,8 +219,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A rising slope below this fraction
-                // of the initial descent is tolerated.
+                // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A rate of rise up to this fraction
+                // of the rate of descent at the start of the step is tolerated.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;

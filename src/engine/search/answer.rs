@@ -20,9 +20,9 @@ pub enum FoundBy {
     EverythingTouchingSticks,
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial state.
     KinematicForm,
-    /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts near the
-    /// equilibrium to which the stuck grasp relaxes. If several equilibria exist, Newton's method then finds this equilibrium. In all other cases it
-    /// starts at the elastic trial state.
+    /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts from
+    /// points of an artificial viscous motion, which leads from the elastic trial state towards a nearby equilibrium. If several equilibria exist,
+    /// Newton's method then finds this equilibrium. In all other cases it starts at the elastic trial state.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its pivots start from zero forces.
     ForceForm,
@@ -47,14 +47,14 @@ pub enum Doubt {
     /// Some combination of contact states violates a condition so little that rounding may be the cause. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
-    /// Contact states were found, but arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist cannot be
-    /// computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
+    /// Contact states were found, but moment arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist
+    /// cannot be computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, broke down or would need too large a matrix. Also, there are too many contacts to try every
+    /// Lemke's method reached its limit of pivots, failed numerically or would need too large a matrix, and there are too many contacts to try every
     /// combination of states.
     OutOfPivots,
-    /// On a load path: a leg (a section of the load program) needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps along arcs,
-    /// on which contacts slide in turning directions on the round cone, or more jumps from static to kinetic friction.
+    /// On a load path: one leg (a section of the load program) needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps or jumps.
+    /// Steps are made along arcs, on which contacts slide in turning directions on the round cone; jumps lead from static to kinetic friction.
     OutOfSteps,
 }
 
@@ -66,11 +66,11 @@ pub(crate) struct SearchSolution {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// On a load path the solution is a sum of changes along the path. These are the sizes of the summed forces, N, and displacements, m. Rounding
-    /// errors are proportional to them if terms cancel. Both are zero for a solution that was not reached along a path.
+    /// Sizes of force, N, and of displacement, m, to which rounding errors are proportional. On a load path the solution is a sum of changes along
+    /// the path, and these are the sizes of the summed terms. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest difference, N, between a contact force and its value in the solution on polygonal cones from which Newton's
-    /// method started. `None` if there was no such solution.
+    /// method started. `None` if Newton's method did not start from such a solution.
     pub(crate) from_polygon: Option<f64>,
 }
 
@@ -89,7 +89,7 @@ impl SearchSolution {
     }
 }
 
-/// A [`SearchSolution`] whose motions (twist, free and neutral motions) are lists of numbers, as answers store them.
+/// A [`SearchSolution`] in the form in which answers store it: its motions (twist, free and neutral motions) are lists of numbers.
 #[derive(Debug, Clone)]
 pub(crate) struct StoredSolution {
     pub(crate) states: Vec<State>,
@@ -136,11 +136,11 @@ pub(crate) enum SearchOutcome {
     FreeMotion(Vector),
     /// No equilibrium exists, since no admissible forces balance the load: this motion separates the load from the friction wrench cone.
     Separating(Vector),
-    /// No equilibrium exists: every combination of contact states violates a condition by more than rounding. The field is the number of
-    /// combinations.
+    /// No equilibrium exists: every combination of contact states violates a condition by more than rounding. The field is the number of combinations
+    /// tried.
     NoneOf(usize),
-    /// No equilibrium exists on the round cone: each of the cases of contact states was proved to have none. An equilibrium that rounding hides from
-    /// this proof would be larger than the elastic trial state by at least the factor `escape`.
+    /// No equilibrium exists on the round cone. Contact states were divided into `cases` cases, and each case was proved to have no equilibrium. An
+    /// equilibrium that rounding hides from this proof would be larger than the elastic trial state by at least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -158,7 +158,7 @@ pub(crate) struct SearchCounts {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Whether the kinematic form (the complementarity problem for gaps and slips) with a dense matrix was proved, up to rounding, to have no
-    /// solution, so that no choice of slips and gaps solves it. Always false with round cones.
+    /// Flag: true if the complementarity problem for gaps and slips (kinematic form), with a dense matrix, was proved up to rounding to have no
+    /// solution. Always false with round cones.
     pub(crate) no_slips: bool,
 }

@@ -11,7 +11,7 @@ use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Result of checking proposed contact states: an equilibrium, a violated condition, or no balance.
+/// Result of checking proposed contact states.
 #[derive(Debug, Clone)]
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
@@ -46,8 +46,8 @@ pub(super) struct RejectedStates {
     doubtful: bool,
 }
 
-/// Checks every inequality for `at`, the solution of the linear problem `piece` with these contact states. If the solution is not unique and breaks
-/// an inequality, another solution that satisfies all inequalities is returned, if one exists.
+/// Checks every inequality for `at`, the solution of the linear problem `piece` in these contact states. If the solution is not unique and breaks an
+/// inequality, another solution that satisfies all inequalities is returned, if one exists. The error holds the rejected states.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,
@@ -56,18 +56,18 @@ pub(super) fn admit(
 ) -> Result<SearchSolution, RejectedStates> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // The factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need the factor, so it
-    // is computed on demand.
+    // To compute the factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this
+    // factor, so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
-        // Upper bound of the tolerance, however badly conditioned the linear problem is.
+        // A violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
     };
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    // The value of an inequality, which should not be negative, may be below zero by this fraction of the size of its terms, times the factor by
-    // which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero is computed as a
-    // few roundings of 1e-16.
+    // An inequality counts as satisfied if its value, divided by the size of its terms, is at least minus a tolerance. The tolerance is this number,
+    // times the factor by which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero
+    // is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.
@@ -88,12 +88,12 @@ pub(super) fn admit(
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation below this fraction (times the amplification of rounding errors) is neither rounding nor clear. The proposal is refused, but
-        // its failure proves nothing.
+        // A violation up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a clear
+        // violation. The proposal is refused, but its failure proves nothing.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
-    // Forces that fail to balance the load by more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
+    // Forces that leave an imbalance of more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(RejectedStates { states, at, doubtful: true });
     }
@@ -147,7 +147,7 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, relative to the sum of the norms of its terms plus the largest force. If
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, divided by the sum of the norms of the forces plus the largest force. If
 /// commands alone move a statically determinate grasp, its exact forces are zero and the computed forces are rounding errors. The largest force is
 /// therefore taken to be at least the fraction `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
@@ -156,7 +156,7 @@ fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector)
     if size > 0.0 { left / size } else { 0.0 }
 }
 
-/// Values of the inequalities of all contacts and drives, and for each value the size of its terms.
+/// Values of the inequalities of all contacts and drives, which should not be negative, and for each value the size of its terms.
 fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {

@@ -37,8 +37,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         Self { problem, settings, trial_states, trial, state, proposing, with_edges }
     }
 
-    /// The problem for Lemke's method. Round cones are replaced by polygons, rotated so that a corner lies along the friction force of the elastic
-    /// trial.
+    /// The problem for methods that need polygonal friction cones, such as Lemke's method. Each round cone is replaced by a polygon with a corner
+    /// along the friction force of the elastic trial.
     pub(super) fn proposing(&self) -> &Problem<'g> {
         if !self.problem.round {
             return self.problem;
@@ -71,17 +71,17 @@ impl Attempt {
     }
 }
 
-/// Counts of the work of the search so far, and the reason that an undecided result would have.
+/// Record of the search so far: counts of its work, and the reason to give if its result is undecided.
 pub(super) struct SearchLog {
     pub(super) effort: SearchCounts,
-    /// The reason with which the search returns an undecided result if no method finds an equilibrium or a proof.
+    /// The reason why the result is undecided, to be returned if no method finds an equilibrium or a proof.
     pub(super) doubt: Doubt,
     /// Whether the last complementarity problem that was solved with a dense matrix was proved to have no solution.
     pub(super) is_infeasible: bool,
 }
 
 /// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps this
-/// direction, the polygon is as good as the round cone.
+/// direction, an inscribed polygon limits it exactly like the round cone.
 pub(super) fn on_polygons<'g>(
     problem: &Problem<'g>,
     cone: PolygonCone,

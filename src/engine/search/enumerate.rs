@@ -13,7 +13,7 @@ pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
-/// Visits every combination of states in a fixed order until `visit` returns `true`. In the first combination everything sticks.
+/// Calls `visit` with every combination of states, in a fixed order, until it returns `true`. In the first combination everything sticks.
 pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<State>) -> bool) {
     let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
@@ -39,8 +39,8 @@ pub(crate) struct Enumerated {
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states or, if `first_only`, those up to the first equilibrium. On the round cone each combination is the start
-/// of Newton's method.
+/// Tries all combinations of contact states or, if `first_only` is true, the combinations up to the first equilibrium. On the round cone Newton's
+/// method starts from the solution of each combination on polygonal cones, if that satisfies every condition.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

@@ -25,7 +25,7 @@ use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca
 use crate::prelude::*;
 use crate::proofs;
 
-/// A method of the ladder, the condition under which it is tried, and the [`FoundBy`] that its equilibria carry.
+/// A method of the ladder. `applies` is the condition under which the method is tried, and `climb` runs it.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
@@ -75,8 +75,8 @@ pub(super) const LADDER: [Rung; 9] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // This method also runs with few contacts and many coordinates. In that case the augmented Lagrangian of `separating motion of many` takes
-        // small residuals for zero, which this method distinguishes from zero.
+        // This method also runs with few contacts and many coordinates. The augmented Lagrangian of `separating motion of many` then takes small
+        // residuals for zero. This method distinguishes them from zero.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -89,8 +89,8 @@ pub(super) const LADDER: [Rung; 9] = [
     },
 ];
 
-/// Tries the methods in order, starting with the elastic trial, until an equilibrium, or a proof that none exists, is found. Otherwise the result is
-/// undecided.
+/// Tries the elastic trial, in which everything sticks, and then the methods of the ladder in order, until an equilibrium, or a proof that none
+/// exists, is found. Otherwise the result is undecided.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (SearchOutcome, SearchCounts) {
     let effort = SearchCounts { facets: problem.polygon.normals.len(), ..SearchCounts::default() };
     let mut log = SearchLog { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
@@ -149,7 +149,8 @@ fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
 
-/// Whether a complementarity problem may be solved with a dense matrix: with few contacts always, with many only if its pivots take acceptable time.
+/// Whether a complementarity problem may be solved with a dense matrix. With few contacts this is always allowed, with many only if the pivots take
+/// acceptable time.
 fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
@@ -165,8 +166,9 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> A
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. It starts at points of the relaxation of the stuck grasp,
-/// then at the elastic trial, and last at the twist from Tresca friction.
+/// Newton's method for the motion of the object, of which each contact force is a function. With round cones and few contacts it starts at points of
+/// the relaxation (`object/relaxing`), then at the elastic trial, and last at the twist from Tresca friction. On polygons it only starts at the
+/// elastic trial.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -184,9 +186,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium to which the grasp relaxes from the elastic trial if its contacts are viscous (`ViscousRelaxation`). Newton's method starts from
-/// points of this relaxation. An equilibrium far from the starting point is returned only if Newton's method never ends at a near equilibrium. `None`
-/// if Newton's method finds no equilibrium.
+/// The equilibrium near which the relaxation ends, an artificial viscous motion of the object that starts at the elastic trial (`object/relaxing`).
+/// Newton's method starts from points of this motion. If it ends far from its start, the next point is tried, and the distant equilibrium is returned
+/// only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -207,20 +209,23 @@ fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
-/// The proof by a motion that separates the load from all admissible contact forces, found by the augmented Lagrangian or the nearest forces.
+/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many coordinates
+/// it is found by an augmented Lagrangian, otherwise from the admissible forces nearest to the load.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
-/// The proof by a motion that separates the load from all admissible contact forces: the residual of the admissible forces nearest to the load.
+/// Searches for a proof with few contacts: a motion that separates the load from all admissible contact forces. It is the residual wrench of the
+/// admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
 /// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that break a condition in the elastic trial, then on
-/// the matrix of all contacts if that takes acceptable time. The form with facets for infinite friction is tried last.
+/// the matrix of all contacts if that takes acceptable time. The form in which contacts with infinite friction have facets of a friction cone is
+/// tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut SearchLog| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut SearchLog| {
@@ -256,8 +261,8 @@ fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log))
 }
 
-/// Tries every case, if they are few. On the round cone branch and bound divides contact states and directions of friction; elsewhere cases are
-/// combinations of contact states.
+/// Tries every case, if there are not too many. On the round cone branch and bound divides contact states and directions of friction into cases;
+/// elsewhere cases are combinations of contact states.
 fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
     if most > 0 {
@@ -272,7 +277,7 @@ fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
             }
         };
     }
-    // A proof on the polygon says nothing about the round cone.
+    // A proof for the polygon would prove nothing for the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }

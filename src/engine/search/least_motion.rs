@@ -1,9 +1,9 @@
-//! The position of the object in the solution if no spring resists some motion: of all admissible positions the nearest to q₀ (defined below).
+//! The position of the object in the solution if no spring resists some motions. The position q₀ closes, in the sense of least squares, the gaps of
+//! contacts that touched before anything moved. Of all admissible positions the nearest to q₀ is chosen.
 //!
-//! Forces do not depend on free motions, the columns of V. Any position `q = q₀ + V z` is a solution as long as gaps and slips keep their signs.
-//! These are conditions `c + g·z >= 0` on the coefficients z of the free motions. The position q₀ closes the gaps of contacts that touched before
-//! anything moved, in the sense of least squares. The position q with the least |z| is unique. It depends neither on the method that found the states
-//! nor on the frame.
+//! Forces do not depend on the motions that no spring resists (free motions), the columns of a matrix V. Any position `q = q₀ + V z` is a solution as
+//! long as gaps and slips keep their signs. These are conditions `c + g·z >= 0` on the coefficients z, with the value c of a gap or slip at q₀ and
+//! its change g per unit of z. The position q with the least |z| is unique. It depends neither on the method that found the states nor on the frame.
 
 use nalgebra::SVector;
 
@@ -16,7 +16,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀ (see the top of the file). At q₀ contacts that
-/// touched before anything moved touch again, as far as possible.
+/// touched before anything moved touch again, in the sense of least squares.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) -> SearchSolution {
     // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {

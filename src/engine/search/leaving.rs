@@ -1,9 +1,9 @@
-//! Lemke's method for many contacts, of which few leave the elastic trial, i.e. break a condition of their states in this trial: only these few
-//! contacts pivot.
+//! Lemke's method for many contacts of which few leave the elastic trial, in which everything sticks. A contact leaves the trial if it breaks a
+//! condition of its state there. Only these few contacts pivot, i.e. may change their states.
 //!
-//! A contact that breaks a condition enters the pivoting set; all others keep their states. The new states may make other contacts break a condition.
-//! These contacts enter, too, until no contact breaks a condition. If many contacts leave the trial, the start is instead a set of states from Tresca
-//! friction, in which few contacts break a condition.
+//! A contact that breaks a condition is added to the pivoting contacts; all others keep their states. The new states may make other contacts break a
+//! condition. These contacts are added, too, until no contact breaks a condition. If many contacts leave the trial, Lemke's method starts instead
+//! from states from Tresca friction, in which few contacts break a condition.
 
 use crate::numerics::IntoList;
 use alloc::sync::Arc;
@@ -19,8 +19,8 @@ use crate::numerics::chosen;
 use crate::object::{Piece, PieceState, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a run of Lemke's method: contact states, in which the contacts that pivot stick, with the solution `at` of the linear problem
-/// `piece`.
+/// The start of a run of Lemke's method: contact states, the linear problem `piece` in these states, and its solution `at`. The contacts that pivot
+/// stick.
 struct PivotStart {
     states: Vec<State>,
     piece: Arc<Piece>,
@@ -35,7 +35,8 @@ impl PivotStart {
         Some(Self { states, piece, at })
     }
 
-    /// This start, but with the contacts in `among` sticking; unchanged if they stick already. `None` if the tangent stiffness is then singular.
+    /// This start with the contacts in `among` sticking; unchanged if they stick already. Otherwise `moved` is cleared: displacements per unit gap or
+    /// slip of a contact, which are no longer valid. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -57,8 +58,8 @@ pub(super) fn propose_of_the_leaving(
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.trial_states, &scene.state);
-    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. A run of Lemke's method costs the cube
-    // of the number of contacts that pivot.
+    // From this number of contacts that leave the elastic trial on, states from Tresca friction are computed first: a run of Lemke's method costs the
+    // cube of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = PivotStart::of(problem, near)
@@ -87,14 +88,14 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // If more contacts leave the states of the similar grasp, the pivots take longer than pivots from the elastic trial.
+        // With at most 24 leaving contacts the pivots from the states of the similar grasp take less time than pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }
 }
 
-/// States from Lemke's method on the contacts `among`. If it finds no solution, the neighbours of these contacts pivot as well, up to `most` contacts
-/// altogether.
+/// States from Lemke's method on the contacts `among`, by index. If it finds no solution, the neighbours of these contacts pivot as well, up to
+/// `most` contacts altogether.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -150,10 +151,10 @@ fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &feels)
 }
 
-/// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most is made to
-/// stick, among those that do not stick yet. `None` if the tangent stiffness is still singular after all rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most along it is
+/// made to stick; sticking contacts are left out. `None` if the tangent stiffness is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // Further contacts are made to stick in at most eight rounds.
+    // In at most eight rounds further contacts are made to stick.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

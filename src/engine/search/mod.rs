@@ -1,4 +1,4 @@
-//! The search for contact states: a ladder of methods, its rungs, and the check that every proposed solution must pass.
+//! The search for contact states: a sequence of methods (the ladder and its rungs), and the check that every proposed solution must pass.
 //!
 //! | file | idea |
 //! |---|---|

@@ -1,4 +1,5 @@
-//! From a solution with polygonal friction cones to a solution with round cones: Newton's method on the return map, then the last digits.
+//! From a solution with polygonal friction cones to a solution with round cones: Newton's method on the twist, then a solution in the contact states
+//! found, accurate to the last digits.
 //!
 //! From the twist of the first solution a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of
 //! the contacts on the round cone. Solving the linear problem of these states gives the last digits ([`super::round_pieces`]). Newton's method fails
@@ -51,7 +52,7 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = PieceState { forces, twist: Vector::zeros() };
-    // The imbalance, as a fraction of the forces, with which Newton's method may start.
+    // The refinement ends at this imbalance, a fraction of the forces, with which Newton's method may start.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
 }

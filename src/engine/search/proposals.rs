@@ -15,7 +15,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// Whether Lemke's method takes acceptable time on a dense matrix with `times` times as many rows as the kinematic form, the problem for gaps and
-/// slips. It makes about as many pivots as there are rows.
+/// slips. The work is estimated as the cube of the number of rows: about as many pivots as rows, each of which changes the whole matrix.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
@@ -29,8 +29,8 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
 /// A method that proposes contact states, or returns `None` if it finds no states to propose.
 type ProposalMethod<'p> = dyn Fn(&Problem, &mut SearchLog) -> Option<Vec<State>> + 'p;
 
-/// Lets `propose` propose contact states, solves the linear problem with them and checks the solution; on the round cone Newton's method continues
-/// from this solution. `None` if no solution passes the check.
+/// Lets `propose` propose contact states, solves the linear problem in these states and checks the solution. On the round cone Newton's method
+/// continues from this solution. `None` if no solution passes the check.
 pub(super) fn equilibrium_by_proposals(
     problem: &Problem,
     propose: &ProposalMethod<'_>,
@@ -51,7 +51,8 @@ pub(super) fn equilibrium_by_proposals(
     polish(problem, &proposed, &near)
 }
 
-/// Contact states from Lemke's method on a complementarity problem with a dense matrix.
+/// Contact states from Lemke's method on the complementarity problem `form`, with a dense matrix. `most_work` is an upper limit of the number of
+/// multiplications, and `states` reads the contact states from the basis of a solution. `None` without a solution.
 pub(super) fn propose_dense(
     problem: &Problem,
     settings: &Settings,
@@ -62,19 +63,20 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and ends more searches than another run. Elsewhere the
-    // search tries all contact states next, each of which costs one d × d system. It does not enumerate bases of the complementarity problem.
+    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and ends more searches than another run. Otherwise the
+    // search tries all contact states next, at the cost of one d × d system for each combination. Bases of the complementarity problem are never
+    // enumerated.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // The affordable number of pivots is passed to the solver if the caller set it, or if it is lower than the solver's default limit.
+    // The limit `affordable` of the number of pivots is passed to the solver if the caller set it, or if it is lower than the solver's default limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // The number of covering vectors tried after Lemke's method has ended on a ray: more if there are too many combinations of states to try
-        // next.
+        // The number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray. It is larger if there are too many
+        // combinations of states to try all of them next.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);

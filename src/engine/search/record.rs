@@ -27,7 +27,7 @@ pub enum RungResult {
 pub struct RecordedSearch {
     /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.
     pub decided: Option<usize>,
-    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the method `decided` are included.
+    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the method `decided` were run, too.
     pub rungs: Vec<(RungResult, f64)>,
 }
 
@@ -48,8 +48,8 @@ pub fn recorded<T>(ask: impl FnOnce() -> T) -> (T, Vec<RecordedSearch>) {
     (answer, RECORD.take().unwrap_or_default())
 }
 
-/// If this thread keeps a record, adds a search and the index of the method that ended it. For comparison every method that applies is tried again,
-/// by itself.
+/// If this thread keeps a record, adds a search to it. `decided` is the index of the method that ended the search. For comparison every method whose
+/// condition is met is run again, by itself, and timed.
 pub(super) fn record(scene: &ElasticTrial<'_, '_>, decided: Option<usize>) {
     if RECORD.with_borrow(Option::is_none) {
         return;

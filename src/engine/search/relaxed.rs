@@ -1,23 +1,24 @@
-//! Equilibrium with the law of each contact relaxed to its convex hull: a point of a polyhedral cone.
+//! Equilibrium with the law of each contact relaxed: stretch and force of the contact may be any point of the convex hull of the law, a polyhedral
+//! cone.
 //!
 //! Equilibrium is written in energy units, in which the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F`, with the stiffnesses
-//! K. G are the grasp maps, and P is the orthogonal projector on the span of `K^{1/2}Gᵀ`. f⁰ are the forces of the elastic trial, in which everything
-//! sticks. Balance of forces and compatibility of stretches are
+//! K. With the grasp maps G, P is the orthogonal projector on the span of `K^{1/2}Gᵀ`. The forces of the elastic trial, in which everything sticks,
+//! are f⁰. Balance of forces and compatibility of stretches are
 //!
 //! ```text
 //! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰
 //! ```
 //!
-//! one equation, without the twist, in as many unknowns as there are stretches. With the law of each contact relaxed to its convex hull, (e, f) may
-//! be any sum of generators of the hulls with coefficients s >= 0. Either such a sum solves the equation, or the distance of f⁰ from the values `e +
-//! P (f - e)` of all such sums is positive. In that case the residual y, from the nearest value to f⁰, has
+//! one equation, without the twist, in as many unknowns as there are stretches. In the relaxed law (e, f) may be any sum of generators of the hulls
+//! with coefficients s >= 0. Either such a sum solves the equation, or the distance of f⁰ from the values `e + P (f - e)` of all such sums is
+//! positive. In that case let y be the difference between f⁰ and the nearest value. It satisfies
 //!
 //! ```text
 //! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
 //! ```
 //!
-//! where δ is the largest of the products in the second relation, nearly zero. This residual contradicts every equilibrium whose coefficients s have
-//! a sum below `|y|²/δ`.
+//! where δ, nearly zero, is the largest of the products on the left of the second relation. The vector y contradicts every equilibrium whose
+//! coefficients s have a sum below `|y|²/δ`.
 
 use nalgebra::SVector;
 
@@ -37,7 +38,7 @@ pub(super) struct BalanceEquation {
     projector: Vec<f64>,
     /// The forces f⁰ of the elastic trial in energy units, scaled to length one.
     target: Vec<f64>,
-    /// The length of f⁰, √J.
+    /// The length of f⁰ before it was scaled, √J.
     unit: f64,
     /// The square roots of stiffness, K^{1/2}, of each contact.
     roots: Vec<SVector<f64, 3>>,
@@ -45,8 +46,8 @@ pub(super) struct BalanceEquation {
 
 /// The result of relaxing every contact's law to its convex hull in one case of branch and bound, which restricts the contact states.
 pub(super) enum Relaxed {
-    /// The case is not contradicted: stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to a solution. If
-    /// the relaxation does not determine stretches and forces, these are one choice of many.
+    /// The case is not contradicted. The fields are stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to
+    /// a solution. If the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
     /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. Such an equilibrium would be larger than the elastic trial
     /// state, in which every contact sticks, by at least this factor.
@@ -116,8 +117,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The scalar product of y with the value `e + P (f - e)` of each generator, a stretch e with a force f: `(1 - P) y` times the generator's
-    /// stretch, plus `P y` times its force.
+    /// For each generator, with stretch e and force f, the scalar product of y with `e + P (f - e)`: `(1 - P) y` times e plus `P y` times f.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],
@@ -133,9 +133,9 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves `nearest` to the point nearest to f⁰ of the elastic trial in the cone that the generators of these hulls span. Each contact has one
-    /// hull. Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ contradicts the case, otherwise the stretches and forces at this
-    /// point.
+    /// Moves `nearest` to the point nearest to f⁰ in the cone that the generators of `hulls`, one hull for each contact, span. Returns
+    /// [`Relaxed::Contradicted`] if the distance of this point from f⁰ proves that the case has no equilibrium, otherwise the stretches and forces at
+    /// this point.
     pub(super) fn relax(
         &self,
         hulls: &[impl AsRef<[HullRay]>],
@@ -143,7 +143,7 @@ impl BalanceEquation {
     ) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have been added since the distance last shrank. They are not tried again before it shrinks, so that the loop cannot cycle.
+        // Generators that have been added since the distance last shrank. They are not added again before it shrinks, so that the loop cannot cycle.
         let mut tried: Vec<GeneratorIndex> = Vec::new();
         let mut least = f64::INFINITY;
         // At most forty generators are added for each row of the equation.
@@ -204,7 +204,8 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The residual as a proof that a case has no equilibrium: a virtual motion, and virtual forces of the contacts that balance one another.
+    /// The difference between f⁰ and the nearest point, written as a proof that a case has no equilibrium: a virtual motion of the object, and
+    /// virtual forces of the contacts that balance one another.
     pub(super) fn contradiction(
         &self,
         trial: &Piece,

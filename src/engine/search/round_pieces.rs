@@ -14,7 +14,7 @@ use crate::numerics::{IntoList, Vector, by_axis};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// A state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
+/// An iterate of Newton's method: a state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
 #[derive(Debug, Clone)]
 pub(super) struct RoundPieces {
     states: Vec<State>,
@@ -23,13 +23,13 @@ pub(super) struct RoundPieces {
     twist: PreciseTwist,
 }
 
-/// The size of the changes of forces and twist in a Newton step.
+/// How small the changes of forces and twist were in a Newton step. Each flag is true if they were at most the bounds named.
 struct NewtonChange {
-    /// The twist and each force changed by at most the fraction 1e-14 of itself, or a force by 1e-20 of the largest force.
+    /// The twist changed by at most 1e-14 of its norm, and each force by at most 1e-14 of itself plus 1e-20 of the largest force.
     sharp: bool,
-    /// The twist and each force changed by at most the fraction 1e-8 of itself: the directions of friction have hardly turned.
+    /// The twist and each force changed by at most 1e-8 of themselves, so that the directions of friction have hardly turned.
     near: bool,
-    /// Each force changed by at most the fraction 1e-8 of itself, plus 1e-15 of the largest force, its rounding error.
+    /// Each force changed by at most 1e-8 of itself plus 1e-15 of the largest force, its rounding error.
     settled: bool,
 }
 
@@ -63,8 +63,8 @@ impl RoundPieces {
         }
     }
 
-    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge, or if a contact breaks a
-    /// condition of its state.
+    /// Newton's method until the forces of all contacts are correct to the last digit. `None` if it does not converge, or if the converged solution
+    /// breaks a condition of a contact's state.
     pub(super) fn solve(mut self, problem: &Problem) -> Option<SearchSolution> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
@@ -72,8 +72,8 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &piece);
-            // The longest twist that is allowed, as a multiple of the initial twist and offsets: beyond it hardly a digit of the contacts' stretches
-            // is correct. Near a jamming angle the twist grows so much, although another method finds an equilibrium close by.
+            // A twist longer than this multiple of the initial twist and offsets is refused: hardly a digit of the contacts' stretches is then
+            // correct. Near a jamming angle the twist may grow so much, although another method finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
@@ -96,13 +96,14 @@ impl RoundPieces {
         None
     }
 
-    /// Whether friction forces equal their limit at all contacts that slide on the round cone; false if a contact that is kept closed pulls.
+    /// Whether the friction force equals its limit at every contact that slides on the round cone. False also if such a contact pulls, since its
+    /// limit μ F_n is then negative.
     fn on_cones(&self, problem: &Problem) -> bool {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
             let limit = local.cone().limit(force[0]);
-            // A friction force may differ from its limit by this fraction of the largest force. If the last step turned it by an angle, it is off the
-            // cone by the square of the angle.
+            // A friction force may differ from its limit by this fraction of the largest force. A step that turns the friction force by a small angle
+            // moves it off the cone by the square of this angle.
             state.slide().is_none() || (tangential_norm(force) - limit).abs() <= 1e-14 * largest.max(limit)
         })
     }
@@ -114,17 +115,17 @@ impl RoundPieces {
         let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        // A step that changes the twist and each force by less than this fraction of itself is the last.
+        // The step is the last if it changes the twist and each force by less than this fraction of themselves.
         let last = 1e-14;
         // If only rounding determines the direction of a small force, no step is `sharp`. But a step that changes each force by less than this
-        // fraction leaves a relative error of only its square. The rounding error of the largest force is allowed in addition.
+        // fraction of itself leaves a relative error of only its square. The rounding error of the largest force is allowed in addition.
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
             *force += missing;
-            // `sharp` allows each force a change of 1e-20 of the largest force: no force has a correct digit below that. `settled` allows 1e-15 of
-            // the largest force, which is its rounding error. Each contact is compared with its own force: a small force may still turn while large
-            // ones have settled.
+            // `sharp` allows each force a change of 1e-20 of the largest force: below that no force has a correct digit. `settled` allows 1e-15 of
+            // the largest force, its rounding error. Each contact is compared with its own force, since a small force may still turn while large ones
+            // have settled.
             sharp &= missing.norm() <= last * force.norm() + 1e-20 * largest;
             near &= missing.norm() <= little * force.norm();
             settled &= missing.norm() <= little * force.norm() + 1e-15 * largest;
@@ -150,8 +151,8 @@ impl RoundPieces {
         admit(problem, states, piece, at).ok()
     }
 
-    /// Whether a motion that seems free turns the friction force of a sliding contact. Such a motion meets a resistance that is only lost in the
-    /// rounding of the stiffest spring. The component of the solution along this motion is then not known.
+    /// Whether a motion that no spring seems to resist turns the friction force of a sliding contact. The resistance of friction to such a motion is
+    /// lost in the rounding of the stiffest spring. The component of the solution along this motion is then not known.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
@@ -160,8 +161,8 @@ impl RoundPieces {
         })
     }
 
-    /// Changes states whose inequalities fail, and turns each direction of sliding into the direction of the contact's stretch. Returns whether a
-    /// contact changed its kind of state. Open contacts close only if `closing`.
+    /// Changes states whose inequalities fail, and turns each direction of sliding to the direction of the contact's stretch. Returns true if a
+    /// contact changed its kind of state (open, sticking, sliding). Open contacts close only if `closing` is true.
     fn update_states(&mut self, problem: &Problem, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
@@ -203,7 +204,7 @@ fn next_state(
         _ if local.may_open() && force[0] < -rounding => opened(force),
         _ if !local.may_slide() => *state,
         _ => {
-            // The stretch of a stiff spring is computed from its force, since the displacements only determine it up to their rounding error.
+            // The stretch of a stiff spring is computed from its force: the displacements determine it only up to their rounding error.
             let give = local.springs.deflection(force);
             let known =
                 by_axis(|axis| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] });
@@ -215,8 +216,8 @@ fn next_state(
                     *force = answer.force;
                     answer.state
                 }
-                // A normal force below zero, but only by rounding, opens a contact that has friction: without a normal force no friction is possible.
-                // Otherwise the contact keeps sticking.
+                // A contact with a friction force opens if its normal force is zero up to rounding, since without a normal force no friction is
+                // possible. Otherwise the contact keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }
@@ -224,8 +225,8 @@ fn next_state(
     }
 }
 
-/// Whether contact forces balance the load up to rounding, relative to load and forces. Without a load the forces may be mere rounding; the scale
-/// then includes the fraction `NO_FORCE` of the least force that springs could have. With a load this scale would accept a huge twist.
+/// Whether contact forces balance the load up to rounding, relative to load and forces. Without a load all forces may be rounding errors; the scale
+/// then includes the fraction `NO_FORCE` of the least force that springs could have. With a load that scale would accept a huge twist.
 fn balanced(problem: &Problem, at: &PieceState) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();

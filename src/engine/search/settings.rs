@@ -18,28 +18,30 @@ use crate::numerics::Space;
 #[non_exhaustive]
 #[must_use]
 pub struct Settings {
-    /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For equilibria on the round cone each contact's
-    /// polygon is rotated: a corner then lies along the friction force of the elastic trial, and more facets only cost time. For equilibria on the
-    /// polygon itself more facets come closer to the round cone, at the cost of more pivots. With m facets, the error of the onset load, at which a
-    /// contact first slips or opens, falls like 1/m², and the error of a state with sliding contacts like 1/m. Ignored in the plane.
+    /// The polygonal friction cone in space, on which Lemke's method pivots; by default 8 facets, inscribed in the round cone. Ignored in the plane.
+    /// For equilibria on the round cone each contact's polygon is rotated: a corner then lies along the friction force of the elastic trial, and more
+    /// facets only cost time. For equilibria on the polygon itself more facets come closer to the round cone, at the cost of more pivots. With m
+    /// facets, the error of the onset load, at which a contact first slips or opens, falls like 1/m². The error of a state with sliding contacts
+    /// falls like 1/m.
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Upper limit of the number of pivots of Lemke's method on one complementarity problem of a grasp, all its runs together. `None` allows about a
-    /// second. A search over thousands of contacts on which Newton's method has failed then gives up with
+    /// Upper limit of the number of pivots of Lemke's method on one complementarity problem of a grasp, all its runs together. `None` (the default)
+    /// allows about a second of computing time. A search over thousands of contacts on which Newton's method has failed then gives up with
     /// [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The quadratic programs of [`energy`](crate::energy), whose matrices are dense, may take
     /// some ten seconds.
     pub max_pivots: Option<usize>,
-    /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that there are at most this many. The default
-    /// is 20 000, a few hundredths of a second: 7 contacts in the plane, or 3 contacts with 8 facets in space. On the round cone branch and bound
-    /// divides the states and friction directions of up to 32 contacts into cases. A case of n contacts is counted as n³/400 combinations, but at
-    /// least as five: the default allows 4 000 cases for up to 12 contacts. A smaller number is faster if no equilibrium exists. With 0 neither
-    /// combinations nor cases are tried, and there are no proofs by trying all of them. A larger number gives proofs for more contacts.
+    /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that their number is at most this limit. The
+    /// default is 20 000, which takes a few hundredths of a second: enough for 7 contacts in the plane, or 3 contacts with 8 facets in space. On the
+    /// round cone branch and bound divides the states and friction directions of up to 32 contacts into cases. A case of n contacts is counted as
+    /// n³/400 combinations, but at least as five: the default allows 4 000 cases for up to 12 contacts. A smaller limit is faster if no equilibrium
+    /// exists. With 0 neither combinations nor cases are tried, and there are no proofs by trying all of them. A larger limit gives proofs for more
+    /// contacts.
     pub most_states: usize,
-    /// On a load path on the round cone, the largest estimated error of one step along an arc (a part of the path on which contacts slide in turning
-    /// directions). It is the error of forces relative to the largest force, and of slips relative to the largest displacement. The default is 1e-9.
-    /// Step lengths scale with the eighth root of the error: 1e-13 takes about three times as many steps. If rounding allows only a larger error,
-    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
+    /// On a load path on the round cone, the upper limit of the estimated error of one step along an arc. An arc is a part of the path on which
+    /// contacts slide in turning directions. Errors of forces are relative to the largest force, errors of slips to the largest displacement. The
+    /// default is 1e-9. Step lengths scale with the eighth root of this limit: 1e-13 takes about three times as many steps. If rounding allows only a
+    /// larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
     pub step_error: f64,
     /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, a section of the
     /// load program; refused steps are included. The same number limits the jumps from static to kinetic friction (default 20 000). A path that needs
@@ -52,7 +54,7 @@ pub struct Settings {
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
-    /// Whether searches for a static equilibrium omit the last method, which tries every case and takes longest if no equilibrium exists.
+    /// Flag: true if searches for a static equilibrium omit the last method, which tries every case and takes longest if no equilibrium exists.
     pub(crate) is_quick: bool,
 }
 

@@ -5,7 +5,8 @@ use crate::error::{Error, is_moderate};
 /// Limits of small motions. All computations use the contact points and normals of the undeformed grasp, so an answer beyond these limits is
 /// unreliable: a [`Verdict`](crate::hold::Verdict) never claims that a load holds beyond them.
 ///
-/// A translation that the springs of all contacts take up changes no geometry, and has no limit.
+/// A translation of the object while every contact sticks only deflects springs. It changes neither normals nor the relative positions of the
+/// contacts, and has no limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -15,11 +16,11 @@ use crate::error::{Error, is_moderate};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SmallMotions {
-    /// No body turns by more than this angle, rad (default 0.1), nor does a revolute joint behind a closed contact.
+    /// Upper limit of the rotation of any body, and of any revolute joint that moves a closed contact, rad (default 0.1).
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub rotation: f64,
-    /// No contact slips or opens farther than this fraction of the grasp's size (default 0.1). The size is the root mean square distance of contact
-    /// points from their centroid. A grasp at a single point has no size, and no limit of this kind.
+    /// Upper limit of the slip and of the opening of any contact, as a fraction of the grasp's size (default 0.1). The size is the root mean square
+    /// distance of contact points from their centroid. A grasp at a single point has no size, and no limit of this kind.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub slip: f64,
 }

@@ -1,8 +1,8 @@
-//! If a solution is one end of an interval of solutions, adds the free motion along that interval.
+//! If a solution is one end of an interval of solutions with equal forces, adds the motion along that interval to its free motions.
 //!
-//! If friction is exhausted at every contact that could resist a motion, forces do not determine the object's position along this motion. Contact
-//! states in which one of these contacts sticks describe the end of the interval at which that contact has not slipped. They satisfy every condition,
-//! but have no free motion.
+//! If friction is at its limit at every contact that could resist a motion, forces do not determine the object's position along this motion. At one
+//! end of the interval of positions one of these contacts has not slipped, and may be taken as sticking. The solution with this contact sticking
+//! satisfies every condition, but has no free motion.
 
 use nalgebra::{Matrix, SVector};
 
@@ -15,12 +15,12 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// In the plane, the solution with the same forces in other states, which show the free motions. In these states contacts on the edge of their cone
-/// slide, and contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no
-/// further free motion.
+/// Looks, in the plane, for a solution with the same forces in states that allow a free motion: contacts on the edge of their cone slide, and
+/// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
+/// motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
-    // In space the springs perpendicular to the slip resist, so that no motion stays free. Searches that start near given states do not report such
-    // motions.
+    // In space a tangential spring perpendicular to the slip still resists, so that no motion stays free. Searches that start near given states do
+    // not report such motions.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }

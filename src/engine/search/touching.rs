@@ -6,24 +6,25 @@ use crate::contact::{Mode, State};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Opens contacts that pull and closes contacts that penetrate, starting from the contact states `states` with the solution `trial`, until no contact
-/// does either. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus a finger far from the
-/// object does not change the equilibrium.
+/// Starting from the contact states `states` with the solution `trial`, opens contacts that pull and closes open contacts that penetrate, until there
+/// are none of either kind. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus a finger
+/// far from the object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
     trial: PieceState,
 ) -> Option<SearchSolution> {
     let mut solved = trial;
-    // `piece` stays empty in the first round: the initial states have already failed.
+    // `piece` is `None` in the first round: the initial states have already failed, and are not checked again.
     let mut piece = None;
     let mut changed = Vec::new();
-    // With up to this number of contacts, contacts that pull open one at a time. With more, all contacts that pull open together.
+    // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With more,
+    // all of them change together.
     let one_by_one = 64;
     // Every contact usually changes once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // Few contacts open one at a time: one contact that pulls may make others pull, which no longer do so once it is open. The first to open is
+        // With few contacts one contact opens at a time: it may make other contacts pull, which no longer pull once it is open. The first to open is
         // the contact with the largest initial gap.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];

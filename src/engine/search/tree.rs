@@ -1,9 +1,10 @@
 //! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
 //!
-//! A case restricts the states of each contact by a [`Label`]; the first case restricts no contact. The relaxation of a case ([`super::relaxed`])
-//! either contradicts the case, or gives a stretch and a force for every contact. In some cases Newton's method starts from these stretches and
-//! forces. Unless Newton's method converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two
-//! cases. Every division brings the relaxation closer to the law, until cases are contradicted or Newton's method converges.
+//! A case restricts the states of each contact by a [`Label`], for example to closed, or to friction directions between two angles. The first case
+//! restricts no contact. The relaxation of a case ([`super::relaxed`]) either contradicts the case, or gives a stretch and a force for every contact.
+//! In some cases Newton's method starts from these stretches and forces. Unless Newton's method converges, the label of the contact whose force is
+//! farthest from its law is divided into two labels, which make two cases. Every division brings the relaxation closer to the law, until cases are
+//! contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -42,8 +43,8 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether some contact has a round cone. Otherwise trying all combinations of states on polygons is a complete search. In a rate problem (for
-/// derivatives along a load path), the law of a contact on the edge of a round cone is a plane facet.
+/// Whether branch and bound is needed, since some contact has a round cone. Otherwise trying all combinations of states is a complete search. False
+/// if a contact is on the edge of its cone in a rate problem (for derivatives along a load path): the law of such a contact is a plane facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -51,7 +52,7 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
 /// are too many contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
-    // With more contacts, the search would reach its limit of cases without a result.
+    // With more than 32 contacts the search would reach its limit of cases without a result.
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
@@ -61,8 +62,8 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     by_size.min(settings.most_states / 5)
 }
 
-/// Branch and bound over at most `most_cases` cases of contact states, starting from the solution `state` of the elastic trial `trial`. If the result
-/// is `Contradicted`, `record` has received the steps of the proof.
+/// Branch and bound over at most `most_cases` cases of contact states. `state` is the solution of the elastic trial `trial`, in which everything
+/// sticks. If the result is `Contradicted`, `record` has received the steps of the proof.
 pub(super) fn search_tree(
     problem: &Problem,
     trial: &Piece,
@@ -102,8 +103,8 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case only, since it costs as much as a few cases.
         let every = 4;
-        // If forces miss the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding, and Newton's
-        // method starts from this case, too.
+        // If the forces differ from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding.
+        // Newton's method then starts from this case, too.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -150,9 +151,9 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
     }
 }
 
-/// The contact whose label to divide next: the contact whose force is farthest from its law at its stretch. If the label restricts nothing yet, the
-/// distance is multiplied by three. Also returns the largest distance of all contacts. Distances are norms in energy units, as fractions of the norm
-/// of the elastic trial state.
+/// The contact whose label to divide next, and the largest distance of all contacts. The distance of a contact is the difference between its force
+/// and the force that its law gives at its stretch. It is measured in energy units, as a fraction of the norm of the elastic trial state. The contact
+/// with the largest distance is divided; distances count three times for contacts whose label restricts nothing yet.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,
@@ -166,7 +167,7 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let imbalance = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(imbalance);
-        // Contacts whose label restricts nothing yet are preferred: until they are divided, other divisions contribute little.
+        // Contacts whose label restricts nothing yet are divided first: until then, divisions of other contacts contribute little.
         let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);

@@ -1,4 +1,4 @@
-//! Contacts that touch without force neither stick nor slide: they are reported as open, with a gap of zero.
+//! Contacts that touch without force neither stick nor slide. They are reported as open, with a gap of zero.
 //!
 //! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
 //! nothing. Hence the solution with all such contacts open has the same forces, and this solution is always returned.
@@ -30,8 +30,8 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (SearchO
     }
 }
 
-/// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. Only
-/// the twist and the `sizes` of `found` are kept as they are.
+/// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. Twist
+/// and `sizes` of `found` are kept.
 pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> SearchSolution {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);

@@ -1,5 +1,5 @@
-//! Tests of [`yields`], the proof that no forces balance offsets and load if every contact that may slide or open does. If the proof succeeds, no
-//! combination of contact states may be an equilibrium.
+//! Tests of [`yields`], a proof about a rate problem: if every contact that may slide or open does so, no forces balance offsets and load. If the
+//! proof succeeds, no combination of contact states may be an equilibrium.
 
 use core::f64::consts::TAU;
 
@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{PolygonCone, PolygonFit, planar, spatial};
 
-/// Counts for the tests: random rate problems, proofs that no forces balance offsets and load, and problems in which some combination of contact
-/// states is an equilibrium.
+/// Counts for the tests: numbers of random rate problems (`asked`), of problems for which the proof succeeds (`proved`), and of problems with an
+/// equilibrium in some combination of contact states (`held`).
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,
@@ -22,12 +22,12 @@ struct Count {
     held: usize,
 }
 
-/// A small random whole number. Whole numbers make the geometry symmetric, so that limit loads occur often.
+/// A random whole number of magnitude up to `most`. Whole numbers make the geometry symmetric, so that limit loads occur often.
 fn whole(draw: &mut Draw, most: f64) -> f64 {
     (draw.normal() * most).round().clamp(-most, most)
 }
 
-/// A whole number below `count`.
+/// A random whole number from 0 to `count - 1`.
 fn one_of(draw: &mut Draw, count: usize) -> usize {
     (0..16).fold(0, |bits, _| 2 * bits + usize::from(draw.sign() > 0.0)) % count
 }
@@ -42,8 +42,8 @@ fn tangent(draw: &mut Draw, tangents: usize) -> SVector<f64, 3> {
     }
 }
 
-/// A random law of a contact in a rate problem (for derivatives along a load path). `slip` is its direction of slip; most laws are the edge of a
-/// friction cone in that direction.
+/// A random law of a contact in a rate problem (for derivatives along a load path). `slip` is the direction in which the contact would slip; most
+/// laws are the edge of a friction cone in that direction.
 fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> Law {
     let tangents = if normals.len() > 2 { 2 } else { 1 };
     match one_of(draw, 24) {

@@ -13,7 +13,7 @@ pub(crate) enum Rotation {
 }
 
 impl Twist<3> {
-    /// Translation of the body's point at the origin, m, and rotation, rad.
+    /// The parts of a twist of space: the translation of the body's point at the origin, m, and the rotation, rad.
     pub(crate) fn parts(&self) -> (SVector<f64, 3>, Rotation) {
         self.parts_in(Space::Spatial)
     }
@@ -46,7 +46,8 @@ impl Rotation {
         }
     }
 
-    /// Vector from a point to the nearest point of the axis of rotation: `ω × u / |ω|²`, if the displacement u of the point is `moves`.
+    /// Vector from a point to the nearest point of the axis of rotation: `ω × u / |ω|²`, with the rotation vector ω and the displacement u of the
+    /// point, `moves`. Not finite if the rotation is zero.
     pub(crate) fn way_to_axis(&self, moves: &SVector<f64, 3>) -> SVector<f64, 3> {
         match self {
             Self::Plane(turn) => SVector::from([-moves[1] / turn, moves[0] / turn, 0.0]),

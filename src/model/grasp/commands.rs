@@ -44,17 +44,18 @@ impl<const C: usize> Contact<C> {
     }
 
     setters! {
-        /// Squeeze as a force, N, from 0. The finger is commanded to the **position** at which it presses with this force on an object that does not
-        /// move. The squeeze replaces the normal component of the command by `clearance + force / k_n`; the tangential components stay. When the object
-        /// moves, the force changes. Fingers with unequal forces therefore push the object until their forces balance.
+        /// Squeeze given as a force, N, zero or positive. The finger is commanded to the **position** at which it presses with this force on an
+        /// object that does not move. The squeeze replaces the normal component of the command by `clearance + force / k_n`, with the normal series
+        /// stiffness k_n. The tangential components stay. When the object moves, the force changes. Fingers with unequal forces therefore push the
+        /// object until their forces balance.
         ///
-        /// On a finger [with joints](crate::grasp::Finger) the joints are commanded too, by `K⁻¹Jᵀ` times the force, so that the finger exerts no
-        /// tangential force.
+        /// On a finger [with joints](crate::grasp::Finger) the joints are commanded too, so that the finger exerts no tangential force. The joint
+        /// commands are `K⁻¹Jᵀ` times the force vector, with the joint stiffness matrix K and the Jacobian J of the contact.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
         ///
-        /// // Two fingers that each press with 8 N; μ = 0.5. One is 2 mm away before.
+        /// // Two fingers that each press with 8 N; μ = 0.5. One finger starts 2 mm away from the object.
         /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(8.0);
         /// let grasp = Grasp::new([finger(-1.0), finger(1.0).clearance(0.002)])?;
         /// let onset = grasp.onset(Wrench::force([0.0, -1.0]))?;
@@ -65,17 +66,18 @@ impl<const C: usize> Contact<C> {
         #[doc(alias = "grip force", alias = "preload", alias = "squeeze")]
         pub fn pressed_with(mut self, force: f64) { (self.press, self.force) = (Some(force), None); }
 
-        /// A **constant** normal force, N, from 0, as of an air cylinder, a weight on a lever or a motor at constant current. Along the normal the finger
-        /// follows the object instead of holding a position. Along the tangents its springs act as usual. The points of a soft fingertip move with one
-        /// common slide, so that their springs share the force. The force replaces [`Self::pressed_with`] and the normal component of the command.
+        /// A **constant** normal force, N, zero or positive, as exerted by an air cylinder, a weight on a lever or a motor at constant current. Along
+        /// the normal the finger follows the object instead of holding a position. Along the tangents its springs act as usual. The force replaces
+        /// [`Self::pressed_with`] and the normal component of the command.
         ///
-        /// The grasp gets one more joint, along which the finger follows the object. It is named "slide of" the contact and comes after all other joints.
-        /// Questions that refuse hands therefore refuse such a grasp.
+        /// The grasp gets one more joint, a slide along the normal on which the finger follows the object. All points of a soft fingertip move on one
+        /// common slide, so that their springs share the force. The joint is named "slide of" and the name of the contact, and comes after all other
+        /// joints. Questions that refuse hands therefore refuse such a grasp.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
         ///
-        /// // 8 N against a jaw that stands still: they stay 8 N whatever pushes along them, and the jaw carries the rest.
+        /// // One pad presses with 8 N against a pad that stands still. A load along the normal leaves the 8 N unchanged; the other pad carries it.
         /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
         /// let grasp = Grasp::new([pad(-1.0).force(8.0), pad(1.0)])?;
         /// let outcome = grasp.solve(Wrench::force([3.0, 0.0]))?;
@@ -90,8 +92,9 @@ impl<const C: usize> Contact<C> {
 
         /// Clearance between finger and object before anything moves, m (default 0).
         ///
-        /// The finger must travel this far along the normal before it touches: `F_n = k_n (command - clearance - n·u_c)`. A negative clearance is an
-        /// initial overlap, the depth that collision libraries report. The contact then presses with k_n times the overlap before anything moves.
+        /// The finger must travel this far along the inward normal n before it touches: `F_n = k_n (command - clearance - n·u_c)`. Here k_n is the
+        /// normal series stiffness and u_c the displacement of the object at the contact. A negative clearance is an initial overlap, the depth that
+        /// collision libraries report. The contact then presses with k_n times the overlap before anything moves.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -103,9 +106,9 @@ impl<const C: usize> Contact<C> {
         ///     let outcome = Grasp::new([finger, post.clone()])?.solve(Wrench::ZERO)?;
         ///     Ok::<_, grasp_lcp::Error>(outcome.equilibrium().expect("holds").contacts[0].normal_force())
         /// };
-        /// // It comes 10 mm and meets the post 2 mm away: 8 mm · 500 N/m.
+        /// // The finger is commanded 10 mm forward and meets the post after 2 mm: 8 mm · 500 N/m.
         /// assert!((force(finger.clone().command([0.010, 0.0]).clearance(0.002))? - 4.0).abs() < 1e-8);
-        /// // It rests, 3 mm inside of the post: 3 mm · 500 N/m.
+        /// // Without a command the finger overlaps the post by 3 mm: 3 mm · 500 N/m.
         /// assert!((force(finger.clearance(-0.003))? - 1.5).abs() < 1e-8);
         /// # Ok::<(), grasp_lcp::Error>(())
         /// ```

@@ -20,8 +20,8 @@ pub enum Hold {
     #[default]
     Unilateral,
     /// The contact never opens: gap = 0. With zero or infinite friction the normal spring both pushes and pulls. Without friction this is a guide
-    /// along which the object slips freely; with infinite friction the object never slips. With a finite positive friction coefficient,
-    /// `|F_t| <= μ F_n` holds as usual. No equilibrium exists under a load that needs a pull.
+    /// along which the object slips freely; with infinite friction the object never slips. With a finite positive friction coefficient `|F_t| <= μ
+    /// F_n` holds as usual, so that no equilibrium exists under a load that needs a pull.
     KeptClosed,
     /// The surfaces are glued: normal and tangential springs push and pull without limit. Gap and slip are zero, and friction has no effect.
     Bonded,
@@ -47,7 +47,7 @@ pub enum Hold {
 ///     .command([0.002, 0.001]);       // m: pushes in, and drags downwards
 /// assert_eq!(left.series_stiffness_of_axes().as_slice(), [1e3, 2e3 / 3.0]);
 ///
-/// // The object is glued to a wall. The finger's force on it is that of the springs, k (command - displacement).
+/// // The object is glued to a wall and hardly moves. The finger's force on it is the spring force, k · command along each axis.
 /// let glue = |y: f64| Contact::new([0.03, y], [-1.0, 0.0]).series_stiffness(1e9, 1e9).bonded();
 /// let outcome = Grasp::new([left, glue(-0.01), glue(0.01)])?.solve(Wrench::ZERO)?;
 /// let carried = &outcome.equilibrium().expect("within friction").contacts[0];
@@ -130,8 +130,8 @@ impl<const C: usize> Contact<C> {
         /// named here.
         pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
-        /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. The lip presses with this force, less
-        /// the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+        /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The lip presses with this
+        /// force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
         pub fn suction(mut self, force: f64) { self.suction = force; }
 
         /// Sets the name for messages and tables.
@@ -166,16 +166,16 @@ impl<const C: usize> Contact<C> {
         /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice as
         /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
         ///
-        /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
-        /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take kinetic friction into account. The first slip does not
-        /// depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+        /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and the needs
+        /// [`to_hold`](crate::need::Need::to_hold) and [`to_rest`](crate::need::Need::to_rest) take kinetic friction into account. The first slip
+        /// does not depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
         /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions of a grasp concern
         /// contacts that do not slide.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
         ///
-        /// // Two feet that press with 10 N share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N.
+        /// // Two feet that press with 10 N share a pull. At 7.5 N the stiff foot begins to slide and then carries 4 N, the other foot 3.5 N.
         /// let foot = |x: f64, k: f64| {
         ///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, k).friction(0.5).kinetic(0.4).pressed_with(10.0)
         /// };
@@ -194,14 +194,14 @@ impl<const C: usize> Contact<C> {
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
         ///
-        /// // A carriage on a rail that goes around its wheels: pulled up by 3 N it is held down.
+        /// // A carriage whose wheels are enclosed by a rail. It is pulled up by 3 N, and the rail holds it down.
         /// let wheel = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu).kept_closed();
         /// let pull = Wrench::force([0.0, 3.0]);
         /// let outcome = Grasp::new([wheel(-1.0, 0.0), wheel(1.0, 0.0)])?.solve(&pull)?;
         /// let held = outcome.equilibrium().expect("the rail holds");
         /// assert!((held.contacts[0].normal_force() + 1.5).abs() < 1e-14);
         ///
-        /// // With finite friction a normal force must push: |F_t| <= μ F_n.
+        /// // With finite friction the normal force must push, since |F_t| <= μ F_n. There is no equilibrium.
         /// assert!(Grasp::new([wheel(-1.0, 0.2), wheel(1.0, 0.2)])?.solve(&pull)?.equilibrium().is_none());
         /// # Ok::<(), grasp_lcp::Error>(())
         /// ```

@@ -11,7 +11,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates {
     count: usize,
-    /// The first coordinates; unused components are zero. The other coordinates are in `more`.
+    /// The first six coordinates; unused components are zero. The other coordinates are in `more`.
     first: SVector<f64, WHOLE>,
     more: Vec<f64>,
 }
@@ -21,7 +21,7 @@ impl Coordinates {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// Makes the same value as [`Self::of`], in the memory of the list `more`. This list receives the coordinates for which `first` has no room.
+    /// Makes the same value as [`Self::of`], in the memory of the list `more`, which receives the coordinates beyond the first six.
     pub(crate) fn of_in(coordinates: &Vector, mut more: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (in_place, others) = all.split_at(WHOLE.min(all.len()));

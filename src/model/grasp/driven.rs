@@ -52,12 +52,12 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// The constant torques that act on the joints in addition to the torques of their springs, N m or N.
+    /// The constant torque on each joint, in addition to the torque of its spring: N m, or a force in N on a prismatic joint.
     pub(crate) fn held_torques(&self) -> Vec<f64> {
         self.linkage().map_or_else(Vec::new, |linkage| mapped(&linkage.joints, &|joint| joint.held_torque))
     }
 
-    /// A copy of the grasp with other constant torques on the joints, N m or N, one per joint.
+    /// A copy of the grasp with other constant torques on the joints, one per joint: N m, or a force in N on a prismatic joint.
     pub(crate) fn with_held_torques(&self, torques: &[f64]) -> Self {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
@@ -89,8 +89,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Commands of all contact points, from one command per point, or one per contact other than a link. In the second case all points of a soft
-    /// fingertip get the command of the fingertip. A point of a link, with the index i, gets `links(i)`.
+    /// Commands of all contact points. `rows` has one command per point, or one per contact other than a link. In the second case all points of a
+    /// soft fingertip get the command of the fingertip, and the point of a link with the index i gets `links(i)`.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.

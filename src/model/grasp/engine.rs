@@ -52,7 +52,7 @@ impl Engine {
         Self::of(space, Size::of(space.of_the_object()), contacts, &|_| true)
     }
 
-    /// A grasp whose contacts are moved by joints, with `size` coordinates in all.
+    /// A grasp whose contacts are moved by joints. `size` is the number of all coordinates: of object, joints and other bodies.
     pub(super) fn by_hand(size: Size, contacts: Vec<Contact<3>>, linkage: Linkage) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
@@ -198,14 +198,14 @@ impl Engine {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
-    /// Returns an error for a grasp of a hand or of several bodies, for computations that accept only contacts on a single object. `question` names
-    /// the computation in the message.
+    /// Returns an error for a grasp of a hand or of several bodies. Called by computations that accept only contacts on a single object; `question`
+    /// names the computation in the message.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Returns an error if a contact has kinetic friction, for computations that would give sliding contacts their static friction. `question` names
-    /// the computation in the message.
+    /// Returns an error if a contact has kinetic friction. Called by computations that would give sliding contacts their static friction; `question`
+    /// names the computation in the message.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -218,8 +218,8 @@ impl Engine {
         (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
-    /// Returns an error if the grasp has joints, for computations that allow several bodies only without joints and drives. `question` names the
-    /// computation in the message.
+    /// Returns an error if the grasp has joints. Called by computations that allow several bodies only without joints and drives; `question` names
+    /// the computation in the message.
     ///
     /// # Errors
     /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] for several bodies that a hand holds or a given force presses.
@@ -233,8 +233,8 @@ impl Engine {
         }
     }
 
-    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of contacts and drives. Actuators are numbered joints
-    /// first, then tendons.
+    /// Drives (springs of joints and tendons) of an actuator, a joint or a tendon, with their indices in the list of contacts and drives. `actuator`
+    /// is an index from 0: joints first, then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()

@@ -20,9 +20,9 @@ use crate::prelude::*;
 /// `C` is the number of axes: 2 in the plane, 3 in space; use the short names in [`crate::planar`] and [`crate::spatial`]. [`Self::contacts`]
 /// replaces a contact by the patch.
 ///
-/// Point i has the share w_i of stiffness and load, `Σ w_i = 1`, and the position ρ_i relative to the centre. With r_i = |ρ_i| the mean of a
-/// quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. The tip has the normal and tangential stiffness k_n, k_t (N/m) and is pressed with the normal force N
-/// (N).
+/// Point i has the fraction w_i of stiffness and load, `Σ w_i = 1`, and the position ρ_i relative to the centre. With r_i = |ρ_i| the mean of a
+/// quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. The fingertip has the normal and tangential stiffness k_n, k_t (N/m), the radius R (m) and the coefficient of
+/// friction μ. It is pressed with the normal force N (N).
 ///
 /// In space:
 ///
@@ -37,7 +37,7 @@ use crate::prelude::*;
 ///
 /// For a rectangle with sides a and b under uniform pressure, see its [constructor](SoftFingertip::rectangle).
 ///
-/// In the plane, for a pad of width 2b:
+/// In the plane, for a pad of width 2b, with the coordinate x along the tangent:
 ///
 /// | | formula | pair | pad: uniform | parabolic | Hertz |
 /// |---|---|---|---|---|---|
@@ -66,7 +66,7 @@ use crate::prelude::*;
 /// let tip = SoftFingertip::disc(0.006, 1, 4, Pressure::Hertz)?;
 /// let pinch = Grasp::new([tip.contacts(&finger(-0.03))?, tip.contacts(&finger(0.03))?].concat())?;
 ///
-/// // About the line of the pinch the two tips share a moment (N m), which two points would not carry at all.
+/// // The two fingertips share a moment (N m) about the line through both. Two single points could not carry this moment.
 /// let state = pinch.solve(Wrench::new([0.0; 3], [0.01, 0.0, 0.0]))?;
 /// let turn = state.equilibrium().expect("within friction").twist.rotation()[0];
 /// let k_theta = 2.0 / 5.0 * 1000.0 * 0.006_f64.powi(2);
@@ -107,12 +107,13 @@ pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
 }
 
 impl SoftFingertip<3> {
-    /// `points` points with equal shares on a circle of this radius (m). The first point lies along the first tangent.
+    /// A ring of points on a circle of this radius (m), each with the same fraction of stiffness and load. `points` is their number. The first point
+    /// lies along the first tangent.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, SoftFingertip};
     ///
-    /// // A tip that was measured to slip at 0.02 N m under 10 N with μ = 0.5: a ring of radius τ/(μ N).
+    /// // A fingertip slips at the measured torsion τ = 0.02 N m under N = 10 N, with μ = 0.5: a ring of radius τ/(μ N).
     /// let finger = Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(2000.0, 1000.0).friction(0.5);
     /// let tip = SoftFingertip::ring(0.02 / (0.5 * 10.0), 6)?;
     /// assert!((tip.torsional_limit(&finger, 10.0) - 0.02).abs() < 1e-16);
@@ -172,18 +173,19 @@ impl SoftFingertip<3> {
         Ok(Self { radius, points: all })
     }
 
-    /// Torsional stiffness about the normal, N m/rad, while no point slides: `Σ w_i (k_1 y_i² + k_2 x_i²)`. Point i has the share w_i of the
-    /// tangential stiffnesses k_1, k_2 and the coordinates x_i along the first and y_i along the second tangent. The sum equals `(k_1 + k_2)/2 ⟨r²⟩`.
+    /// Torsional stiffness about the normal, N m/rad, while no point slides. Point i has the fraction w_i of the tangential stiffnesses k_1, k_2, and
+    /// the coordinates x_i along the first and y_i along the second tangent. The stiffness is `Σ w_i (k_1 y_i² + k_2 x_i²)`, which equals `(k_1 +
+    /// k_2)/2 ⟨r²⟩` on rings and discs.
     #[must_use]
     pub fn torsional_stiffness(&self, contact: &Contact<3>) -> f64 {
         let k = contact.series_stiffness_of_axes();
         self.mean(|at| k[1] * at[2] * at[2] + k[2] * at[1] * at[1])
     }
 
-    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force` (N) and no other load:
-    /// `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first, with the [torsional stiffness](Self::torsional_stiffness)
-    /// k_θ and the tangential stiffnesses k_1, k_2. On a ring with equal tangential stiffnesses all points slide at once, and the moment equals
-    /// [`Self::torsional_limit`].
+    /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force`, N (N in the formula), and no other load.
+    /// With the coefficient of friction μ, the [torsional stiffness](Self::torsional_stiffness) k_θ and the tangential stiffnesses k_1, k_2, it is `μ
+    /// N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first. On a ring with equal tangential stiffnesses all points slide at
+    /// once, and the moment equals [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -191,8 +193,8 @@ impl SoftFingertip<3> {
         contact.friction_coefficient() * normal_force * (self.torsional_stiffness(contact) / fastest)
     }
 
-    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force` (N) and no other load: `μ N ⟨r⟩` with the
-    /// mean distance ⟨r⟩ of the points from the centre, independent of the springs.
+    /// Largest moment about the normal that friction can carry, N m, under the normal force `normal_force`, N (N in the formula), and no other load.
+    /// With the coefficient of friction μ and the mean distance ⟨r⟩ of the points from the centre it is `μ N ⟨r⟩`, independent of the springs.
     #[must_use]
     pub fn torsional_limit(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         contact.friction_coefficient() * normal_force * self.mean(SVector::norm)
@@ -200,7 +202,7 @@ impl SoftFingertip<3> {
 }
 
 impl SoftFingertip<2> {
-    /// Two points of share 1/2 at the edges of a pad of this width (m).
+    /// A pad of this width (m) that is represented by two points at its edges, each with half of the stiffness and load.
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the width is from 1e-50 to 1e50.
@@ -214,7 +216,7 @@ impl SoftFingertip<2> {
     /// ```
     /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
     ///
-    /// // 12 mm wide, b = 6 mm, Hertz: it turns against k_n b²/4 and lifts off an edge at N b/4.
+    /// // A pad 12 mm wide, b = 6 mm, under Hertz pressure: turning stiffness k_n b²/4, first opening at the moment N b/4.
     /// let finger = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(2000.0, 1000.0).friction(0.5);
     /// let tip = SoftFingertip::pad(0.012, 2, Pressure::Hertz)?;
     /// assert_eq!(tip.contacts(&finger)?.len(), 8);
@@ -288,7 +290,8 @@ impl<const C: usize> SoftFingertip<C> {
         inside(self).contacts_inside(&inside(contact)).map(outside)
     }
 
-    /// Distance of the outermost points from the centre, m: the radius R, or half the width.
+    /// Distance of the outermost points from the centre, m: the radius R of a ring or disc, half the width of a pad, half the diagonal of a
+    /// rectangle.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
@@ -301,18 +304,19 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle it is the smaller of the [two
-    /// tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness, and ⟨r²⟩ and
+    /// ⟨x²⟩ are the mean squares of the points' distances from the centre. For a rectangle it is the smaller of the [two tilting
+    /// stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);
         contact.series_stiffness_of_axes()[0] * least
     }
 
-    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the
-    /// plane. In space this holds for a tilt towards a point on the rim. For a tilt between two such points the first point opens later, by up to the
-    /// factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about the two tangents; under a tilt towards a corner a
-    /// point opens earlier.
+    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space with the radius R,
+    /// `N ⟨x²⟩/b` in the plane with half the width b. In space this holds for a tilt towards a point on the rim. For a tilt between two such points
+    /// the first point opens later, by up to the factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about the two
+    /// tangents; under a tilt towards a corner a point opens earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());
@@ -336,7 +340,6 @@ impl<const C: usize> SoftFingertip<C> {
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
-    // The range of a length that error messages give as allowed.
     check(usable, what, length, "from 1e-50 to 1e50").map(|()| length)
 }
 

@@ -1,7 +1,8 @@
 //! Contacts, loads and motions in other coordinate systems.
 //!
-//! A pose describes the frame in which a quantity is given, as seen from the target frame: a point r becomes r' = R r + p. With the force f, the
-//! moment m about the origin, the translation u of the origin and the rotation θ,
+//! A pose, with the rotation R and the translation p, describes the frame in which a quantity is given, as seen from the target frame: a point r
+//! becomes r' = R r + p. With the force f, the moment m about the origin, the translation u of the body's point at the origin and the rotation θ of
+//! the body,
 //!
 //! ```text
 //! f' = R f,   m' = R m + p × f',      θ' = R θ,   u' = R u + p × θ'
@@ -72,7 +73,7 @@ impl<const C: usize> Contact<C> {
 fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
     let part = |from: usize| rotation.transform_vector(&by_axis(|a| v[from + a]));
     let linear = part(0);
-    // In the plane the angle of a rotation is the same in all frames. So are the displacements of joints.
+    // In the plane a moment or an angle of rotation is the same in all frames. So are the displacements of joints.
     let angular = (C == 3).then(|| part(C));
     let mut turned = v.clone();
     for a in 0..C {
@@ -87,8 +88,8 @@ fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector)
 macro_rules! in_other_frames {
     ($c:literal) => {
         impl Wrench<$c> {
-            /// This load with its moment taken about `point` instead of the origin, `m - point × f`, along the same axes. The result has `point`
-            /// as its origin.
+            /// This load with its moment taken about `point` instead of the origin, along the same axes. With the force f and the moment m, the new
+            /// moment is `m - point × f`. The result has `point` as its origin.
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 let space = Space::of::<$c>();
                 let from = -SVector::<f64, $c>::from(point.into());
@@ -96,8 +97,8 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_wrench(&from, &self.coordinates(space))).acting_at(points)
             }
 
-            /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame (points:
-            /// `r' = R r + p`). `f' = R f`, `m' = R m + p × f'`; in the plane R does not change m.
+            /// This load in another frame. `pose` is the frame in which the load is given, as seen from the target frame: points become `r' = R r +
+            /// p`. With the force f and the moment m, `f' = R f` and `m' = R m + p × f'`; in the plane R does not change m.
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
                 let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));
@@ -121,8 +122,8 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_twist(&from, &self.coordinates(space)))
             }
 
-            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame (points:
-            /// `r' = R r + p`). `θ' = R θ`, `u' = R u + p × θ'` for the translation u of the origin; in the plane R does not change θ.
+            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame: points become `r' = R r
+            /// + p`. With the translation u of the origin and the rotation θ, `θ' = R θ` and `u' = R u + p × θ'`; in the plane R does not change θ.
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
                 let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));

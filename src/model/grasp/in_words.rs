@@ -24,8 +24,8 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // A load is a single force along some line if its moment m is normal to its force f. The limit below is the largest `|f·m|/(|f||m|)` that
-        // counts as normal.
+        // A load is a single force along some line if its moment m is normal to its force f. It counts as normal if `|f·m|/(|f||m|)` is at most the
+        // following limit.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
@@ -57,8 +57,8 @@ impl Words {
         }
     }
 
-    /// Words for a small motion of the object that moves some of its points by `moved`, m: "turns 1.9° about …, moves 2.8 mm". If the object
-    /// hardly turns, the sentence begins with the translation.
+    /// Words for a small motion of the object: "turns 1.9° about …, moves 2.8 mm". `moved` holds the displacements, m, of some points of the object.
+    /// If the object hardly turns, the sentence begins with the translation.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
         let (words, twist) = (self.in_space(self.space::<C>()), twist.into_inside());
@@ -127,7 +127,7 @@ impl Words {
 
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of(self, bodies: &[BodyMotion<3>]) -> String {
-        // If all contact points lie on axes of rotation, no point moves, and bodies are compared by their rotations.
+        // If all contact points lie on axes of rotation, no contact point moves, and bodies are compared by their angles of rotation.
         let still = largest(bodies, &BodyMotion::speed) == 0.0;
         let speed =
             |motion: &BodyMotion<3>| if still { motion.twist.parts().1.size() } else { motion.speed() };

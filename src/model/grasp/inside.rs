@@ -94,13 +94,13 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// Converts all coordinates to the user's units. The coordinates of saturating drives, springs of joints and tendons with a limited force, follow
-    /// the coordinates of the joints.
+    /// Converts all coordinates to the user's units, in the same order: of the object, of joints and other bodies, and of saturating drives (springs
+    /// of joints and tendons with a limited force).
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }
 
-    /// Divides angular components by the engine's unit of length, and components of joints by the joints' reference lengths.
+    /// Divides angular components of the object by the engine's unit of length, and components of joints and other bodies by their reference lengths.
     fn per_length(&self, mut v: Vector) -> Vector {
         v.iter_mut().take(self.space.of_the_object()).skip(self.space.axes()).for_each(|x| *x /= self.length);
         if let Some(linkage) = self.linkage() {
@@ -109,7 +109,8 @@ impl Engine {
         v
     }
 
-    /// Multiplies angular components by the engine's unit of length, and components of joints by the joints' reference lengths.
+    /// Multiplies angular components of the object by the engine's unit of length, and components of joints and other bodies by their reference
+    /// lengths.
     fn times_length(&self, mut v: Vector) -> Vector {
         v.iter_mut().take(self.space.of_the_object()).skip(self.space.axes()).for_each(|x| *x *= self.length);
         if let Some(linkage) = self.linkage() {

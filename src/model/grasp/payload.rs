@@ -13,14 +13,15 @@ const GRAVITY: f64 = 9.81;
 
 /// A body with a mass, carried by an arm; [`Self::load`] is the load that it puts on the grasp.
 ///
-/// With the centre of mass c, the mass m and the moment of inertia I about c, the load is the weight less the inertial force:
+/// The body has the mass m, the centre of mass c and the moment of inertia I about c. The arm's point p has the acceleration a; the arm turns about p
+/// with the angular velocity ω and the angular acceleration α. With gravity g and the acceleration a_c of the centre of mass, the load is the weight
+/// less the inertial force:
 ///
 /// ```text
 /// a_c = a + α × r + ω × (ω × r),  r = c - p        force m (g - a_c) at c,  moment -(I α + ω × I ω)
 /// ```
 ///
-/// where the arm's point p has the acceleration a, and the arm turns about p with the angular velocity ω and the angular acceleration α. Axes and
-/// reference point of the moments are the axes and the origin of the grasp at that instant.
+/// Axes and reference point of the moments are the axes and the origin of the grasp at that instant.
 ///
 /// ```
 /// use grasp_lcp::planar::{ArmMotion, Payload, Wrench};
@@ -30,7 +31,7 @@ const GRAVITY: f64 = 9.81;
 /// let steady = ArmMotion::turning([0.0, 0.0], 2.0, 0.0);
 /// assert_eq!(body.load(&steady)?, Wrench::force_at([1.0, -0.5 * 9.81], [0.5, 0.0]));
 ///
-/// // While it speeds up the body's own inertia counts: a bar of 0.2 m, m L²/12 about its middle.
+/// // While the arm speeds up, the body's own inertia counts: m L²/12 about its middle for a bar of length L = 0.2 m.
 /// let speeding = ArmMotion::turning([0.0, 0.0], 0.0, 3.0);
 /// let refused = body.load(&speeding).unwrap_err();
 /// assert!(refused.to_string().starts_with("payload: inertia is missing"), "{refused}");
@@ -182,7 +183,7 @@ impl<const C: usize> ArmMotion<C> {
     }
 
     setters! {
-        /// Sets gravity, m/s².
+        /// Sets the vector of gravity, m/s²; the default is 9.81 m/s² down the last axis.
         pub fn gravity(mut self, gravity: impl Into<[f64; C]>) { self.gravity = of_space(gravity.into()); }
 
         /// Sets the acceleration of the arm, m/s². If the arm turns, it is the acceleration of the point about which the arm turns.

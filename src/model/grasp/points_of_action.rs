@@ -46,7 +46,7 @@ impl PointsOfAction {
 
     /// The sum V if all forces are multiplied by `factor`.
     pub(crate) fn times(self, factor: f64) -> Self {
-        // No force acts anywhere, even where the points of the whole force are not known.
+        // A load of zero has no forces, and V is zero, even if the points of action of the whole load are not known.
         if factor == 0.0 { Self::NO_FORCE } else { self.map(|sum| sum * factor) }
     }
 

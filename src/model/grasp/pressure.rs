@@ -3,8 +3,8 @@
 use crate::numerics::{Each, Space};
 use crate::prelude::*;
 
-/// Profile of the pressure at the distance r from the centre. It extends over a disc of radius R in space, over a line of half-width R in the
-/// plane.
+/// Profile of the pressure p(r) at the distance r from the centre of a contact patch. The patch is a disc of radius R in space, and a line of
+/// half-width R in the plane.
 ///
 /// Means weighted by the pressure, ⟨f⟩ = ∫ f p / ∫ p:
 ///
@@ -64,7 +64,7 @@ impl Pressure {
         layers
     }
 
-    /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3.
+    /// An antiderivative of `ρ^power p(ρ)` at `rho`, for powers 0 to 3; distances ρ are in units of the radius.
     fn integral(self, power: i32, rho: f64) -> f64 {
         let monomial = |k: i32| rho.powi(k + 1) / f64::from(k + 1);
         match self {
@@ -87,7 +87,7 @@ impl Pressure {
 mod tests {
     use super::*;
 
-    /// Compares with the midpoint rule on the density itself, band by band, in the plane or in space.
+    /// Compares the moments of the nodes of each band with integrals of the density over this band by the midpoint rule.
     fn layers_carry_the_moments_of_their_band(space: Space) {
         let density = |pressure: Pressure, r: f64| {
             (if space == Space::Spatial { r } else { 1.0 })

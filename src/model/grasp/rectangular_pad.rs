@@ -14,15 +14,15 @@ impl SoftFingertip<3> {
     /// A rectangular pad with sides a, b (m) along the first and the second tangent, under uniform pressure. Half of each side is divided into
     /// the given number of strips, and two points represent each strip. `[1, 1]` gives 16 points, four of them on every edge.
     ///
-    /// With the normal and tangential stiffness k_n, k_t and the normal force N, the points reproduce the uniform pad to rounding for any number
-    /// of strips:
+    /// Let k_n, k_t be the normal and tangential stiffness, N the normal force and μ the coefficient of friction. The points reproduce the uniform
+    /// pad to rounding for any number of strips:
     ///
     /// | | formula |
     /// |---|---|
     /// | tilting stiffness about the first, the second tangent, N m/rad | k_n b²/12, k_n a²/12 |
     /// | torsional stiffness, N m/rad | k_t (a² + b²)/12 |
-    /// | first opening under a moment (M_1, M_2) about the tangents, N m | M_1 6/b + M_2 6/a = N, absolute values |
-    /// | first sliding under torsion, N m: a corner | μ N √(a² + b²)/6 |
+    /// | first opening under a moment (M_1, M_2) about the tangents, N m | 6 M_1/b + 6 M_2/a = N, with the absolute values of M_1 and M_2 |
+    /// | torsion at which the corners begin to slide, N m | μ N √(a² + b²)/6 |
     ///
     /// The torsional friction limit `μ N ⟨r⟩` of the points is lower than the limit of the uniform pad, by at most 2.2 % for one strip and 0.4 % for
     /// two.
@@ -60,7 +60,8 @@ impl SoftFingertip<3> {
         Ok(Self { radius: halves[0].hypot(halves[1]), points })
     }
 
-    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Both are equal for rings and discs.
+    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`, with the normal stiffness k_n and the
+    /// coordinates x along the first and y along the second tangent. Both are equal for rings and discs.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
         [2, 1].each(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))

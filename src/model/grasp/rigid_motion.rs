@@ -1,10 +1,10 @@
 //! Conversion of a twist, a motion to first order, to a finite rigid motion and back.
 //!
-//! The exponential map: the object moves along a screw of constant pitch whose velocity is the twist, for one unit of time. With the rotation
-//! vector θ, the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
+//! The exponential map: the object moves along a screw of constant pitch whose velocity is the twist, for one unit of time. Let R(θ) be the rotation
+//! by the rotation vector θ. With the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
 //!
 //! ```text
-//! rotation     exp(θ)
+//! rotation     R(θ)
 //! translation  R(θ/2) (s u⊥ + u∥),      s = sin(|θ|/2) / (|θ|/2)   (chord over arc)
 //! ```
 //!
@@ -20,9 +20,10 @@ use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQua
 use super::wrench::Twist;
 
 impl Twist<2> {
-    /// The rigid motion of this twist, by the exponential map. The object turns by θ, and its origin moves by `s R(θ/2) u` with the ratio of
-    /// chord to arc `s = sin(|θ|/2) / (|θ|/2)`. Other rigid motions that agree with the twist to first order differ from this one only to second
-    /// order. This one turns about a single pivot, for every choice of the origin.
+    /// The rigid motion of this twist, by the exponential map. The twist has the translation u of the origin and the rotation θ. The object turns by
+    /// θ, and its origin moves by `s R(θ/2) u`. Here R(θ/2) is the rotation by half the angle, and `s = sin(|θ|/2) / (|θ|/2)` the ratio of chord to
+    /// arc. Other rigid motions that agree with the twist to first order differ from this one only to second order. This one turns about a single
+    /// pivot, for every choice of the origin.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point2, planar::Twist};
@@ -61,10 +62,10 @@ impl Twist<2> {
 }
 
 impl Twist<3> {
-    /// The rigid motion of this twist, by the exponential map. The object turns by |θ| about θ, and its origin moves by `R(θ/2) (s u⊥ + u∥)`.
-    /// The translation u has the component u∥ along θ and u⊥ across; `s = sin(|θ|/2) / (|θ|/2)` is the ratio of chord to arc. Other rigid
-    /// motions that agree with the twist to first order differ from this one only to second order. This one is a screw motion about a single
-    /// line, for every choice of the origin.
+    /// The rigid motion of this twist, by the exponential map. The twist has the rotation vector θ and the translation u of the origin, with the
+    /// component u∥ along θ and u⊥ across. The object turns by |θ| about θ, and its origin moves by `R(θ/2) (s u⊥ + u∥)`. Here R(θ/2) is the rotation
+    /// by θ/2, and `s = sin(|θ|/2) / (|θ|/2)` the ratio of chord to arc. Other rigid motions that agree with the twist to first order differ from
+    /// this one only to second order. This one is a screw motion about a single line, for every choice of the origin.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point3, spatial::Twist};

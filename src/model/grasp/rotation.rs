@@ -1,14 +1,14 @@
 //! Moments and rotations, in one form for the plane and for space.
 //!
-//! A rotation k takes place in a coordinate plane (i, j). A planar grasp has only the plane (x, y). In space (y, z), (z, x) and (x, y) are the
-//! planes of the rotations about x, y and z. With r the arm, f a force and θ the rotations,
+//! A rotation k takes place in a coordinate plane (i, j). A planar grasp has only the plane (x, y). In space (y, z), (z, x) and (x, y) are the planes
+//! of the rotations about x, y and z. For the arm r from the reference point, a force f and the rotations θ,
 //!
 //! ```text
 //! moment_k       = r_i f_j - r_j f_i
 //! displacement_i = -θ_k r_j,   displacement_j = θ_k r_i
 //! ```
 //!
-//! so that an object has `d = c + c(c-1)/2` degrees of freedom: 3 in the plane (c = 2), 6 in space (c = 3).
+//! With c axes an object has `d = c + c(c-1)/2` degrees of freedom: 3 in the plane (c = 2), 6 in space (c = 3).
 //!
 //! Planar grasps, too, have vectors of three components. The last component is zero, and so is the third axis of their contact frames.
 

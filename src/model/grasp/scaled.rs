@@ -29,7 +29,8 @@ impl Engine {
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether a joint or a tendon has a nonzero command or constant torque. The slides of contacts with a constant force do not count.
+    /// Whether a joint or a tendon has a nonzero command or constant torque. Slides, the joints that are added for contacts with a constant force, do
+    /// not count.
     pub(crate) fn is_driven(&self) -> bool {
         let is_pushed =
             |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
@@ -60,8 +61,8 @@ impl Engine {
         self.with_data(contacts, &|_| 1.0)
     }
 
-    /// Whether all forces except the caller's loads scale with the squeeze, i.e. with all commands, constant forces and vacuums. Twice the squeeze
-    /// then carries twice the load.
+    /// Whether all forces except the caller's loads scale with the squeeze, i.e. with all commands, constant forces and vacuums. If so, twice the
+    /// squeeze carries twice the load.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);

@@ -104,8 +104,9 @@ impl Site {
         }
     }
 
-    /// Adds the motion of the contact with its joints: the columns of its Jacobian along the coordinate axes, divided by the joints' reference
-    /// `lengths`. The contact force acts on the object with the factor `on_object`: 1, -1 or 0.
+    /// Adds to the grasp map the motion of the contact with joints and other bodies. `motions` holds pairs: the index of a coordinate, counted after
+    /// the object's coordinates, and the displacement of the contact per unit of it, along the coordinate axes. The displacements are divided by the
+    /// reference `lengths`. The contact force acts on the object with the factor `on_object`: 1, -1, or 0 if it acts on other bodies only.
     pub(super) fn move_with(
         &mut self,
         space: Space,

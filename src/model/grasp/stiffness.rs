@@ -13,8 +13,8 @@ pub(crate) enum Stiffness<const C: usize> {
         /// Springs between the core of the finger (displacement u_f) and its surface (u_e), N/m.
         finger: SVector<f64, C>,
     },
-    /// The series stiffness of body and finger, N/m. The shares of body and finger in the deflection, and thus the displacements of the surfaces, are
-    /// unknown.
+    /// The series stiffness of body and finger, N/m. How the deflection divides between body and finger is unknown, and so are the displacements of
+    /// the surfaces.
     Series(SVector<f64, C>),
 }
 
@@ -27,7 +27,7 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// Springs of body and finger, N/m; both infinite if only their series stiffness is known.
+    /// Stiffnesses of body and finger, N/m; both infinite if only their series stiffness is known.
     pub(super) fn sides(&self) -> [SVector<f64, C>; 2] {
         match self {
             Self::BodyAndFinger { body, finger } => [*body, *finger],

@@ -1,13 +1,14 @@
 //! Tolerances of a grasp, and of the words for its motions.
 
-/// Largest negative pivot remainder, relative to its diagonal entry, that counts as rounding. The same bound applies to remainders of
-/// offdiagonal entries.
+/// In the Cholesky factorisation of a stiffness or compliance matrix, a negative remainder of a diagonal entry counts as rounding up to this fraction
+/// of the original entry. So do remainders of offdiagonal entries in the block that should vanish.
 ///
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
-/// Displacement due to rotation, divided by the mean displacement of the points, up to which the sentence for a motion begins with the translation.
-/// Above it the sentence begins with the rotation. Also the least speed of a body, relative to the fastest, at which the sentence names it.
+/// The sentence for a motion begins with the translation if the displacement due to rotation is at most this fraction of the mean displacement of the
+/// points. Otherwise it begins with the rotation. In a sentence for several bodies, a body is named only if it moves faster than this fraction of the
+/// speed of the fastest body.
 ///
 /// If smaller, sentences describe motions that are hardly visible; if larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;

@@ -20,7 +20,7 @@ pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
 /// Total pull of the vacuums of all contacts, a constant load.
 #[derive(Debug, Clone)]
 pub(crate) struct Vacuum {
-    /// Generalised force of the vacuums on object and joints, in the engine's coordinates.
+    /// Generalised force of the vacuums on object, joints and other bodies, in the engine's coordinates.
     pub(crate) inside: Vector,
     /// Wrench of the vacuums on the object, in the caller's coordinates.
     pub(crate) on_object: Wrench<3>,

@@ -97,8 +97,8 @@ impl<const C: usize> Contact<C> {
         if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
             return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
         }
-        // Least ratio of kinetic to static friction. With a smaller ratio, rounding would dominate the direction of the friction force of a sliding
-        // contact.
+        // Kinetic friction below a millionth of static friction is refused: rounding would then dominate the direction of the friction force of a
+        // sliding contact.
         if let Some(kinetic) = self.kinetic
             && !(kinetic > 0.0 && kinetic >= self.friction * 1e-6 && kinetic <= self.friction)
         {

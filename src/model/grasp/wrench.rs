@@ -13,15 +13,16 @@ use crate::numerics::Space;
 
 /// A load on the object: forces first, then moments about the origin of the coordinates. It has 3 components in the plane and 6 in space.
 ///
-/// A load acts **on the object** from outside, as weight does, and the contact forces F balance it: `Σ G_i F_i + W = 0`. Forces are in N and
-/// moments in N m, or in any consistent units of the contacts. Positive moments turn from x to y in the plane and follow the right-hand rule in
-/// space. External torques on the joints of a [hand](crate::grasp::Hand) are given [separately](crate::ask::Grasp::with_joint_torques).
+/// A load W acts **on the object** from outside, as weight does. The contact forces F_i balance it, `Σ G_i F_i + W = 0`, where the grasp map G_i
+/// turns F_i into its force and moment on the object. Forces are in N and moments in N m, or in any consistent units of the contacts. Positive
+/// moments turn from x to y in the plane and follow the right-hand rule in space. External torques on the joints of a [hand](crate::grasp::Hand) are
+/// given [separately](crate::ask::Grasp::with_joint_torques).
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
 /// use grasp_lcp::planar::Wrench;
 ///
-/// // 2 N down at (3, 1): m = x f_y - y f_x about the origin, none about the point itself.
+/// // 2 N down at (3, 1): the moment is x f_y - y f_x about the origin, and zero about the point itself.
 /// let weight = Wrench::force_at([0.0, -2.0], [3.0, 1.0]);
 /// assert_eq!(weight.moment(), -6.0);
 /// assert_eq!(weight.about([3.0, 1.0]), Wrench::force([0.0, -2.0]));
@@ -66,7 +67,8 @@ pub struct Twist<const C: usize>(SVector<f64, 6>);
 macro_rules! vector_like {
     ($name:ident) => {
         impl<const C: usize> $name<C> {
-            /// The components, linear before angular: (x, y, xy) in the plane, (x, y, z, x, y, z) in space.
+            /// The components, linear before angular. In the plane: along x, along y, and from x to y. In space: along x, y and z, then about x, y
+            /// and z.
             #[must_use]
             pub fn components(&self) -> &[f64] {
                 &self.0.as_slice()[..of_the_object::<C>()]
@@ -226,7 +228,7 @@ impl Wrench<2> {
         Self::new(force, 0.0)
     }
 
-    /// A force at `point`, whose moment about the origin is `x f_y - y f_x`.
+    /// A force at `point` (x, y), m, whose moment about the origin is `x f_y - y f_x`.
     ///
     /// ```
     /// use grasp_lcp::planar::Wrench;
@@ -316,7 +318,8 @@ impl Twist<2> {
         self.0[2]
     }
 
-    /// Displacement of the object's point `point`, m, to first order: `(dx - θ y, dy + θ x)`.
+    /// Displacement of the object's point `point`, (x, y), m, to first order: `(dx - θ y, dy + θ x)`, with the translation (dx, dy) and the rotation
+    /// θ.
     ///
     /// ```
     /// use grasp_lcp::planar::Twist;

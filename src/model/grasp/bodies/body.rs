@@ -29,7 +29,7 @@ pub struct Body<const C: usize> {
 }
 
 impl<const C: usize> Body<C> {
-    /// A body without mass and load.
+    /// A body with this name, without mass and load.
     pub fn new(name: impl Into<String>) -> Self {
         Self { name: name.into().into(), mass: 0.0, centre: SVector::zeros(), load: Wrench::ZERO }
     }

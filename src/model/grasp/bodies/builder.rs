@@ -25,7 +25,7 @@ use crate::prelude::*;
 /// ```
 /// use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
 ///
-/// // A box of 10 N on a box of 20 N on a table, μ = 0.3 between them and 0.5 below. The lower one is pulled.
+/// // A box of 10 N stands on a box of 20 N on a table; μ = 0.3 between the boxes, and 0.5 at the table. The lower box is pulled.
 /// let at = |x: f64, y: f64| Contact::new([x, y], [0.0, 1.0]).series_stiffness(1e5, 1e5);
 /// let boxes = Bodies::new([
 ///     Body::new("lower").load(Wrench::force_at([0.0, -20.0], [0.0, 0.1])),
@@ -35,7 +35,7 @@ use crate::prelude::*;
 /// .contacts([-0.1, 0.1].map(|x| at(x, 0.2).on("upper").against("lower").friction(0.3)))
 /// .grasp()?;
 /// let verdict = boxes.hold(Wrench::force([20.0, 0.0]))?;
-/// // Both boxes go together: μ (10 + 20) N.
+/// // Both boxes slide together on the table, under a pull of μ (10 + 20) N = 15 N.
 /// assert!((verdict.lost.expect("slides").factor - 15.0 / 20.0).abs() < 1e-12);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
@@ -58,7 +58,7 @@ enum LoadedBodies {
 }
 
 impl<const C: usize> Bodies<C> {
-    /// A set of bodies with different names.
+    /// A grasp of these bodies, which must have different names; contacts and links are added next.
     pub fn new(bodies: impl IntoIterator<Item = Body<C>>) -> Self {
         Self {
             list: bodies.into_iter().list(),
@@ -93,8 +93,8 @@ impl<const C: usize> Bodies<C> {
         }
 
         /// Shares the loads that are passed to questions, such as [`hold`](crate::ask::Grasp::hold), among all bodies in proportion to their masses.
-        /// Each share of the force acts at the centre of mass of its body. The moment that remains is shared in the same proportion. A load parallel
-        /// to gravity thus scales all weights, and a turning load turns all weights.
+        /// Each part of the force acts at the centre of mass of its body. The moment that these forces leave unbalanced is shared in the same
+        /// proportion. A load parallel to gravity thus scales all weights, and a turning load turns all weights.
         pub fn shared_by_mass(mut self) { self.loaded = LoadedBodies::ByMass; }
     }
 

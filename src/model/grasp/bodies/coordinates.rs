@@ -18,13 +18,14 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body that has the coordinates of the object.
+    /// Sign with which the force of a contact acts on the body that has the coordinates of the object: 1 if the normal points into this body, -1 if
+    /// the body is on the other side, 0 if the contact does not touch it.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// The total load on each body: the body's constant load plus its share of `load`, the load that the caller asks about. For a single object the
-    /// list holds only `load`.
+    /// The total load on each body: its constant load plus its part of `load`, the load that the caller asks about. For a single object the list
+    /// holds only `load`.
     pub(crate) fn loads_of_bodies(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         self.bodies().map_or_else(
             || vec![*load],
@@ -49,8 +50,8 @@ impl Engine {
         inside
     }
 
-    /// Moments about the origin of a contact's `force` at `point`, on each body, in the engine's coordinates; the components of forces are zero. The
-    /// moments measure how rounding of the contact point affects rotations.
+    /// Moments about the origin of a contact's `force` at `point`, on each body, in the engine's coordinates; the components of forces are zero. If
+    /// `point` is an error of the contact point, the moments are the error that it causes.
     pub(crate) fn moments_of(
         &self,
         contact: usize,

@@ -24,7 +24,7 @@ use crate::words::LinkKind;
 /// ```
 /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
 ///
-/// // A lever on a hinge is pressed down at 0.3 m, and presses with its nose at 0.1 m on a plate, which is pulled: μ = 0.4 above and below.
+/// // A lever on a hinge is pressed down 0.3 m from the hinge. Its nose presses at 0.1 m on a plate, which is pulled; μ = 0.4 on both faces.
 /// let clamp = Bodies::new([
 ///     Body::new("plate"),
 ///     Body::new("lever").load(Wrench::force_at([0.0, -50.0], [0.3, 0.02])),
@@ -35,7 +35,7 @@ use crate::words::LinkKind;
 ///     Contact::new([0.1, 0.01], [0.0, -1.0]).series_stiffness(1e6, 1e6).friction(0.4).on("plate").against("lever").name("nose"),
 /// ])
 /// .grasp()?;
-/// // The pull lifts the nose by its friction, which acts 10 mm below the pin: N 0.1 = 50 · 0.3 - 0.4 N 0.01.
+/// // Friction at the nose acts 10 mm below the pin and reduces the normal force N there: N 0.1 = 50 · 0.3 - 0.4 N 0.01.
 /// let verdict = clamp.hold(Wrench::force_at([200.0, 0.0], [0.1, 0.005]))?;
 /// let nose = 15.0 / 0.104;
 /// assert!((200.0 * verdict.lost.expect("pulled out").factor - 2.0 * 0.4 * nose).abs() < 1e-9);
@@ -56,7 +56,7 @@ pub struct Link<const C: usize> {
     pub(crate) slack: f64,
 }
 
-/// Place and free motion of a link.
+/// Kind of a link, with the points, directions and lengths that define it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LinkPlace<const C: usize> {
     /// A hinge. In space `bearings` holds its axis, a vector of any length, and the distance between its two bearings, m. In the plane `bearings` is
@@ -157,7 +157,7 @@ impl<const C: usize> Link<C> {
     /// ```
     /// use grasp_lcp::planar::{Grasp, Link, Wrench};
     ///
-    /// // A lamp of 30 N on two ropes under 45°; they meet in one point.
+    /// // A lamp of 30 N hangs from two ropes at 45°, which meet in one point.
     /// let rope = |x: f64, name: &str| Link::cable([0.0, 0.0], [x, 1.0]).name(name).contacts();
     /// let lamp = Grasp::new([rope(-1.0, "left")?, rope(1.0, "right")?].concat())?;
     /// let hangs = lamp.solve(Wrench::force([0.0, -30.0]))?;
@@ -190,14 +190,14 @@ impl<const C: usize> Link<C> {
         /// pull is smaller; see [`Self::tension`].
         pub fn pretension(mut self, force: f64) { (self.pretension, self.tension) = (force, None); }
 
-        /// Sets the pull of an installed cable or spring, N, in place of a pretension. The tension is the pull under the constant loads on bodies alone,
-        /// after all other springs have deflected. The grasp computes the pretension that leads to this tension, or refuses the link if nothing resists
+        /// Sets the pull of an installed cable or spring, N, in place of a pretension. This pull is the force under the constant loads on bodies
+        /// alone, after all other springs have deflected. The grasp computes the pretension that leads to it, or refuses the link if nothing resists
         /// such a pull.
         ///
         /// ```
         /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
         ///
-        /// // A belt is tightened over a crate until it pulls it onto the floor with 100 N; the floor gives way as much as the belt.
+        /// // A belt over a crate is tightened until it pulls the crate onto the floor with 100 N; the floor is as compliant as the belt.
         /// let crated = Bodies::new([Body::new("crate")])
         ///     .contacts([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("crate")])
         ///     .links([Link::cable([0.0, 1.0], [0.0, 0.0]).stiffness(1e4).tension(100.0).to_ground("crate")])

@@ -1,9 +1,9 @@
 //! The contacts that model a link.
 //!
-//! A hinge is modelled by one bonded contact, in space by two. A slide is modelled by frictionless contacts that are kept closed, with normals across
-//! its direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along its line that is kept closed, and a
-//! cable is a contact along its line that only pulls. The normal of a spring or a cable points from the start of the line to its end: a positive
-//! normal force pulls the first body towards the end.
+//! A hinge of the plane or a ball joint is modelled by one bonded contact, a hinge in space by two. A slide is modelled by frictionless contacts that
+//! are kept closed, with normals across its direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along
+//! its line that is kept closed, and a cable is a contact along its line that only pulls. The normal of a spring or a cable points from the start of
+//! the line to its end: a positive normal force pulls the first body towards the end.
 
 use nalgebra::SVector;
 
@@ -48,7 +48,8 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // In space, half of the bearings of a slide act along each of the two directions normal to the slide.
+        // In space half of the bearings of a slide act along each of the two directions normal to the slide, so that each direction gets the whole
+        // stiffness.
         let is_slide = matches!(self.place, LinkPlace::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
@@ -173,8 +174,8 @@ fn normals_to(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     vec![one, along.cross(&one)]
 }
 
-/// Points at distance 1 from the origin whose stiffness against moments is equal about all axes: two in the plane, the corners of a tetrahedron
-/// in space.
+/// Points at distance 1 from the origin, whose stiffness against moments is equal about all axes if each point has the same springs: two points in
+/// the plane, the corners of a tetrahedron in space.
 fn corners(space: Space) -> Vec<SVector<f64, 3>> {
     if space == Space::Planar {
         return vec![-unit(0), unit(0)];

@@ -15,10 +15,10 @@ use crate::numerics::{IntoList, Size, Vector, dot, mapped, numbered, paired};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// The position of one body's coordinates among all coordinates of the engine, and the point to which its rotations refer.
+/// Where the coordinates of one body stand among all coordinates of the engine, and the point to which its rotations refer.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPlace {
-    /// Index of the body's first coordinate; zero for the body that has the object's coordinates.
+    /// Index, from 0, of the body's first coordinate among all coordinates; zero for the body that has the object's coordinates.
     pub(crate) first: usize,
     /// Centroid of the body's contact points, m. The coordinates of rotation refer to this point.
     pub(crate) centre: SVector<f64, 3>,
@@ -33,8 +33,8 @@ pub(super) enum LoadSharing {
     OnObject,
     /// For each body the fraction of the load that it carries, and the point where its force acts, m.
     ByParts(Vec<(f64, SVector<f64, 3>)>),
-    /// If the caller's load is `one`, each body carries its entry of `loads`. If the caller's load is a multiple of `one`, each body carries the same
-    /// multiple of its entry.
+    /// The loads of all bodies grow together. If the caller's load is `one`, each body carries its entry of `loads`. If the caller's load is a
+    /// multiple of `one`, each body carries the same multiple of its entry.
     Together { one: Wrench<3>, loads: Vec<Wrench<3>> },
 }
 
@@ -44,7 +44,7 @@ pub(crate) struct PlacedBodies {
     /// Whether the bodies are in the plane or in space.
     space: Space,
     pub(crate) names: Vec<Arc<str>>,
-    /// Index of the body that has the object's coordinates.
+    /// Index, from 0, of the body that has the object's coordinates.
     pub(crate) object: usize,
     /// Constant load on each body, in addition to the loads that are passed to questions.
     pub(crate) loads: Vec<Wrench<3>>,
@@ -134,7 +134,8 @@ impl PlacedBodies {
         self.sign(contact, body) != 0.0
     }
 
-    /// Sign, 1, -1 or 0, with which the force of a contact acts on a body.
+    /// Sign with which the force of a contact acts on a body: 1 if the normal points into the body, -1 if the body is on the other side, 0 if the
+    /// contact does not touch the body.
     pub(crate) fn sign(&self, contact: usize, body: usize) -> f64 {
         match self.sides[contact] {
             (on, _) if on == body => 1.0,
@@ -143,8 +144,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Displacement of the finger's side of a contact relative to the body's side, per unit of each coordinate of the bodies other than the object.
-    /// The coordinates are counted from the first coordinate after the object's coordinates.
+    /// For each coordinate of the bodies other than the object: the displacement of the surface behind the contact relative to the surface into which
+    /// the normal points, per unit of the coordinate. The coordinates are counted from the first coordinate after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -163,7 +164,7 @@ impl PlacedBodies {
         columns
     }
 
-    /// The share of each body in `load`, the load that the caller asks about; constant loads of bodies are not included.
+    /// The part of `load`, the load that the caller asks about, that each body carries; constant loads of bodies are not included.
     pub(crate) fn shared(&self, load: &Wrench<3>) -> Vec<Wrench<3>> {
         let list = match &self.sharing {
             LoadSharing::OnObject => {
@@ -182,7 +183,7 @@ impl PlacedBodies {
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
-        // What is left is a moment; the forces act at the centres of mass alone.
+        // Only a moment is left; the forces act at the centres of mass alone.
         let left = left.acting_at(PointsOfAction::NO_FORCE);
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
@@ -229,8 +230,8 @@ impl PlacedBodies {
         Self { loads: none, sharing, ..self.clone() }
     }
 
-    /// These bodies with the further loads `others`, named by body. If the load passed to a question is a multiple of `one`, they are scaled by the
-    /// same factor.
+    /// These bodies with the further loads `others`, each with the name of its body, which grow in proportion to the load passed to a question. If
+    /// this load is `one`, they act as given; if it is a multiple of `one`, they are scaled by the same factor.
     ///
     /// # Errors
     /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.

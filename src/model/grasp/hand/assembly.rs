@@ -75,8 +75,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses a reference length for each coordinate after the object's: a power of two near the largest displacement of a contact per unit of this
-    /// coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
+    /// Chooses a reference length for each coordinate after the object's: the power of two nearest to the largest displacement of a contact per unit
+    /// of this coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;
@@ -128,6 +128,7 @@ impl Assembly {
     }
 
     /// Adds the stiffness matrix K of a finger's joints: one drive, a spring along one axis, for each column l of the factorisation `K = Σ l lᵀ`.
+    /// `number` is the index of the finger, `first` the index of its first joint, and `count` the number of its joints.
     fn couple(
         &mut self,
         matrix: &DMatrix<f64>,
@@ -219,7 +220,8 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive, the spring of a joint or tendon. A drive that saturates is added as two halves, two springs in series.
+    /// Adds a drive, the spring of a joint or tendon. A drive that saturates is added as two springs in series. `command` is the index of the command
+    /// that stretches the spring, with the stretch in m per unit of this command. `pushes` is false for a drive that only pulls.
     fn drive(
         &mut self,
         owner: DriveOwner,

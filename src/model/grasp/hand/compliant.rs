@@ -1,14 +1,15 @@
 //! Splits the compliance matrix of a finger's contacts into springs of the single contacts and coordinates that couple them.
 //!
-//! The law of a contact has an explicit and unique answer if the contact has springs of its own along its axes. Therefore a diagonal part D of the
-//! compliance matrix C becomes the contacts' springs. The rest, V Vᵀ, becomes coordinates with unit springs:
+//! The response of a contact to a displacement is explicit and unique only if the contact has springs of its own along its axes. Therefore a diagonal
+//! part D of the compliance matrix C becomes the contacts' springs. The rest, V Vᵀ, becomes one coordinate with a unit spring for each column of V.
+//! With the least eigenvalue λ_min of the matrix in brackets,
 //!
 //! ```text
 //! S = diag C,    D = ½ λ_min(S^-½ C S^-½) S,    C = D + V Vᵀ
 //! ```
 //!
-//! Only half of the least eigenvalue becomes springs of contacts. With the whole eigenvalue V would lose rank, and rounding would decide in which
-//! column.
+//! Only half of the least eigenvalue becomes springs of contacts. With the whole eigenvalue the matrix V Vᵀ would lose rank, and rounding would
+//! decide which column of V vanishes.
 
 use crate::numerics::matrix_of;
 use nalgebra::{DMatrix, DVector};

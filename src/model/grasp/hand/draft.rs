@@ -12,11 +12,10 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact: pairs of a coordinate's index, counted after the object's coordinates, and the displacement of the contact per unit of this
-/// coordinate, along the coordinate axes.
+/// Motion of one contact with joints and other bodies, as a list of pairs: the index of a coordinate, counted after the object's coordinates, and the
+/// displacement of the contact per unit of this coordinate, along the coordinate axes.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
-/// The parts of a grasp while it is assembled.
 pub(in crate::model::grasp) struct Assembly {
     /// Whether the grasp is in the plane or in space.
     pub(in crate::model::grasp) space: Space,
@@ -24,7 +23,7 @@ pub(in crate::model::grasp) struct Assembly {
     pub(in crate::model::grasp) motions: Vec<Columns>,
     /// Joints of all fingers, then the slides of contacts with a constant force.
     pub(super) joints: Vec<Joint<3>>,
-    /// Number of coordinates assigned so far to joints, drives and bodies, after the coordinates of the object.
+    /// Number of coordinates assigned so far to joints, drives and bodies; the coordinates of the object are not counted.
     pub(in crate::model::grasp) used: usize,
     pub(in crate::model::grasp) lengths: Vector,
     pub(super) drives: Vec<Drive>,

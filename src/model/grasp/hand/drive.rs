@@ -13,9 +13,9 @@ use crate::prelude::*;
 /// The part of the hand to which a drive, a spring with its command, belongs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveOwner {
-    /// The joint with this index.
+    /// The joint with this index, from 0, finger by finger.
     Joint(usize),
-    /// The tendon with this index.
+    /// The tendon with this index, from 0.
     Tendon(usize),
     /// Neither: the drive is a spring of a stiffness matrix of joints, or of a compliance matrix.
     Nobody,
@@ -31,10 +31,10 @@ pub(crate) enum DriveLaw {
     /// The drive slips when its force reaches a bound. The drive is modelled by a contact whose normal force is the bound and whose friction
     /// coefficient is one.
     Slips,
-    /// The upper half of a saturating drive, which two springs in series model. This half is a frictionless contact that carries the upper bound
-    /// minus the drive's force.
+    /// The upper half of a drive whose force saturates at an upper and a lower bound. Two springs in series model such a drive. This half is a
+    /// frictionless contact whose normal force is the upper bound minus the drive's force.
     EndsAbove,
-    /// The lower half of a saturating drive: a frictionless contact that carries the drive's force minus the lower bound.
+    /// The lower half of a saturating drive: a frictionless contact whose normal force is the drive's force minus the lower bound.
     EndsBelow,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct Drive {
     pub(super) stiffness: f64,
     /// Bound on the drive's force, N; infinite or unused if the drive has no bound.
     pub(super) bound: f64,
-    /// Torque or tension of the owner per newton of the drive's force.
+    /// Torque of the joint (N m or N), or tension of the tendon (N), per newton of the drive's force.
     pub(super) unit: f64,
     /// Index of each joint or tendon command that stretches the drive, and stretch in m per unit of this command.
     pub(super) commands: Vec<(usize, f64)>,
@@ -132,13 +132,14 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon: 2 for each half of a saturating drive, since both halves are in
-    /// series.
+    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units: 2 for each half of a saturating drive, since
+    /// both halves are in series, else 1.
     fn halves(&self) -> f64 {
         if matches!(self.role, DriveLaw::EndsAbove | DriveLaw::EndsBelow) { 2.0 } else { 1.0 }
     }
 
-    /// Derivative of the drive's force with respect to the stiffness of its joint or tendon, N m/rad or N/m, at constant stretch.
+    /// Derivative of the drive's force with respect to the stiffness (N m/rad or N/m) of its joint or tendon, at constant stretch. It is a vector in
+    /// the drive's contact frame.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
         // In an unloaded drive, the spring of the upper half carries the upper bound, and the spring of the lower half carries the magnitude of the
@@ -152,8 +153,8 @@ impl Drive {
         more
     }
 
-    /// The derivatives of the drive's stretch and of the constant generalised forces on the coordinates. They are taken with respect to the torque
-    /// limit of the joint or the tension limit of the tendon.
+    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon: of the drive's stretch, in its contact frame,
+    /// and of the constant generalised forces on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -161,8 +162,8 @@ impl Drive {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
-            // The limit enters both the stretch and the constant force of each half. The lower half of a drive that only pulls has the bound zero,
-            // whatever the limit.
+            // The limit enters both the stretch and the constant force of each half. For a drive that only pulls, the lower bound is zero,
+            // independent of the limit.
             DriveLaw::EndsAbove | DriveLaw::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
@@ -177,7 +178,7 @@ impl Drive {
         force / self.stiffness
     }
 
-    /// Whether the drive never pushes: a tendon, or the lower half of a saturating tendon.
+    /// Whether the drive never pushes. This is so for the drive of a tendon that only pulls, and for the lower half of such a drive if it saturates.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
     }
@@ -192,7 +193,8 @@ impl Drive {
         }
     }
 
-    /// Displacement of the joint or tendon (rad or m) for a displacement of the drive, m. Changes of commands are converted in the same way.
+    /// Displacement of the joint or tendon, rad or m, that corresponds to a displacement of the drive, m. Changes of commands are converted in the
+    /// same way.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
         // The work, force times displacement, is the same for the drive as for its joint or tendon.
         along / self.unit

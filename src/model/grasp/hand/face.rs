@@ -25,7 +25,7 @@ impl<const C: usize> Face for JointMotion<C> {
     fn widen(&self) -> JointMotion<3> {
         match self {
             Self::Revolute { point, .. } => {
-                // A revolute joint of the plane has no axis vector.
+                // A revolute joint of the plane stores no axis vector; it turns about z.
                 JointMotion::Revolute { point: point.to_inside(), axis: SVector::from([0.0, 0.0, 1.0]) }
             }
             Self::Prismatic { direction } => JointMotion::Prismatic { direction: direction.to_inside() },

@@ -23,8 +23,8 @@ pub(super) struct FingerContact<const C: usize> {
     pub(super) by: ContactMover,
 }
 
-/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep their own springs, of finger pad and object. The command of a
-/// contact adds to the motion of the joints.
+/// A finger: joints from the palm outwards, and contacts on its links. Each contact has its own springs, of finger pad and object. The commanded
+/// displacement of a contact is added to its displacement by the joints.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -48,7 +48,8 @@ pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
     /// Stiffness matrix of the joints, in addition to their own springs.
     pub(crate) coupling: Option<DMatrix<f64>>,
-    /// Compliance matrix over the axes of all contacts, in addition to the compliance of joints and pads.
+    /// Compliance matrix of the finger, m/N: displacements along the axes of all contact frames per unit force along these axes. It acts in series
+    /// with joints and pads.
     pub(crate) compliance: Option<DMatrix<f64>>,
     pub(super) contacts: Vec<FingerContact<C>>,
 }
@@ -74,7 +75,7 @@ impl<const C: usize> Finger<C> {
     /// use grasp_lcp::planar::{Wrench};
     /// use grasp_lcp::planar::Contact;
     ///
-    /// // A pinch by two fingers that each move along the tangent, too, when they are pressed: C = [[2, 1], [1, 2]] mm/N.
+    /// // A pinch by two fingers with the compliance C = [[2, 1], [1, 2]] mm/N: a normal force also displaces the contact along the tangent.
     /// let finger = |x: f64| {
     ///     let contact = Contact::new([x, 0.0], [-x, 0.0]).tangent([0.0, -1.0]).friction(0.4).command([0.02, 0.0]);
     ///     Finger::compliant([contact], DMatrix::from_row_slice(2, 2, &[2e-3, 1e-3, 1e-3, 2e-3]))
@@ -84,7 +85,7 @@ impl<const C: usize> Finger<C> {
     /// assert_eq!(coordinates, 7);
     /// let grasp = hand.grasp()?;
     /// let outcome = grasp.solve(Wrench::ZERO)?;
-    /// // Nothing pulls along the tangents: 20 mm over 2 mm/N.
+    /// // No tangential forces act, so the normal force is 20 mm / (2 mm/N).
     /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-12);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -93,7 +94,7 @@ impl<const C: usize> Finger<C> {
         Self { compliance: Some(compliance), ..finger }
     }
 
-    /// Adds a stiffness matrix of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the joints,
+    /// Adds a stiffness matrix K of the joints, N m/rad, symmetric and positive semidefinite. It represents gears and tendons that couple the joints,
     /// and acts in addition to the joints' own springs. Its torques are `K (θ - φ)`, with the commanded displacements θ and the actual displacements
     /// φ of the joints.
     pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {
@@ -113,8 +114,8 @@ impl<const C: usize> Finger<C> {
         self
     }
 
-    /// Adds a contact with a given Jacobian, `C x joints`: velocity of the contact point along the coordinate axes, per unit velocity of each
-    /// joint.
+    /// Adds a contact with a given Jacobian, with `C` rows and one column per joint. A column is the velocity of the contact point along the
+    /// coordinate axes, per unit velocity of the joint.
     pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
         self.contacts.push(FingerContact { contact, by: ContactMover::World(jacobian) });
         self

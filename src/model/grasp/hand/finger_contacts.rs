@@ -13,7 +13,7 @@ use crate::numerics::{IntoList, numbered, vector_of};
 use crate::prelude::*;
 
 impl Assembly {
-    /// Adds the contacts of a finger to the grasp. `first` is the index of the finger's first joint.
+    /// Adds the contacts of a finger to the grasp. `number` is the index of the finger, and `first` the index of its first joint, both from 0.
     pub(super) fn add_contacts(
         &mut self,
         finger: &Finger<3>,
@@ -58,7 +58,8 @@ impl Assembly {
         Ok(())
     }
 
-    /// Motion of a contact on a link, per unit motion of each joint between palm and link, from the joints' axes and directions.
+    /// Motion of a contact on a link per unit motion of each joint between palm and link, from the joints' axes and directions. `link` is the number
+    /// of these joints.
     fn on_link(
         &mut self,
         link: usize,
@@ -89,8 +90,8 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// Adds to the commands of contacts with a shared compliance the displacement of that compliance under the pressing forces of
-    /// `Contact::pressed_with`.
+    /// The contacts of a finger with a compliance matrix also yield by the part of this matrix that couples them. Adds the displacement of this part
+    /// under the pressing forces of `Contact::pressed_with` to the commands, so that the contacts press with these forces.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {
@@ -141,7 +142,7 @@ impl Assembly {
     }
 }
 
-/// Displacements of a contact per unit of each joint of its finger, from a Jacobian that the user gave.
+/// Displacements of a contact, along the coordinate axes, per unit of each joint of its finger: the columns of a Jacobian that the user gave.
 fn given(
     matrix: &DMatrix<f64>,
     (finger, first): (&Finger<3>, usize),

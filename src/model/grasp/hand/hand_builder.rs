@@ -22,7 +22,7 @@ use crate::prelude::*;
 ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.5))
 /// };
 /// let hand = Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([0.5, 0.5]).tension(20.0));
-/// // The object may be anywhere between the jaws: nothing says where, and the forces are known all the same.
+/// // Nothing determines the position of the object between the jaws, but the forces are determined.
 /// let outcome = hand.grasp()?.solve(Wrench::ZERO)?;
 /// let held = outcome.equilibrium().expect("holds");
 /// assert!((held.contacts[0].normal_force() - 10.0).abs() < 1e-13);

@@ -111,7 +111,8 @@ impl<const C: usize> Joint<C> {
         Self::moving(JointMotion::Prismatic { direction: SVector::from(direction.into()) })
     }
 
-    /// A coordinate of another kind. Only [`Finger::contact_moved_by`](super::Finger::contact_moved_by) determines its effect on contacts.
+    /// A joint whose motion is neither a rotation nor a translation of links. Only [`Finger::contact_moved_by`](super::Finger::contact_moved_by)
+    /// determines how contacts move with it.
     pub fn given() -> Self {
         Self::moving(JointMotion::Given)
     }
@@ -131,7 +132,7 @@ impl<const C: usize> Joint<C> {
         /// force control and the weight of a link.
         pub fn torque(mut self, torque: f64) { self.torque = torque; }
 
-        /// Sets a bound on the torque of the joint's own spring, in both directions.
+        /// Sets a bound on the magnitude of the torque of the joint's own spring. A constant [torque](Self::torque) does not count.
         pub fn limit(mut self, limit: Limit) { self.limit = Some(limit); }
     }
 }

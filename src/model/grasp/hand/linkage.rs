@@ -19,7 +19,8 @@ use crate::words::printable;
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<NamedPart>,
     pub(crate) tendons: Vec<NamedPart>,
-    /// Reference lengths that convert the coordinates after the object's into lengths; entries of the object are 1.
+    /// Reference lengths by which the displacements of joints and other bodies are multiplied, so that all coordinates are lengths. Entries of the
+    /// object's coordinates are 1.
     pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
@@ -33,9 +34,9 @@ pub(crate) struct Linkage {
     pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
     pub(crate) bones: Vec<[SVector<f64, 3>; 2]>,
-    /// Points on the axes of revolute joints, for pictures only.
+    /// A point on the axis of each revolute joint, `None` for other joints; for pictures only.
     pub(crate) centres: Vec<Option<SVector<f64, 3>>>,
-    /// Commands of the joints, then of the tendons.
+    /// Commanded displacements of the joints (rad or m), then of the tendons (m).
     pub(crate) commands: Vec<f64>,
 }
 
@@ -159,7 +160,7 @@ impl Linkage {
         pressing.filter_map(|(part, _)| part.name.as_deref().map(str::to_owned)).list()
     }
 
-    /// Replaces the constant forces of the contacts `before` by the constant forces of the contacts `now`.
+    /// Replaces the constant normal forces of the contacts `before` by the constant normal forces of the contacts `now`: in the force on each slide.
     pub(crate) fn replace_pressing_forces(
         &mut self,
         space: Space,
@@ -184,7 +185,8 @@ impl Linkage {
         PartLabel { part, name: named.name.clone() }
     }
 
-    /// Drives (springs of joints and tendons) of an actuator, with their indices. Actuators are the joints, then the tendons.
+    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of drives. `actuator` is an index from 0: joints first,
+    /// then tendons.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
         let owner = if actuator < joints {

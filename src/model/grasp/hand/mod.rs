@@ -1,7 +1,7 @@
 //! Hands: fingers with joints, which couple the contacts in addition to the object.
 //!
-//! A finger's joints move its contacts. The joint coordinates φ follow the object's twist in the vector of unknowns. Springs, gears, tendons and
-//! motors give the joints stiffness, and are treated like further contacts:
+//! A finger's joints move its contacts. In the vector of unknowns, the joint coordinates φ come after the object's twist q. Springs, gears, tendons
+//! and motors give the joints stiffness, and are treated like further contacts, called drives. The symbols of these equations are explained below:
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq + J_i φ,        Σ G_i F_i + W = 0
@@ -18,7 +18,7 @@
 //! | r_k, T_k | a drive: its moment arms at the joints, and the force law of its spring | |
 //! | τ | torque of the drives on a joint, positive along φ | N m, N |
 //! | τ_held | constant torque on a joint | N m, N |
-//! | τ_ext | external torque on the joints, appended to the wrench of a load | N m, N |
+//! | τ_ext | external torque on the joints, a load like W | N m, N |
 //!
 //! The contact law stays the same: a drive is one more spring of a single axis, whose grasp map has entries only for joints.
 

@@ -20,8 +20,8 @@ pub(super) enum NotPositive {
     Eigenvalue(f64),
 }
 
-/// Columns l with `M = Σ l lᵀ`, as many as the rank of M, by Cholesky factorisation with diagonal pivoting. The pivot is the diagonal entry with
-/// the largest remainder relative to its original value. Entries of very different size thus keep their relative accuracy.
+/// Columns l with `M = Σ l lᵀ` for a positive semidefinite matrix M, as many as its rank, by Cholesky factorisation with diagonal pivoting. The pivot
+/// is the diagonal entry with the largest remainder relative to its original value. Entries of very different size thus keep their relative accuracy.
 pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, NotPositive> {
     checked(matrix, size)?;
     let whole = matrix.diagonal();
@@ -42,7 +42,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         if left.iter().any(|&j| share(j) < -NEGATIVE_REMAINDER) {
             return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
         }
-        // A remainder this small relative to the original diagonal entry counts as zero; rounding leaves about 1e-15.
+        // A remainder up to this fraction of the original diagonal entry counts as zero; rounding leaves about 1e-15.
         if share(pivot) <= LINEARLY_DEPENDENT {
             break;
         }
@@ -60,7 +60,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         }
         columns.push(column);
     }
-    // The diagonal of the block that remains is zero, so for a semidefinite matrix all entries of the block must be zero.
+    // The diagonal of the block that remains counts as zero. In a semidefinite matrix all entries of such a block are zero.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
     if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE_REMAINDER)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
@@ -81,8 +81,7 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
         for j in 0..i {
             let difference = (matrix[(i, j)] - matrix[(j, i)]).abs();
             let size = (matrix[(i, i)].abs() * matrix[(j, j)].abs()).sqrt();
-            // Largest difference of two mirrored entries in a matrix that counts as symmetric, relative to the geometric mean of their diagonal
-            // entries.
+            // Two mirrored entries count as unequal if their difference exceeds this fraction of the geometric mean of their diagonal entries.
             if difference > NEGLIGIBLE * size {
                 worst = worst.max(difference);
             }

@@ -10,9 +10,9 @@ use crate::serial::{AsGiven, is_absent, object::read_as_object};
 
 /// A tendon over joints of a hand, with its spring and the displacement of its motor. It only pulls, unless it is a rod or a gear.
 ///
-/// Joint displacements φ shorten the path of the tendon by `r·φ`, with the moment arms r. The tension is `k (x - r·φ)` while positive, and
-/// exerts the torque r_j times the tension on joint j. A tendon with a constant tension and no stiffness is a differential: its tension does not
-/// depend on the joint positions.
+/// The motor pulls the tendon by the displacement x. Joint displacements φ shorten the path of the tendon by `r·φ`, with the moment arms r. With the
+/// stiffness k the tension is `k (x - r·φ)`; a tendon that only pulls is slack where this is negative. The tension exerts the torque r_j times the
+/// tension on joint j. A tendon with a constant tension and no stiffness is a differential: its tension does not depend on the joint positions.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(remote = "Self", deny_unknown_fields))]
@@ -22,7 +22,8 @@ pub struct Tendon {
     /// The name of the tendon in answers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) name: Option<Arc<str>>,
-    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic joints.
+    /// Moment arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic joints. A positive arm means that a pull
+    /// moves the joint in its positive direction.
     #[cfg_attr(feature = "serde", serde(with = "AsGiven::<Vec<f64>>"))]
     pub(crate) arms: Vec<f64>,
     /// Stiffness of the tendon's spring (tendon and motor in series), N/m; without it only `tension` acts.
@@ -75,7 +76,7 @@ impl Tendon {
         /// Sets a constant tension, N, which acts in addition to the tension of the spring.
         pub fn tension(mut self, tension: f64) { self.tension = tension; }
 
-        /// Sets a bound on the tension of the spring.
+        /// Sets a bound on the tension of the spring; a constant [tension](Self::tension) does not count.
         pub fn limit(mut self, limit: Limit) { self.limit = Some(limit); }
 
         /// Makes the tendon a rod or a gear, which also pushes.
