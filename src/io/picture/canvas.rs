@@ -22,7 +22,8 @@ impl Canvas {
         (self.left + (x - x0) / (x1 - x0) * self.wide, self.top + (y1 - y) / (y1 - y0) * self.high)
     }
 
-    /// Draws both axes with their numbers, and a faint grid.
+    /// Draws both axes with their numbers, and a faint grid. If `logarithmic` is true, the window contains decimal logarithms, and the labels are
+    /// powers of ten.
     pub(super) fn draw_axes(&self, paper: &mut Sheet, labels: [&str; 2], logarithmic: bool) {
         let (right, bottom, grid) = (self.left + self.wide, self.top + self.high, GREY.mix(0.2));
         let [x0, x1, y0, y1] = self.window;

@@ -51,7 +51,7 @@ impl ContactPoints {
         let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);
         match self.label.link? {
-            // The normal of a spring or cable is the vector from its beginning to its end.
+            // For a spring or cable the field `normal` is no unit vector but the vector from its beginning to its end, m.
             LinkKind::Spring | LinkKind::Cable => Some([first.point, first.point + first.normal]),
             _ => Some([first.point, second.point]),
         }

@@ -12,8 +12,8 @@ type NamePlate = (Place, (f64, f64));
 /// Distance of a name from its point, pixels, beyond which a line joins them; without this line a name could seem to belong to another point.
 const NEAR: f64 = 16.0;
 
-/// Limit of the total cost of the strokes that a name beside its point may cover; above this limit places farther away are tried. Covering an arrow
-/// or the edges of a cone costs more than this limit.
+/// Limit of the total cost of the strokes that a name beside its point may cover (see `Painting::ink`); above this limit places farther away are
+/// tried. Covering an arrow or the edges of a cone usually costs more than this limit.
 const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {

@@ -16,7 +16,8 @@ pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
     series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }
 
-/// The place where the legend hides least of the curves, of the labels of marks, and of the label of a shaded area.
+/// The entry of [`LEGEND_PLACES`] at which the legend hides least of the curves, of the labels of marks, and of the label of a shaded area. `marked`
+/// and `shaded` say whether such labels exist.
 pub(super) fn emptiest_corner(
     [x0, x1, y0, y1]: [f64; 4],
     series: &[ChartSeries],

@@ -21,7 +21,7 @@ use crate::picture::actuators::Actuators;
 ///   of the states of the points;
 /// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
 ///   the force is drawn in the middle of the grasp, with the moment about this point;
-/// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
+/// * displacements of the object at the contacts, with one magnification for all answers, which is written beside the picture;
 /// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
 /// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints whose torque is at its limit.
 ///
@@ -137,8 +137,8 @@ impl Page {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
-    /// Draws a motion of the object in the last answer, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). Only the
-    /// direction of the motion matters.
+    /// Draws a motion of the object in the last answer, such as the motion by which it is [lost](crate::hold::Lost::motion); draws nothing for
+    /// `None`. The displacement is scaled until it is visible, so only the direction of the motion matters.
     pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
