@@ -46,7 +46,8 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact, even if no command presses, as a weight presses an object onto a table.
+    /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. A link that cannot go
+    /// slack counts as such a contact under any load.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
@@ -135,7 +136,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
     }
-    // With a friction coefficient of 3 or more, a load that presses on contacts jams the object and is held.
+    // With a friction coefficient of 3 or more, a load that wedges the object between contacts jams it and is held.
     let rough = grasp.not_installed_with_friction(&|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
     let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))

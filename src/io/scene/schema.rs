@@ -132,7 +132,7 @@ fn angular<K: Bounded>(axes: usize) -> Schema {
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// The schema of a wrench or twist: linear part, angular part and the part of the joints, all optional in input.
+/// The schema of a wrench or twist: linear components, angular components and the entries of joints, all optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],

@@ -224,7 +224,7 @@ fn spread(points: &[SVector<f64, 3>]) -> f64 {
     largest(points, &|point| (point - points[0]).norm())
 }
 
-/// Whether two contacts of the same bodies are at one point, relative to the `size` of the grasp, with parallel normals.
+/// Whether two contacts between the same bodies coincide, up to a negligible fraction of the `size` of the grasp, m, and have parallel normals.
 fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     let (a, b) = (&one.contact, &other.contact);
     let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - NEGLIGIBLE) * a.normal.norm() * b.normal.norm();
