@@ -47,7 +47,7 @@ struct Hinge<const C: usize> {
     /// A point on the axis, m.
     #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
-    /// The direction of the axis, in space only; the joint turns about the axis by the right-hand rule.
+    /// The direction of the axis, right-handed; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<AxisRow<Given, C>>,
 }

@@ -67,7 +67,7 @@ struct Written<const C: usize> {
     /// A cable that pulls along a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     cable: Option<Line<C>>,
-    /// The two bodies that the link joins. A spring or cable begins on the first body and ends on the second.
+    /// The two bodies that the link joins: a line begins on the first body and ends on the second.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     between: Option<[Arc<str>; 2]>,
     /// The body that the link joins to the ground, instead of `between`.
