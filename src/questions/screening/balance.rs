@@ -98,8 +98,9 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The part of the load that `forces` leave unbalanced, as force and moment about the centroid, and the relative size of this part. The size is
-    /// the largest force component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
+    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios: the
+    /// largest force component over the sum of the magnitudes of all forces, and the largest moment component over a bound on the sum of the
+    /// magnitudes of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,

@@ -14,7 +14,7 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     /// The load factor at which the margin m of the first contact to leave its cone vanishes. NaN if no contact leaves its cone, which makes all
     /// derivatives of this factor NaN.
     pub(super) factor: X,
-    /// The index of the contact that leaves its cone; -1 if no contact leaves its cone.
+    /// The index, from 0, of the contact that leaves its cone; -1 if no contact leaves its cone.
     pub(super) contact: X,
     /// The derivative of the margin m with respect to the normal force of each contact. As commands of the fingers, this array and `tangential` cause
     /// contact forces from which all derivatives of m follow; see [`Self::probe`].

@@ -17,7 +17,7 @@ struct Exit<X: Packed> {
     factor: X,
     /// The margin of the contact at load factor zero, N, scaled by its [`StickingCone`].
     margin: X,
-    /// Bound of the rounding error of `margin`.
+    /// Bound of the rounding error of `margin`, N.
     rounding: X,
     /// Minus infinity if a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
     lost: X,

@@ -1,5 +1,6 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
-//! the sum of the changes due to each datum alone.
+//! the sum of the changes due to each datum alone. It is computed at the point of failure of a facet: the smallest errors at which the margin of this
+//! facet vanishes (see [`margin`](super::margin)).
 
 use nalgebra::{SMatrix, SVector};
 

@@ -93,7 +93,7 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force for the data as given, N, plus the interaction of errors for facet number `row`.
+    /// The force for the data as given, N, plus the interaction of errors for the facet with the index `row`, from 0.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
@@ -109,8 +109,9 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. These errors and the reliability are stored in
-    /// `margin`. If the margin vanishes nowhere within the distance beyond which failures are negligible, the reliability is about this distance.
+    /// Finds the smallest errors z of the data at which the margin of the facet with the index `row` vanishes. These errors and the reliability are
+    /// stored in `margin`. If the margin vanishes nowhere within the distance beyond which failures are negligible, the reliability is about this
+    /// distance.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());

@@ -109,13 +109,14 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, less a part that is kept for neglected effects.
+    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, less the fraction [`NEGLECTED_SHARE`] that is kept for neglected
+    /// effects.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with the
-    /// joint effects `before`, those of the last round.
+    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with
+    /// the joint effects `before` of the previous round.
     fn joint(&self, more: Option<AddedLoad<'_>>, before: &MixedDerivatives) -> MixedDerivatives {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
