@@ -59,14 +59,14 @@ pub(crate) enum Command {
     Hold {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that acts before the load and stays, N, at the same point.
+        /// A constant force, N, that acts at the same point before the load and beside it.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         /// Factor on the load; the base load keeps its size.
         #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
         safety: Option<f64>,
         /// Says whether the answer changes by more than 5 % if all contacts are a tenth or ten times as stiff along their tangents, or one is ten
-        /// times as stiff. It takes an answer for each contact, and three more.
+        /// times as stiff. The question is then answered once for each contact, and three more times.
         #[arg(long)]
         vary_stiffness: bool,
         #[command(flatten)]
@@ -88,7 +88,7 @@ pub(crate) enum Command {
     Improve {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that acts before the load and stays, N, at the same point.
+        /// A constant force, N, that acts at the same point before the load and beside it.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         /// A force of any direction beside the load, N; a load factor of 1 means a force of this size.
@@ -114,7 +114,7 @@ pub(crate) enum Command {
     Compare {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that acts before the load and stays, N, at the same point.
+        /// A constant force, N, that acts at the same point before the load and beside it.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         #[command(flatten)]
@@ -350,11 +350,11 @@ pub(crate) struct NeedArguments {
 /// A quantity that `need` seeks.
 #[derive(Debug, Clone, Copy, PartialEq, ValueEnum)]
 pub(crate) enum SoughtQuantity {
-    /// The clamping force of each contact.
+    /// The least clamping force of each contact.
     Squeeze,
     /// The least coefficient of friction.
     Friction,
-    /// The factor on the load.
+    /// The largest factor on the load.
     Load,
     /// The largest distance at which the load may hang.
     Arm,

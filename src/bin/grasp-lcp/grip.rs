@@ -154,7 +154,7 @@ impl Grip {
 }}
 "#
         );
-        // Reading the text reports now every fault for which the scene would be refused later.
+        // The text is read back, so that a fault for which the scene would be refused later is reported now.
         let mut scene =
             Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
         scene.setup = scene.setup.on_part(Arc::new(part));

@@ -1,4 +1,4 @@
-//! The part of a sheet for one chart: a window of numbers, with axes and round numbers along them.
+//! The rectangle of a sheet in which one chart is drawn, with axes and round numbers along the axes.
 
 use super::layout::CHART;
 use super::palette::{BLACK, GREY};

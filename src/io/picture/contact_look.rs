@@ -1,4 +1,4 @@
-//! The look of contacts in pictures: a word and a colour for the state, and the slope of the friction cone.
+//! The look of contacts in pictures: a word and a colour for the state, and the ratio of radius to height of the friction cone.
 
 use super::layout::MARKS;
 use super::palette::{BLUE, GREEN, GREY, ORANGE, Rgb, VERMILION};

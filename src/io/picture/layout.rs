@@ -9,7 +9,7 @@ use super::sheet::Place;
 pub(super) struct MarkLayout {
     /// Length of a friction cone, as a multiple of the arrow of the normal force in it.
     pub(super) cone: f64,
-    /// Least length of an arrow of the load; a shorter arrow would hardly be visible.
+    /// The arrow of a load is at least this long: a shorter arrow is lengthened, because it would hardly be visible.
     pub(super) shortest_load: f64,
     /// Radius of the arc of a moment in the plane.
     pub(super) moment_arc: f64,

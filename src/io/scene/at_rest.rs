@@ -100,7 +100,8 @@ impl Setup<3> {
         for (contact, entry) in self.entries().enumerate() {
             let Some(nominal) = entry.contact.press else { continue };
             pressed += 1;
-            // A pad that touches a curved part presses along its closing direction.
+            // The force of a contact is its component along the contact's normal, for a pad along its closing direction. Points of a pad on a curved
+            // part have other normals.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
             let force = summed(&state.contacts[wholes[contact].range.clone()], &|point| {
                 point.force_world.dot(&along)

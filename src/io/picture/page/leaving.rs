@@ -32,7 +32,7 @@ impl Drawing<'_> {
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point moves by 0.15 of the span.
+        // The fastest point moves by 0.15 of the span, so that the displacement is visible whatever the speed.
         let time = 0.15 * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };
