@@ -25,8 +25,8 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) by_friction: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the load factor, N.
     pub(super) rate: X,
-    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided: several contacts leave their cones together, or
-    /// the friction force is zero.
+    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided; else zero. There is a kink if several contacts
+    /// leave their cones together, or if the friction force is zero.
     pub(super) kink: X,
 }
 

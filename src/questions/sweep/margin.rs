@@ -20,8 +20,8 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`. This is the required reliability: the number of standard
-/// deviations between the given data and failure.
+/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`. The number `sigmas` is the required reliability: the number of
+/// standard deviations between the given data and failure.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// The change of a contact force due to the error of one datum, N: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in

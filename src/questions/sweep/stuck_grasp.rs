@@ -23,7 +23,7 @@ use crate::prelude::*;
 /// the joint effects in turn. Therefore both are computed this many times, the first time without joint effects.
 const ROUNDS: usize = 2;
 
-/// For each contact or drive and each of its facets, the mixed second derivatives of the force with respect to the errors of pairs of data.
+/// For each contact or drive and each of its facets, the interaction of the errors of all data, with its mixed second derivatives.
 type MixedDerivatives = Vec<Vec<Interaction>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
