@@ -42,7 +42,7 @@ impl EqualScales {
         (x + away.x, y - away.y)
     }
 
-    /// The two places, pixels, between which the straight line through `point` (m) in the direction `along` runs inside the window.
+    /// The two points on paper, pixels, between which the straight line through `point` (m) in the direction `along` runs inside the window.
     pub(super) fn line_ends(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
         let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);

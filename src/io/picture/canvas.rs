@@ -16,7 +16,7 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// The place of a point on the paper.
+    /// The position on paper, pixels, of a point (x, y) of the chart.
     pub(super) fn place(&self, (x, y): (f64, f64)) -> Place {
         let [x0, x1, y0, y1] = self.window;
         (self.left + (x - x0) / (x1 - x0) * self.wide, self.top + (y1 - y) / (y1 - y0) * self.high)

@@ -65,8 +65,8 @@ fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
     paper.area(&[corner(0.5 * long, 0.0), corner(-0.5 * long, wide), corner(-0.5 * long, -wide)], color);
 }
 
-/// Writes the names of series below each other, with samples of their strokes. The list begins at the place (x, y), and `line` is the height of each
-/// line.
+/// Writes the names of series below each other, with samples of their strokes. The list begins at the position (x, y) on paper, and `line` is the
+/// height of each line, pixels.
 pub(super) fn draw_names(
     paper: &mut Sheet,
     (x, y): Place,

@@ -1,4 +1,4 @@
-//! Force, state and place of a contact in pictures. For a soft fingertip, its points have one resultant force, one state and one place.
+//! Force, state and position of a contact in pictures. All points of a soft fingertip are shown with one resultant force, one state and one position.
 
 use nalgebra::SVector;
 

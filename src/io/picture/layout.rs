@@ -1,4 +1,4 @@
-//! Sizes and places of the parts of pictures, one list for each kind of picture.
+//! Sizes and positions of the elements of pictures, one list for each kind of picture.
 //!
 //! Lengths are in pixels unless they are said to be fractions of the span of a grasp, which is its largest extent along an axis.
 

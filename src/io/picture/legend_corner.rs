@@ -1,8 +1,8 @@
-//! The place of the legend in a chart.
+//! The position of the legend in a chart.
 
 use super::series::{ChartSeries, Stroke};
 
-/// Possible places of the legend: the fractions of the free width and height that lie to its left and below it.
+/// Possible positions of the legend: the fractions of the free width and height that lie to its left and below it.
 const LEGEND_PLACES: [(f64, f64); 6] =
     [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 

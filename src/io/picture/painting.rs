@@ -30,7 +30,7 @@ pub(super) struct Painting {
     strokes: Vec<(f64, Shape)>,
 }
 
-/// A place with depth zero.
+/// A point on paper with depth zero.
 pub(super) fn flat((x, y): Place) -> EyePoint {
     EyePoint::new(x, y, 0.0)
 }
@@ -153,7 +153,7 @@ impl Painting {
         }
     }
 
-    /// Places that names should not cover, with the cost of covering each.
+    /// Points that names should not cover, with the cost of covering each.
     pub(super) fn ink(&self) -> Vec<(Place, f64)> {
         let mut inked = Vec::new();
         for (_, shape) in &self.strokes {
@@ -179,7 +179,7 @@ impl Painting {
     }
 }
 
-/// Adds places about 3 pixels apart on a line. The cost of covering each is the area of the line divided by the number of places.
+/// Adds points about 3 pixels apart on a line. The cost of covering each is the area of the line divided by the number of points.
 fn along(from: Place, to: Place, width: f64, inked: &mut Vec<(Place, f64)>) {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);

@@ -12,7 +12,7 @@ use crate::numerics::Each;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use nalgebra::Vector2;
 
-/// A load prepared for drawing: force in N, moment in N m, place in m.
+/// A load prepared for drawing: force in N, moment in N m, point of action in m.
 pub(super) struct PlanarLoad {
     pub(super) at: Vector2<f64>,
     pub(super) force: Vector2<f64>,

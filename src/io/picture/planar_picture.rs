@@ -24,7 +24,7 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A
 /// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
 /// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure. The points themselves are dots in the colours
-/// of their states. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons whose torque or tension is at its
+/// of their states. Links of a [hand](crate::grasp::Hand) are drawn in the initial posture; joints and tendons whose torque or tension is at its
 /// limit are marked. No name covers another name.
 ///
 /// ```

@@ -56,7 +56,7 @@ impl MovedOutlines {
         &self.to
     }
 
-    /// Paints the moved outlines with arrows, and returns the place of the farthest point, for the name; `None` without points.
+    /// Paints the moved outlines with arrows, and returns the position on paper of the farthest point, for the name; `None` without points.
     pub(super) fn paint(
         &self,
         painting: &mut Painting,

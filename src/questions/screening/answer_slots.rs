@@ -1,4 +1,4 @@
-//! The places in memory where the kernels of screening store the answers to one question for the grasps of one block.
+//! The memory in which the kernels of screening store the answers to one question for the grasps of one block.
 
 use super::lanes::Packed;
 

@@ -8,7 +8,7 @@ use crate::grasp::Motion;
 use crate::numerics::{IntoList, largest, mapped};
 use crate::spatial::{Contact, Twist};
 
-/// Lines on the object after the motion, and arrows from the old to the new places.
+/// Lines on the object after the motion, and arrows from points before the motion to the same points after it.
 pub(super) struct MovedLines {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
     pub(super) arrows: Vec<[Vector3<f64>; 2]>,

@@ -130,9 +130,9 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     }
 }
 
-/// Corners of the convex hull of these places (Andrew's monotone chain); the first corner is repeated at the end.
+/// Corners of the convex hull of these points (Andrew's monotone chain); the first corner is repeated at the end.
 pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    // Sorts by the second coordinate, then by the first. The sort is stable: places with the same first coordinate stay sorted by the second.
+    // Sorts by the second coordinate, then by the first. The sort is stable: points with the same first coordinate stay sorted by the second.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
         let values: Vec<f64> = mapped(&places, &coordinate);
         places = moved(increasing(&values), &|i| places[i]);
