@@ -60,7 +60,8 @@ impl ContactPoints {
     pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant {
         let answers = &state.contacts[self.range.clone()];
         let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
-        // The share of a point in the normal force of the fingertip. For a single point it is exactly one, without rounding.
+        // The fraction of the fingertip's normal force that a point carries. For a single point it is exactly 1, without rounding. The points of a
+        // link, or of a fingertip without normal force, have equal fractions.
         let share = |answer: &ContactAnswer<3>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
             true if self.label.link.is_none() => answer.normal_force().max(0.0) / pressed,

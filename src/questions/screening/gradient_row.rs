@@ -12,8 +12,8 @@ use super::screened::Screened;
 
 /// The layout of a gradient as a row of numbers. First come four numbers: the load factor, or the code of the verdict; the sum of 2^i over the
 /// contacts i that leave their cones; the index, from 0, of the contact whose margin is differentiated; and a flag, positive if the load factor has a
-/// kink. The derivatives with respect to points, normals, commands, stiffness and friction follow, each contact by contact. The derivatives with
-/// respect to the load come last.
+/// kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands, stiffness and friction follow,
+/// each contact by contact. The derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {

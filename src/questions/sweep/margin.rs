@@ -223,8 +223,9 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// The mean number of zero crossings of the margin, `φ(β) E[(X' - β')₊]`, per radian of the facet's angle θ, see [`super::failure`]. `turned` is
-    /// the derivative of the facet with respect to θ.
+    /// The mean number of crossings of the margin from positive to negative, per radian of the facet's angle θ. It is `φ(β) E[(X' - β')₊]` in the
+    /// symbols of [`super::failure`], times the second-order correction of the failure probability. `turned` is the derivative of the facet with
+    /// respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

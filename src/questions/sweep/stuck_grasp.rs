@@ -155,7 +155,8 @@ impl StuckGrasp {
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // Relative step of the difference quotient for the initial slope of the reliability with respect to the load factor.
+        // The first secant step needs the derivative of the reliability with respect to the load factor. It is a difference quotient over this
+        // relative step of the load factor.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         let (mut most, mut joint) = (guess, self.joint_at_base.clone());
@@ -225,7 +226,8 @@ fn reliability(fails: f64) -> f64 {
 }
 
 /// The root of an increasing function that is negative at zero, to the relative accuracy `precise`: the lower end of the last bracket. It is infinite
-/// if the function is still negative beyond `end`. Secant steps start from a guess and a slope (NaN if unknown) and stay within the bracket.
+/// if the function is still negative beyond `end`. Secant steps stay within the bracket. They start from a guess of the root and of the derivative
+/// `slope`, NaN if unknown.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);
