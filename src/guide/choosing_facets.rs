@@ -16,7 +16,8 @@
 //! Polygons are used by [`Settings::on_the_polygon`](crate::Settings::on_the_polygon), for comparison with codes that have nothing else, and by the
 //! quadratic programs of [`energy`](crate::energy).
 //!
-//! A regular polygon of m facets inside a circle of radius `μ F_n` has its facets at `μ F_n cos(π/m)`; around it, its corners lie at `μ F_n / cos(π/m)`:
+//! A regular polygon of m facets inside a circle of radius `μ F_n` has its facets at the distance `μ F_n cos(π/m)` from the centre. A polygon around
+//! the circle has its corners at the distance `μ F_n / cos(π/m)`:
 //!
 //! | m | largest loss of friction | error of an onset | error of a sliding state |
 //! |---|---|---|---|

@@ -13,8 +13,8 @@
 //! ```
 //!
 //! If the jaws were level, the jaw nearer to the weight would slide first. With the weight e = 10 mm aside and one jaw higher by `2 μ e`, the couple
-//! of the normal forces balances it. Each jaw then carries half of the weight, up to a weight of `2 μ N`, at which the friction of both jaws is used
-//! up. `grasp-lcp draw pinch.json` draws the grasp before and after.
+//! of the normal forces N balances it. Each jaw then carries half of the weight, up to a weight of `2 μ N`, at which the friction of both jaws is
+//! used up. `grasp-lcp draw pinch.json` draws the grasp before and after.
 //!
 //! # Three fingers hold a disc. Where should they be against a force of any direction?
 //!

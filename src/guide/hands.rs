@@ -55,8 +55,8 @@
 //! * **On a body that is free to move this condition does not suffice**: two fingers that each satisfy it can still have several equilibria together.
 //! * **The force form stays copositive** for every positive semidefinite compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`. Guarantees of Lemke's method
 //!   without joints therefore hold with joints: Cottle, Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
-//! * **A symmetric pinch** with N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`. From μ |c_nt| >= c_nn on, the side that tightens itself
-//!   never slides.
+//! * **A symmetric pinch** with the normal force N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`. From μ |c_nt| >= c_nn on, the side that
+//!   tightens itself never slides.
 //! * **Loads that are held need not include zero**: a squeeze alone can slide, and a weight can stop it.
 //!
 //! # Limitations

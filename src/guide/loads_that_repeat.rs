@@ -19,9 +19,10 @@
 //! WALKS: the object moves 0.01 mm along +x in every cycle, left foot and right foot slide. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
-//! A pull of 3.5 N acts on a block of 10 N with a coefficient of friction of 0.5. Applied once, a pull of 5 N would be held. But rocking moves weight
-//! from one foot to the other: one presses with 3 N, the other with 7 N. The loaded foot takes over the friction that the unloaded foot cannot hold.
-//! In every cycle the block walks by `2 (Q - μ (P - 2 m)) / k = 2 (3.5 - 0.5 (10 - 4)) / 10⁵` metres. Up to a pull of 3 N the block comes to rest.
+//! A pull of Q = 3.5 N acts on a block of weight P = 10 N with a coefficient of friction μ = 0.5. Applied once, a pull of 5 N would be held. But
+//! rocking moves m = 2 N from one foot to the other: one presses with 3 N, the other with 7 N. The foot that presses harder takes over the friction
+//! that the other foot cannot hold. With the stiffness k = 10⁵ N/m of a foot the block walks in every cycle by
+//! `2 (Q - μ (P - 2 m)) / k = 2 (3.5 - 0.5 (10 - 4)) / 10⁵` metres. Up to a pull of 3 N the block comes to rest.
 //!
 //! # A hammer jerks along its handle. Does it creep out of the hand?
 //!

@@ -1,9 +1,10 @@
 //! Reading a ray: the meaning of a path of Lemke's method that does not end in a solution.
 //!
-//! Lemke's method follows a path of almost complementary solutions of `w = q + M z + d z₀` while the covering variable z₀ shrinks. The path ends
-//! where z₀ = 0, at a solution, or goes to infinity on a *secondary ray*. For matrices of contact problems without friction (positive semidefinite) a
-//! ray proves that there is no solution. With friction M is not even symmetric, and **a ray alone proves nothing**: a solution may lie on another
-//! path. The ray is therefore only a reason to search for a proof.
+//! A linear complementarity problem asks for z >= 0 and w = q + M z >= 0 with w·z = 0. Lemke's method follows a path of almost complementary
+//! solutions of `w = q + M z + d z₀` with a positive vector d, while the covering variable z₀ shrinks. The path ends where z₀ = 0, at a solution, or
+//! goes to infinity on a *secondary ray*. For matrices of contact problems without friction (positive semidefinite) a ray proves that there is no
+//! solution. With friction M is not even symmetric, and **a ray alone proves nothing**: a solution may lie on another path. The ray is therefore only
+//! a reason to search for a proof.
 //!
 //! # On a linear complementarity problem
 //!

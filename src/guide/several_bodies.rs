@@ -34,8 +34,9 @@
 //! SLIPS OUT at 47.8723 N of 60 N: bar moves along −y; left jaw and right jaw slide
 //! ```
 //!
-//! The limit is `2 μ P a / (b - μ c)`, with P = 50 N on each handle and the arms a = 0.3 m, b = 0.2 m and c = 0.04 m: the bar hangs on the jaws and
-//! presses them together. The pin is a hinge between the levers, and a stand holds one of them at the pin.
+//! Hands press the handles apart with P = 50 N each, at the distance a = 0.3 m above the pin. The jaws hold the bar at the distance b = 0.2 m below
+//! the pin and c = 0.04 m to either side. The limit is `2 μ P a / (b - μ c)`: the bar hangs on the jaws and presses them together. The pin is a hinge
+//! between the levers, and a stand holds one of them at the pin.
 //!
 //! # How rough must the jaws of lifting tongs be?
 //!

@@ -1,8 +1,9 @@
 //! Suction cups: the loads that a vacuum holds, and when it lets go.
 //!
-//! The vacuum pulls object and cup together with the force `V = p A`, pressure difference times the area inside the lip, for any load. The lip
-//! touches the object: a ring of points that presses with V less the pull on the object. A [`SuctionCup`](crate::grasp::SuctionCup) consists of this
-//! force and this ring. In scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
+//! The vacuum pulls object and cup together with the force `V = p A` for any load; p is the pressure difference and A the area inside the lip. The
+//! lip touches the object: a ring of points of radius R that presses with V less the pull on the object. A [`SuctionCup`](crate::grasp::SuctionCup)
+//! consists of this force and this ring. In scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the
+//! object.
 //!
 //! The vacuum is not a load of the question: the load in an answer is the weight and any other load that the question states. Unlike the force of a
 //! finger, the vacuum needs no support on the other side of the object, because it pulls on cup and object alike.

@@ -59,14 +59,14 @@ pub(crate) enum Command {
     Hold {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that acts before the load and stays, N, at the same point.
+        /// A constant force, N, that acts at the same point before the load and beside it.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         /// Factor on the load; the base load keeps its size.
         #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
         safety: Option<f64>,
         /// Says whether the answer changes by more than 5 % if all contacts are a tenth or ten times as stiff along their tangents, or one is ten
-        /// times as stiff. It takes an answer for each contact, and three more.
+        /// times as stiff. The question is then answered once for each contact, and three more times.
         #[arg(long)]
         vary_stiffness: bool,
         #[command(flatten)]
@@ -74,7 +74,7 @@ pub(crate) enum Command {
     },
     /// How much clamping force, friction, load, lever arm or tilt angle does the grasp need, or allow?
     ///
-    /// Without a load on the command line, that of the scene's questions is taken.
+    /// Without a load on the command line, the loads of the scene's questions are taken.
     Need {
         #[command(flatten)]
         ask: SceneArguments,
@@ -88,7 +88,7 @@ pub(crate) enum Command {
     Improve {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that acts before the load and stays, N, at the same point.
+        /// A constant force, N, that acts at the same point before the load and beside it.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         /// A force of any direction beside the load, N; a load factor of 1 means a force of this size.
@@ -110,11 +110,11 @@ pub(crate) enum Command {
         #[command(flatten)]
         ask: SceneArguments,
     },
-    /// Is the equilibrium the state of least energy, which a quadratic program finds, and up to which part of the load?
+    /// Is the equilibrium the state of least energy, which a quadratic program finds, and up to which multiple of the load?
     Compare {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that acts before the load and stays, N, at the same point.
+        /// A constant force, N, that acts at the same point before the load and beside it.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         #[command(flatten)]
@@ -177,9 +177,10 @@ pub(crate) enum Command {
     /// Identifies friction, support loads, clamping force or stiffness from observed slips.
     ///
     /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m), the
-    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance, at the origin as in --base. Further columns: squeeze
-    /// (factor on that of the scene), slip (first or gross), scatter_percent, and group, a name or number that is the same for slips that may share
-    /// an error. Every estimate comes with its standard error; quantities that the slips do not determine are named.
+    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance, at the origin as in --base.
+    /// Further columns: squeeze (factor on the clamping forces of the scene), slip (first or gross), scatter_percent, and group, a name or number
+    /// that is the same for slips that may share an error. Every estimate comes with its standard error; quantities that the slips do not determine
+    /// are named.
     Identify {
         #[command(flatten)]
         ask: SceneArguments,
@@ -196,7 +197,7 @@ pub(crate) enum Command {
         /// The point where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
-        /// The unit of the point `--at`: m, cm, mm or in; that of the scene's field `unit` if left out.
+        /// The unit of the point `--at`: m, cm, mm or in; the scene's field `unit` if left out.
         #[arg(long, value_parser = unit, value_name = "UNIT")]
         unit: Option<Unit>,
         #[command(flatten)]
@@ -212,9 +213,9 @@ pub(crate) enum Command {
     },
     /// Draws every question as SVG; for a spatial grasp also a page with all answers, to turn with the mouse.
     ///
-    /// The first picture has the name of the scene, later ones also the number of the question. A file that ends in `_friction` shows the share of
-    /// friction that each contact uses while the load grows, turns or follows a program. A file that ends in `_cycles` shows the slips under a
-    /// repeated load.
+    /// The first picture has the name of the scene, later ones also the number of the question. A file that ends in `_friction` shows the fraction of
+    /// its friction limit that each contact uses while the load grows, turns or follows a program. A file that ends in `_cycles` shows the slips
+    /// under a repeated load.
     Draw {
         /// The scene; `-` for standard input.
         scene: PathBuf,
@@ -232,7 +233,7 @@ pub(crate) enum Command {
         /// Short answers of about a hundred bytes: outcome, factor and the first contact.
         #[arg(long)]
         brief: bool,
-        /// A scene with more points of contact is refused.
+        /// Largest number of contact points of a scene; a scene with more points is refused.
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 2000)]
         most_points: usize,
         /// Largest number of combinations of contact states that a scene may try.
@@ -288,8 +289,8 @@ pub(crate) struct SceneArguments {
     /// Number of significant digits.
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: u8,
-    /// The unit of lengths on the command line and in a table of slips: m, cm, mm or in; that of the scene's field `unit` if left out. Answers do
-    /// not change their units.
+    /// The unit of lengths on the command line and in a table of slips: m, cm, mm or in; the scene's field `unit` if left out. Answers do not change
+    /// their units.
     #[arg(long, value_parser = unit, value_name = "UNIT")]
     pub(crate) unit: Option<Unit>,
     /// Prints every second on standard error which question is being answered, where no terminal shows the question.
@@ -317,15 +318,15 @@ pub(crate) struct NeedArguments {
     /// For an angle: the axis about which the grasp is tilted, by the right-hand rule; in the plane 0,0,1 (anticlockwise, also if left out) or 0,0,-1.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
     pub(crate) axis: Option<Numbers>,
-    /// For friction: the name of the contact whose coefficient is sought; that of all contacts if left out.
+    /// For friction: the name of the contact whose coefficient is sought; the coefficient of all contacts if left out.
     #[arg(long)]
     pub(crate) contact: Option<String>,
     /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is sought. If left out, the
     /// constant load (--base) is sought.
     #[arg(long, value_name = "NAME")]
     pub(crate) of: Option<String>,
-    /// Seeks only the value of the quantity with which no contact slides. By default the answer has both this value and the one that holds the
-    /// object.
+    /// Seeks only the value of the quantity with which no contact slides. By default the answer has both this value and the value with which the
+    /// object is held.
     #[arg(long, conflicts_with_all = ["may_slide", "repeats"])]
     pub(crate) sticks: bool,
     /// Contacts may slide, as long as the object is held, which is the default; with --repeats they may slide to and fro in every cycle.
@@ -349,11 +350,11 @@ pub(crate) struct NeedArguments {
 /// A quantity that `need` seeks.
 #[derive(Debug, Clone, Copy, PartialEq, ValueEnum)]
 pub(crate) enum SoughtQuantity {
-    /// The clamping force of each contact.
+    /// The least clamping force of each contact.
     Squeeze,
     /// The least coefficient of friction.
     Friction,
-    /// The factor on the load.
+    /// The largest factor on the load.
     Load,
     /// The largest distance at which the load may hang.
     Arm,

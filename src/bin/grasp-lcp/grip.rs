@@ -42,7 +42,7 @@ pub(crate) struct Grip {
     /// Of a grip: the unit of the mesh: m, cm, mm or in.
     #[arg(long, default_value = "mm")]
     unit: String,
-    /// Of a grip: the mass of the part, kg; that of steel, 7850 kg/m³, if left out.
+    /// Of a grip: the mass of the part, kg; if left out, the part is of steel, 7850 kg/m³.
     #[arg(long, value_parser = kilograms, value_name = "KG")]
     mass: Option<f64>,
     /// Of a grip: answers the scene in place of writing it.
@@ -154,7 +154,7 @@ impl Grip {
 }}
 "#
         );
-        // Reading the text reports now every fault for which the scene would be refused later.
+        // The text is read back, so that a fault for which the scene would be refused later is reported now.
         let mut scene =
             Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
         scene.setup = scene.setup.on_part(Arc::new(part));

@@ -4,7 +4,7 @@ use clap::Args;
 
 use crate::numbers::{BodyPush, Numbers, kilograms};
 
-/// A load that replaces those of the scene.
+/// A load that replaces the loads of the scene's questions.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LoadArguments {
     /// The force, N: components separated by commas. Without force and moment, the scene's own questions are asked.
@@ -13,7 +13,7 @@ pub(crate) struct LoadArguments {
     /// The moment, N m: one number in the plane, three in space.
     #[arg(long, allow_hyphen_values = true, value_name = "M")]
     pub(crate) moment: Option<Numbers>,
-    /// The point where force and weight act, m; the origin if left out, or the centre of mass of bodies that share by mass.
+    /// The point where force and weight act, m; the origin if left out, or the centre of mass if the bodies share loads by mass.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
     /// With several bodies: a force on one of them that grows with the load, and its point; give one for each body.
@@ -22,7 +22,7 @@ pub(crate) struct LoadArguments {
     /// A mass, kg, whose weight is added to the load.
     #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
-    /// The acceleration of gravity, m/s²; the scene's if left out, or 9.81 down along the last axis.
+    /// The acceleration of gravity, m/s²; if left out, the gravity of the scene, or 9.81 down along the last axis.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
     /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the masses of the scene's bodies are

@@ -34,7 +34,7 @@ fn named(loads: &BTreeMap<String, Wrench<3>>) -> impl Iterator<Item = (&str, &Wr
     loads.iter().map(|(body, load)| (body.as_str(), load))
 }
 
-/// Prints answers to `out` in one form: number of digits and unit of lengths.
+/// Prints answers to `out`. All answers have the same number of digits and the same unit of lengths, as `style` says.
 pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
     pub(crate) style: Style,
@@ -68,7 +68,7 @@ impl Report<'_> {
         table(self.out, self.style, state, &self.sentence)
     }
 
-    /// For the answer to `improve`, prints the new place of each contact that may move along a surface.
+    /// For the answer to `improve`, prints the new position of each contact that may move along a surface.
     fn improved(&mut self, improved: &Improved<3>) -> io::Result<()> {
         let words = self.style.words;
         let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));

@@ -16,7 +16,7 @@ pub(crate) struct Style {
 }
 
 impl Style {
-    /// The precision with which parts of an answer are formatted.
+    /// Number of digits, unit of lengths and number of components of vectors, packed into one number for `format!("{answer:.0$}", …)`.
     pub(crate) fn precision(self) -> usize {
         self.words.precision()
     }

@@ -22,8 +22,8 @@ impl Actuators {
         Self { joints, tendons: numbered(tendons, &|t| grasp.label_of(HandPart::Tendon(t))) }
     }
 
-    /// Names of the joints and tendons whose torque or tension is at its limit in the equilibrium `state`. With a joint comes the joint's centre, m,
-    /// where it is known.
+    /// Names of the joints and tendons whose torque or tension is at its limit in the equilibrium `state`. Each joint comes with its centre, m, if
+    /// the centre is known; tendons come with `None`.
     pub(super) fn that_yield(&self, state: &Equilibrium<3>) -> Vec<(&str, Option<SVector<f64, 3>>)> {
         let mut yielding = Vec::new();
         for ((name, at), answer) in self.joints.iter().zip(&state.joints) {

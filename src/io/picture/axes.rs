@@ -17,7 +17,8 @@ pub(super) struct EqualScales {
 }
 
 impl EqualScales {
-    /// The largest scale at which all `points` fit into the window less a border (pixels to either side, and above and below).
+    /// The largest scale at which all `points` (m) fit into the window. `border` is the width of the margins left and right, then above and below,
+    /// pixels.
     pub(super) fn new(
         window: Window,
         border: (f64, f64),
@@ -41,7 +42,7 @@ impl EqualScales {
         (x + away.x, y - away.y)
     }
 
-    /// The two places, pixels, between which a straight line runs inside the window.
+    /// The two points on paper, pixels, between which the straight line through `point` (m) in the direction `along` runs inside the window.
     pub(super) fn line_ends(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
         let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -60,7 +61,7 @@ impl EqualScales {
         let (right, bottom) = (left + wide, top + high);
         paper.line(&[(left, top), (left, bottom), (right, bottom)], BLACK, 1.0);
         let letters = 14.0;
-        // About eleven numbers fit along an axis.
+        // About eleven numbers fit along the horizontal axis; the vertical axis has the same step.
         let step = round_up(wide / self.scale / 11.0);
         for (axis, size) in [(0, wide), (1, high)] {
             let [low, up] = [-0.5, 0.5].each(|side| (self.middle[axis] + side * size / self.scale) / step);

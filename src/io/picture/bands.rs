@@ -4,12 +4,12 @@ use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use crate::numerics::IntoList;
 
-/// Levels of a map, with one colour between each two. Levels are evenly spaced round numbers. If the largest value is more than four times the
-/// smallest, they are preferred numbers, spaced in roughly equal ratios.
+/// Levels of a map, with one colour between each two. Levels are evenly spaced round numbers. If the smallest value is positive and the largest is
+/// more than four times the smallest, they are preferred numbers, spaced in roughly equal ratios.
 pub(super) struct Bands {
     /// Lower ends of the bands, and the upper end of the last band.
     pub(super) levels: Vec<f64>,
-    /// Spacing of the levels, which determines their digits; `None` if they are spaced in ratios.
+    /// Spacing of the levels, which determines the number of digits in their labels; `None` if levels are spaced in ratios.
     step: Option<f64>,
 }
 
@@ -38,7 +38,6 @@ const VIRIDIS: [Rgb; 8] = [
 impl Bands {
     /// Bands for finite values from `low` to `high`.
     pub(super) fn new(low: f64, high: f64) -> Self {
-        // If the largest value is more than four times the smallest, levels are spaced in ratios.
         if low > 0.0 && high > 4.0 * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
     }
 

@@ -1,4 +1,4 @@
-//! The part of a sheet for one chart: a window of numbers, with axes and round numbers along them.
+//! The rectangle of a sheet in which one chart is drawn, with axes and round numbers along the axes.
 
 use super::layout::CHART;
 use super::palette::{BLACK, GREY};
@@ -16,13 +16,14 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// The place of a point on the paper.
+    /// The position on paper, pixels, of a point (x, y) of the chart.
     pub(super) fn place(&self, (x, y): (f64, f64)) -> Place {
         let [x0, x1, y0, y1] = self.window;
         (self.left + (x - x0) / (x1 - x0) * self.wide, self.top + (y1 - y) / (y1 - y0) * self.high)
     }
 
-    /// Draws both axes with their numbers, and a faint grid.
+    /// Draws both axes with their numbers, and a faint grid. If `logarithmic` is true, the window contains decimal logarithms, and the labels are
+    /// powers of ten.
     pub(super) fn draw_axes(&self, paper: &mut Sheet, labels: [&str; 2], logarithmic: bool) {
         let (right, bottom, grid) = (self.left + self.wide, self.top + self.high, GREY.mix(0.2));
         let [x0, x1, y0, y1] = self.window;

@@ -1,4 +1,4 @@
-//! Curves against a load factor, with events marked.
+//! Charts with two axes: lines, dots or bars, with events marked.
 
 use super::canvas::Canvas;
 use super::chart_strokes::{
@@ -176,7 +176,7 @@ impl Chart {
         // A legend of many names would hide the curves; names are then written beside the chart.
         let is_beside = self.series.len() > CHART.most_inside;
         let beside = if is_beside { legend_width(&self.series, CHART.longest_beside) } else { 0.0 };
-        // Around the plane there is room for numbers and labels, and on the right for half of the last number.
+        // The margins around the plot, in pixels, hold the numbers and labels of the axes. The right margin holds half of the last number.
         let canvas = Canvas {
             left: left + 96.0,
             top: top + 46.0,

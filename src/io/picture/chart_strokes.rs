@@ -8,10 +8,10 @@ use super::sheet::{Place, Sheet, plaque_size};
 use super::words::{lines, shortened};
 use crate::numerics::mapped;
 
-/// Opacity of clouds of points and bars, so that strokes below remain visible.
+/// Opacity of clouds of points and bars, so that strokes drawn before them remain visible.
 const FAINT: f64 = 0.65;
 
-/// Draws a series in the plane of the chart.
+/// Draws the lines, dots or bars of a series. Points that are not finite are omitted and interrupt lines.
 pub(super) fn draw_series(paper: &mut Sheet, canvas: &Canvas, series: &ChartSeries, color: Rgb) {
     let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
     for piece in series.points.split(|point| !is_finite(point)) {
@@ -65,8 +65,8 @@ fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
     paper.area(&[corner(0.5 * long, 0.0), corner(-0.5 * long, wide), corner(-0.5 * long, -wide)], color);
 }
 
-/// Writes the names of series below each other, with samples of their strokes. The list begins at the place (x, y), and `line` is the height of each
-/// line.
+/// Writes the names of series below each other, with samples of their strokes. The list begins at the position (x, y) on paper, and `line` is the
+/// height of each line, pixels.
 pub(super) fn draw_names(
     paper: &mut Sheet,
     (x, y): Place,

@@ -1,4 +1,4 @@
-//! The look of contacts in pictures: a word and a colour for the state, and the slope of the friction cone.
+//! The look of contacts in pictures: a word and a colour for the state, and the ratio of radius to height of the friction cone.
 
 use super::layout::MARKS;
 use super::palette::{BLUE, GREEN, GREY, ORANGE, Rgb, VERMILION};
@@ -6,16 +6,17 @@ use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// Largest slope of a drawn cone, whose edges then deviate from the tangent plane by less than a pixel. An infinite slope could not be drawn.
+/// Largest ratio of radius to height of a drawn friction cone. The edges of such a cone deviate from the tangent plane by less than a pixel. An
+/// infinite ratio could not be drawn.
 pub(super) const STEEPEST_CONE: f64 = 1e3;
 
-/// The slope of the friction cone of a contact in pictures: the coefficient of friction, limited to [`STEEPEST_CONE`].
+/// Ratio of radius to height of the drawn friction cone of a contact: the coefficient of friction, limited to [`STEEPEST_CONE`].
 pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.friction_coefficient().min(STEEPEST_CONE)
 }
 
-/// Height and radius of the drawn friction cone of a contact whose normal force is an arrow of length `arrow`; `None` without friction or force. A
-/// cone with a radius above `widest` is drawn shorter, because it would hide everything else.
+/// Height and radius of the drawn friction cone of a contact whose normal force is an arrow of length `arrow`; `None` without friction or force.
+/// `slope` is the ratio of radius to height. A cone with a radius above `widest` is drawn shorter, because it would hide everything else.
 pub(super) fn cone_size(slope: f64, arrow: f64, widest: f64) -> Option<[f64; 2]> {
     let high = MARKS.cone * arrow;
     let wide = (slope * high).min(widest);

@@ -1,4 +1,4 @@
-//! Force, state and place of a contact in pictures. For a soft fingertip, its points have one resultant force, one state and one place.
+//! Force, state and position of a contact in pictures. All points of a soft fingertip are shown with one resultant force, one state and one position.
 
 use nalgebra::SVector;
 
@@ -51,7 +51,7 @@ impl ContactPoints {
         let own = &contacts[self.range.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);
         match self.label.link? {
-            // The normal of a spring or cable is the vector from its beginning to its end.
+            // For a spring or cable the field `normal` is no unit vector but the vector from its beginning to its end, m.
             LinkKind::Spring | LinkKind::Cable => Some([first.point, first.point + first.normal]),
             _ => Some([first.point, second.point]),
         }
@@ -60,7 +60,8 @@ impl ContactPoints {
     pub(super) fn resultant(&self, contacts: &[Contact<3>], state: &Equilibrium<3>) -> Resultant {
         let answers = &state.contacts[self.range.clone()];
         let pressed: f64 = summed(answers, &|answer| answer.normal_force().max(0.0));
-        // The share of a point in the normal force of the fingertip. For a single point it is exactly one, without rounding.
+        // The fraction of the fingertip's normal force that a point carries. For a single point it is exactly 1, without rounding. The points of a
+        // link, or of a fingertip without normal force, have equal fractions.
         let share = |answer: &ContactAnswer<3>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
             true if self.label.link.is_none() => answer.normal_force().max(0.0) / pressed,

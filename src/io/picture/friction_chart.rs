@@ -1,5 +1,5 @@
-//! The fraction of its friction that each contact uses along a load path; a soft fingertip counts as one contact. A leg is one stage of a load
-//! program, along which load and commands change linearly, or the load turns.
+//! Friction force of each contact along a load path, as a fraction of its limit μ F_n; a soft fingertip counts as one contact. A leg is one stage of
+//! a load program, along which load and commands change linearly, or the load turns.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;
@@ -58,7 +58,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// The end of the load path: the index of the last leg, and the fraction up to which this leg was followed.
+    /// The point up to which the load program was followed: the index of the last leg, from 0, and the fraction of this leg.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
@@ -129,7 +129,6 @@ impl<const C: usize> DrawnProgram<'_, C> {
 /// slide, and NaN if no point sticks or slides with finite friction, or if the forces are rounding errors.
 fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
-    // The ratio is meaningless if the forces are rounding errors.
     let force = largest(answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;

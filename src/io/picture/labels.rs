@@ -12,16 +12,16 @@ type NamePlate = (Place, (f64, f64));
 /// Distance of a name from its point, pixels, beyond which a line joins them; without this line a name could seem to belong to another point.
 const NEAR: f64 = 16.0;
 
-/// Limit of the total cost of the strokes that a name beside its point may cover; above this limit places farther away are tried. Covering an arrow
-/// or the edges of a cone costs more than this limit.
+/// Limit of the total cost of the strokes that a name beside its point may cover (see `Painting::ink`); above this limit positions farther away are
+/// tried. Covering an arrow or the edges of a cone usually costs more than this limit.
 const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {
     window: Window,
-    /// Places of strokes that names should not cover, with the cost of covering each.
+    /// Points on strokes that names should not cover, with the cost of covering each.
     ink: Vec<(Place, f64)>,
     taken: Vec<NamePlate>,
-    /// Number of names for which there was no free place.
+    /// Number of names for which no free position was left.
     pub(super) left_out: usize,
 }
 
@@ -60,8 +60,8 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best place of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins a
-    /// name to a point that is not near. `None` if no free place is left on the paper.
+    /// The best position of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins
+    /// a name to a point that is not near. `None` if no free position is left on the paper.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;

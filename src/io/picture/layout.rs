@@ -1,4 +1,4 @@
-//! Sizes and places of the parts of pictures, one list for each kind of picture.
+//! Sizes and positions of the elements of pictures, one list for each kind of picture.
 //!
 //! Lengths are in pixels unless they are said to be fractions of the span of a grasp, which is its largest extent along an axis.
 
@@ -9,7 +9,7 @@ use super::sheet::Place;
 pub(super) struct MarkLayout {
     /// Length of a friction cone, as a multiple of the arrow of the normal force in it.
     pub(super) cone: f64,
-    /// Least length of an arrow of the load; a shorter arrow would hardly be visible.
+    /// The arrow of a load is at least this long: a shorter arrow is lengthened, because it would hardly be visible.
     pub(super) shortest_load: f64,
     /// Radius of the arc of a moment in the plane.
     pub(super) moment_arc: f64,

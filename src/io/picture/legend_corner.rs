@@ -1,8 +1,8 @@
-//! The place of the legend in a chart.
+//! The position of the legend in a chart.
 
 use super::series::{ChartSeries, Stroke};
 
-/// Possible places of the legend: the fractions of the free width and height that lie to its left and below it.
+/// Possible positions of the legend: the fractions of the free width and height that lie to its left and below it.
 const LEGEND_PLACES: [(f64, f64); 6] =
     [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 
@@ -16,7 +16,8 @@ pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
     series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }
 
-/// The place where the legend hides least of the curves, of the labels of marks, and of the label of a shaded area.
+/// The entry of [`LEGEND_PLACES`] at which the legend hides least of the curves, of the labels of marks, and of the label of a shaded area. `marked`
+/// and `shaded` say whether such labels exist.
 pub(super) fn emptiest_corner(
     [x0, x1, y0, y1]: [f64; 4],
     series: &[ChartSeries],

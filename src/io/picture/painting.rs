@@ -30,7 +30,7 @@ pub(super) struct Painting {
     strokes: Vec<(f64, Shape)>,
 }
 
-/// A place with depth zero.
+/// A point on paper with depth zero.
 pub(super) fn flat((x, y): Place) -> EyePoint {
     EyePoint::new(x, y, 0.0)
 }
@@ -129,7 +129,7 @@ impl Painting {
         self.head(tip, (tip - base).xy(), ink, width);
     }
 
-    /// The head of an arrow, of length `along`.
+    /// The head of an arrow; `along` is the vector from its base to its tip, pixels.
     fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: Rgb, width: f64) {
         let base = tip.xy() - along;
         let across = Vector2::new(-along.y, along.x).normalize() * (ARROW_HEAD.1 * width);
@@ -153,7 +153,7 @@ impl Painting {
         }
     }
 
-    /// Places that names should not cover, with the cost of covering each.
+    /// Points that names should not cover, with the cost of covering each.
     pub(super) fn ink(&self) -> Vec<(Place, f64)> {
         let mut inked = Vec::new();
         for (_, shape) in &self.strokes {
@@ -179,7 +179,7 @@ impl Painting {
     }
 }
 
-/// Adds places about 3 pixels apart on a line. Each has the cost of covering it: its share of the line's area.
+/// Adds points about 3 pixels apart on a line. The cost of covering each is the area of the line divided by the number of points.
 fn along(from: Place, to: Place, width: f64, inked: &mut Vec<(Place, f64)>) {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);

@@ -1,6 +1,6 @@
 //! Colours and font of all pictures.
 
-/// A colour by its red, green and blue parts.
+/// A colour by its red, green and blue components.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Rgb(pub(super) u8, pub(super) u8, pub(super) u8);
 

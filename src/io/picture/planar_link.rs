@@ -9,7 +9,7 @@ use super::palette::GREY;
 use crate::grasp::{Contact, ContactPoints};
 use crate::words::LinkKind;
 
-/// A link with the places of its ends.
+/// A link with the positions of its ends.
 pub(super) struct PlanarLink {
     kind: LinkKind,
     /// Both ends of the link, m; for a hinge the two ends coincide.

@@ -12,7 +12,7 @@ use crate::numerics::Each;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use nalgebra::Vector2;
 
-/// A load prepared for drawing: force in N, moment in N m, place in m.
+/// A load prepared for drawing: force in N, moment in N m, point of action in m.
 pub(super) struct PlanarLoad {
     pub(super) at: Vector2<f64>,
     pub(super) force: Vector2<f64>,
@@ -39,7 +39,7 @@ impl PlanarLoad {
         }
     }
 
-    /// Angle of the force from the x axis, rad; zero without force.
+    /// Angle of the force, rad, counterclockwise from the x axis; zero without force.
     pub(super) fn angle(&self) -> f64 {
         self.force.y.atan2(self.force.x)
     }
@@ -50,7 +50,7 @@ pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
     from: Place,
     tip: Place,
-    /// Whether the arrow has the scale of other forces; a very short arrow is lengthened.
+    /// True if the arrow has the scale of the other forces; false if it would be too short to be visible and is lengthened.
     is_to_scale: bool,
 }
 

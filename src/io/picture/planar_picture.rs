@@ -23,9 +23,9 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// than the arrows of the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp,
 /// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A
 /// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
-/// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure; dots in the colours of their states are the
-/// points. Links of a [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons whose torque or tension is at its limit are
-/// marked. No name covers another name.
+/// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure. The points themselves are dots in the colours
+/// of their states. Links of a [hand](crate::grasp::Hand) are drawn in the initial posture; joints and tendons whose torque or tension is at its
+/// limit are marked. No name covers another name.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;
@@ -98,8 +98,9 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws a motion of the object, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). The outline, or else the contact
-    /// points, are drawn displaced along the motion, of which only the direction matters.
+    /// Draws a motion of the object, such as the motion by which it is [lost](crate::hold::Lost::motion); draws nothing for `None`. The outline, or
+    /// else the contact points, are drawn displaced along the motion. The displacement is scaled until it is visible, so only the direction of the
+    /// motion matters.
     pub fn maybe_leaving<const C: usize>(mut self, motion: Option<&'a Motion<C>>) -> Self {
         self.leaving = motion.map(inside);
         self

@@ -221,7 +221,7 @@ fn letter(k: usize) -> String {
         .map_or_else(|| k.to_string(), |k| char::from(b'a' + k).to_string())
 }
 
-/// Writes a text of the legend line by line and returns the height of the next entry.
+/// Writes a text of the legend line by line from the vertical position `y`, and returns the vertical position of the next entry, pixels from the top.
 fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
     let mut at = y;
     for line in words.lines() {

@@ -5,12 +5,12 @@ use std::f64::consts::{PI, TAU};
 use super::layout::POLAR;
 use super::sheet::Place;
 
-/// The place at an angle (rad) and a distance from the middle (pixels).
+/// The position on paper, pixels, at an angle (rad, counterclockwise from the right) and a distance from the middle of the chart (pixels).
 pub(super) fn at(angle: f64, radius: f64) -> Place {
     (POLAR.middle.0 + radius * angle.cos(), POLAR.middle.1 - radius * angle.sin())
 }
 
-/// The angle from one direction to another, rad, from -π to π.
+/// The angle from one direction to another, rad, from -π to π; positive counterclockwise.
 pub(super) fn turn(from: f64, to: f64) -> f64 {
     (to - from + PI).rem_euclid(TAU) - PI
 }

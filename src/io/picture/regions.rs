@@ -5,7 +5,7 @@
 
 use super::sheet::{Pixel, Place, pixel};
 
-/// A corner of a triangle: its place, and the value of the function at this place.
+/// A corner of a triangle: its position on paper, and the value of the function there.
 pub(super) type Corner = (Place, f64);
 
 /// The closed lines around the region in which the function is at least `level`.

@@ -6,20 +6,20 @@ use std::fmt::{self, Display, Formatter, Write};
 use super::palette::{BLACK, FONT, Ink, Rgb, WHITE};
 use super::words::escaped;
 
-/// Number of parts of a pixel to which places are rounded, finer than any screen shows.
+/// Places are rounded to a pixel divided by this number, finer than any screen shows.
 const PARTS_OF_A_PIXEL: f64 = 100.0;
 
-/// A place on the paper, pixels to the right and downwards.
+/// A position on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
 
-/// A length in whole hundredths of a pixel. There is no −0, and a place that two shapes share is written with the same numbers for both.
+/// A length in whole hundredths of a pixel. There is no −0, and a point that two shapes share is written with the same numbers for both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct HundredthsOfPixel(i32);
 
-/// A place rounded to hundredths of a pixel.
+/// A position rounded to hundredths of a pixel.
 pub(super) type Pixel = (HundredthsOfPixel, HundredthsOfPixel);
 
-/// The nearest place that can be written; places far outside are clamped.
+/// The nearest position that can be written; positions far outside are clamped.
 pub(super) fn pixel((x, y): Place) -> Pixel {
     (fine(x), fine(y))
 }
@@ -63,7 +63,7 @@ impl Sheet {
         let _ = writeln!(self.svg, "{element}");
     }
 
-    /// A line through places.
+    /// A line through points on paper.
     pub(super) fn line(&mut self, places: &[Place], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, "");
     }
@@ -75,7 +75,7 @@ impl Sheet {
 
     fn stroke(&mut self, places: &[Place], ink: Ink, width: f64, dashes: &str) {
         let points = points(places);
-        // A line needs at least two places, which are separated by a space in `points`.
+        // A line needs at least two points, which are separated by a space in `points`.
         if points.contains(' ') {
             let (ink, width) = (paint("stroke", ink), fine(width));
             self.put(format_args!(
@@ -113,12 +113,12 @@ impl Sheet {
         self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{style}/>"));
     }
 
-    /// A line of text, vertically centred at the place; `left` (0, 1/2 or 1) is the fraction of its width to the left of the place.
+    /// A line of text, vertically centred at the position `place`; `left` (0, 1/2 or 1) is the fraction of its width to the left of this position.
     pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: Rgb) {
         self.letters(place, words, size, left, color, "");
     }
 
-    /// A line of text that runs upwards, its middle at the place.
+    /// A line of text that runs upwards; its middle is at the position `place`.
     pub(super) fn text_upwards(&mut self, place: Place, words: &str, size: f64, color: Rgb) {
         let (x, y) = pixel(place);
         self.letters(place, words, size, 0.5, color, &format!(" transform=\"rotate(-90 {x} {y})\""));
@@ -130,7 +130,7 @@ impl Sheet {
             l if l > 0.75 => "end",
             _ => "middle",
         };
-        // This shift centres letters without descenders at the place.
+        // This shift centres letters without descenders vertically at the position `place`.
         let (x, y) = pixel((place.0, place.1 + 0.36 * size));
         let (ink, size, words) = (paint("fill", color.into()), fine(size), escaped(words));
         self.put(format_args!(

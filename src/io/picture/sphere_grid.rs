@@ -31,7 +31,7 @@ impl SphereGrid {
         directions
     }
 
-    /// Angle of the directions of a ring from +z, rad.
+    /// Angle between +z and the directions of a ring, rad; ring 0 is the direction +z.
     pub(super) fn polar_angle(&self, ring: usize) -> f64 {
         FRAC_PI_2 * ring as f64 / self.rings as f64
     }
@@ -44,7 +44,7 @@ impl SphereGrid {
         2 + (2 * self.rings - 1) * self.around
     }
 
-    /// Index in [`Self::directions`] of the direction with the index `k` on a ring.
+    /// Index in [`Self::directions`] of a direction; `ring` counts from +z and `k` along the ring, both from 0.
     pub(super) fn index(&self, ring: usize, k: usize) -> usize {
         match ring {
             0 => 0,

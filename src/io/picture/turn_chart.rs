@@ -1,4 +1,4 @@
-//! Charts of the fraction of its friction that each contact uses while the load turns, grows, or follows a program.
+//! Charts of the friction force of each contact, as a fraction of its limit μ F_n, while the load turns, grows, or follows a program.
 
 use super::chart::Chart;
 use super::friction_chart::DrawnProgram;

@@ -41,7 +41,7 @@ impl MovedOutlines {
         }
         let speed = |(p, twist): &(Vector2<f64>, Twist)| Vector2::from(twist.displacement_at(*p)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point moves by 0.13 of the size of the scene.
+        // The fastest point moves by 0.13 of the size of the scene, so that the displacement is visible whatever the speed.
         let time = 0.13 * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
@@ -56,7 +56,7 @@ impl MovedOutlines {
         &self.to
     }
 
-    /// Paints the moved outlines with arrows, and returns the place of the farthest point, for the name; `None` without points.
+    /// Paints the moved outlines with arrows, and returns the position on paper of the farthest point, for the name; `None` without points.
     pub(super) fn paint(
         &self,
         painting: &mut Painting,

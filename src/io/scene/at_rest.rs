@@ -46,7 +46,8 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact, even if no command presses, as a weight presses an object onto a table.
+    /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. A link that cannot go
+    /// slack counts as such a contact under any load.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
@@ -99,7 +100,8 @@ impl Setup<3> {
         for (contact, entry) in self.entries().enumerate() {
             let Some(nominal) = entry.contact.press else { continue };
             pressed += 1;
-            // A pad that touches a curved part presses along its closing direction.
+            // The force of a contact is its component along the contact's normal, for a pad along its closing direction. Points of a pad on a curved
+            // part have other normals.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
             let force = summed(&state.contacts[wholes[contact].range.clone()], &|point| {
                 point.force_world.dot(&along)
@@ -135,7 +137,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
     }
-    // With a friction coefficient of 3 or more, a load that presses on contacts jams the object and is held.
+    // With a friction coefficient of 3 or more, a load that wedges the object between contacts jams it and is held.
     let rough = grasp.not_installed_with_friction(&|_, mu| if mu > 0.0 { mu.max(3.0) } else { mu })?;
     let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))

@@ -51,7 +51,7 @@ pub struct Brief {
     /// The leg of the load program on which the load path ends, counted from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub leg: Option<usize>,
-    /// The fraction of this leg that was followed.
+    /// The fraction of this leg that was followed, from 0 to 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fraction: Option<f64>,
     /// The least friction margin `μ F_n - |F_t|` of an equilibrium, N, over the contacts with a finite margin.

@@ -36,7 +36,7 @@ fn weigh(value: &mut Value, gravity: &Value) -> bool {
 struct AllBodies {
     mass: f64,
     centre: Vec<f64>,
-    /// Whether loads are shared by mass.
+    /// Whether loads of questions act on all bodies, on each in proportion to its mass.
     share: bool,
     /// Whether the scene's gravity pulls at the bodies; an acceleration then needs no mass.
     are_heavy: bool,

@@ -41,7 +41,7 @@ pub(super) fn faulty_field(
 struct Open {
     /// The length in bytes of the path of this list or object, such as `planar.contacts[1]`.
     path: usize,
-    /// The number of the present element of a list; `None` for an object.
+    /// The index, from 0, of the present element of a list; `None` for an object.
     element: Option<usize>,
 }
 

@@ -13,7 +13,8 @@ use crate::numerics::mapped;
 use crate::words::{Words, listed, printable};
 
 impl<const C: usize> Question<C> {
-    /// The first line of the answer to this question: whether it holds, what slips, where, and how much. Tables and details follow it.
+    /// The first line of the answer to this question: whether the grasp holds, which contacts slip, and under which load or angle. Tables and details
+    /// follow this line.
     ///
     /// ```
     /// use grasp_lcp::scene::{Scene, Setup};

@@ -42,8 +42,8 @@ impl Setup<3> {
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
-    /// The name of the body on which a load acts, if this body has a mass: the body `named`, or else the loaded one. If all bodies share the load,
-    /// the first body with a mass. `None` for a body without mass, and without gravity.
+    /// The name of the body on which a load acts, if this body has a mass: the body `named`, or else the body on which the loads of questions act. If
+    /// all bodies share the load, the first body with a mass. `None` for a body without mass, and without gravity.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;

@@ -1,5 +1,5 @@
-//! JSON Schemas that are not derived: of rows, of wrenches, of numbers that may be words such as "infinite", and of types with their own
-//! deserialiser.
+//! JSON Schemas that are not derived: of vectors written as rows, of wrenches, of numbers that may be words such as "infinite", and of types with
+//! their own deserialiser.
 
 use std::borrow::Cow;
 
@@ -132,7 +132,7 @@ fn angular<K: Bounded>(axes: usize) -> Schema {
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// The schema of a wrench or twist: linear part, angular part and the part of the joints, all optional in input.
+/// The schema of a wrench or twist: linear components, angular components and the entries of joints, all optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],

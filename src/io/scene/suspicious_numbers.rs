@@ -45,7 +45,8 @@ impl Setup<3> {
         let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
         let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
-        // Contacts of steel have 1e8 to 1e9 N/m. If one contact is ten million times as stiff, the other contacts carry no force.
+        // Contacts of steel have 1e8 to 1e9 N/m; 1e11 N/m is implausible. So is a contact ten million times as stiff as the softest one, which
+        // carries no force beside it.
         let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
         // The largest hydraulic presses exert less than 1e9 N.
         let is_strong = |i: &usize| force(*i) >= 1e9;
@@ -224,7 +225,7 @@ fn spread(points: &[SVector<f64, 3>]) -> f64 {
     largest(points, &|point| (point - points[0]).norm())
 }
 
-/// Whether two contacts of the same bodies are at one point, relative to the `size` of the grasp, with parallel normals.
+/// Whether two contacts between the same bodies coincide, up to a negligible fraction of the `size` of the grasp, m, and have parallel normals.
 fn is_in_place_of(one: &Fingertip<3>, other: &Fingertip<3>, size: f64) -> bool {
     let (a, b) = (&one.contact, &other.contact);
     let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - NEGLIGIBLE) * a.normal.norm() * b.normal.norm();

@@ -96,7 +96,6 @@ impl<const C: usize> WrittenTurn<C> {
             (3, Some(axis)) => part(Some(axis), 3, "axis"),
             (3, None) => Err("missing field `axis` of a turn in space".to_owned()),
             (_, Some(_)) => Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
-            // A turn from x to y is about z.
             (_, None) => Ok([0.0, 0.0, 1.0]),
         }
     }

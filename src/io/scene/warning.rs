@@ -104,14 +104,14 @@ pub enum Warning {
         /// The stiffness, N/m, or the force, N, of the first of these contacts.
         value: f64,
     },
-    /// All normals point the same way, which means that contacts cannot press with their given forces.
+    /// Any two normals enclose less than 90°, so that contacts cannot press against each other with their given forces.
     SameSide {
         /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
-    /// All normals point away from the middle of the contacts, like those of fingers in a hole.
+    /// All normals point away from the middle of the contacts, like the normals of fingers in a hole.
     Outwards {
         /// Indices of the contacts concerned, counted from 0 in the scene.
         contacts: Vec<usize>,

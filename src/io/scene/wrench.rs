@@ -30,7 +30,7 @@ fn write<S: Serializer>(
     out.end()
 }
 
-/// The `expected` components of the part `name` of a wrench or a twist; zero if it is left out.
+/// The components, `expected` in number, of the vector in the field `name`; zero if it is left out.
 pub(super) fn part<K>(
     given: Option<&ShortList<K, 3>>,
     expected: usize,

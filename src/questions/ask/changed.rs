@@ -12,7 +12,7 @@ use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, insid
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// The grasp of a changed engine, with the settings of `self`; passes on an error.
+    /// This grasp with a changed engine (its checked contacts, hand and bodies) and with the same settings; passes on an error.
     pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
         Ok(Self::of(engine?).with(&self.settings))
     }

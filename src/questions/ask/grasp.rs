@@ -105,7 +105,6 @@ impl<const C: usize> Grasp<C> {
         Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
     }
 
-    /// The contacts, frames, links and joint centres for callers, with vectors of `C` components; converted at the first request.
     fn door(&self) -> &Door<C> {
         self.door.get_or_init(|| {
             let engine = &*self.engine;
@@ -150,7 +149,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.wholes().with(&is_meant)
     }
 
-    /// Indices of the contact points of these contacts. In `contacts` a soft fingertip has one number. An error for a number that no contact has.
+    /// Indices of the contact points of the given contacts. In the indices `contacts` a soft fingertip counts as one contact. An error for an index
+    /// that no contact has.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
         let parts = self.engine.wholes();
         let mut points = Vec::new();

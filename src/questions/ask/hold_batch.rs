@@ -17,8 +17,8 @@ use crate::search::Settings;
 use crate::sweep::caught;
 
 impl<const C: usize> Grasp<C> {
-    /// The verdicts on many loads, each on a grasp of its own, on all cores. A row is one grasp with its base load and growing load; `row` returns it
-    /// for the number of the row. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
+    /// The verdicts on many loads, each on a grasp of its own, on all cores. A row is one grasp with its base load and growing load; `row` returns
+    /// the row with a given index, from 0. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
     /// With [`Settings::most_load`] at 1 loads are followed no farther than the whole load. A row of two to 64 points in which everything sticks then
     /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The load factor of the first slip comes from

@@ -57,7 +57,8 @@ impl Grasp<3> {
             // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension. The
             // fraction is so small that contacts hardly ever change state. If none does, the quotient is exact.
             let nudge = 1e-3;
-            // Column k: the change of all missing tensions as the command of link k grows by `nudge` times the stretch of its spring.
+            // Column k: the decrease of every missing tension (given tension less present tension) as the command of link k grows by `nudge` times
+            // the stretch of its spring.
             let mut change = DMatrix::zeros(pressed.len(), pressed.len());
             for (k, (i, force)) in pressed.iter().enumerate() {
                 let mut pulled = commands.clone();

@@ -10,11 +10,11 @@ use crate::screening::{PointBatch, Pull, SlipAndRotation, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch, by its number: appends the contacts of its grasp to an empty list, and returns the base load and the load that grows in
+/// One row of a batch, by its index from 0: appends the contacts of its grasp to an empty list, and returns the base load and the load that grows in
 /// addition to it.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
-/// Rows in one task of a thread, few enough for their data to fit in the cache of a core.
+/// Number of rows in one task of a thread, few enough for their data to fit in the cache of a core.
 const CHUNK: usize = 256;
 
 /// The answers of all rows, in the order of the rows. `answers` answers a range of rows; each core works on one such range at a time.

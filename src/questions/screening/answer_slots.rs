@@ -1,13 +1,14 @@
-//! The places in memory where the kernels of screening store the answers to one question for the grasps of one block.
+//! The memory in which the kernels of screening store the answers to one question for the grasps of one block.
 
 use super::lanes::Packed;
 
-/// The memory for the answers of all grasps of one block to one question, such as the load factor at first slip under one pull. Each grasp of the
-/// block has a lane, one index in every vector of numbers.
+/// The memory for the answers of all grasps of one block to one question, such as the load factor at first slip under one pull. The numbers of a
+/// grasp are at one index, its lane, in every vector of numbers.
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// The answers to all questions for the grasps of the block, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, whether the present [`Method`](super::method::Method) is the one that finds the contact forces of the grasp in this lane.
+    /// For each lane, true if the present [`Method`](super::method::Method) computes the contact forces of the grasp in this lane. Answers of other
+    /// lanes are not stored.
     these: X::Each<bool>,
     question: usize,
     questions: usize,
@@ -16,7 +17,8 @@ pub(crate) struct AnswerSlots<'a, T, X: Packed> {
 }
 
 impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
-    /// The memory for the answers of a block to question number `question` of `questions`, with `each` entries per grasp.
+    /// The memory for the answers of a block to the question with the index `question`, from 0, of `questions` questions, with `each` entries per
+    /// grasp.
     #[inline(always)]
     pub(super) fn new(
         answers: &'a mut [T],

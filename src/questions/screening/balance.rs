@@ -15,8 +15,8 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
     /// Largest absolute coordinate of the vectors from the centroid to the contacts, m.
     pub(super) reach: X,
-    /// For two contacts in space: the exchange of coordinates after which the rotation about the line through both contacts comes last. No spring
-    /// resists this rotation. `None` for all other grasps.
+    /// For two contacts in space: the exchange of coordinates after which the rotation about the coordinate axis nearest to the line through both
+    /// contacts comes last. No spring resists the rotation about this line. `None` for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }
@@ -57,7 +57,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         self.factors.factorize(Layout::<C>::COORDINATES, self.line.is_some());
     }
 
-    /// Contact number i of the grasp in each lane, with its arm from the centroid.
+    /// The contact with the index `i` of the grasp in each lane, with its arm from the centroid.
     #[inline(always)]
     pub(super) fn finger(&self, block: &Block<'_, C, X>, i: usize) -> LaneFinger<C, X> {
         let mut arm = entries(&block.points(), i);
@@ -98,8 +98,9 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The part of the load that `forces` leave unbalanced, as force and moment about the centroid, and the relative size of this part. The size is
-    /// the largest force component relative to the sum of all forces, plus the largest moment component relative to the sum of all moments.
+    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios: the
+    /// largest force component over the sum of the magnitudes of all forces, and the largest moment component over a bound on the sum of the
+    /// magnitudes of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,

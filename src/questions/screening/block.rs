@@ -49,11 +49,11 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
 /// found by [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
-    /// Bound on the terms of a contact force that are due to the commands: the sum of their absolute values, N.
+    /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.
     pub(super) commands: X,
-    /// The same bound for the terms that are due to a load with a moment of 1 N m about one axis.
+    /// The same bound for the terms that are due to a load with a moment of 1 N m about one axis, N.
     pub(super) moment: X,
-    /// The same bound for the terms that are due to a load with a force of 1 N.
+    /// The same bound for the terms that are due to a load with a force of 1 N, N.
     pub(super) force: X,
 }
 

@@ -14,7 +14,7 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     /// The load factor at which the margin m of the first contact to leave its cone vanishes. NaN if no contact leaves its cone, which makes all
     /// derivatives of this factor NaN.
     pub(super) factor: X,
-    /// The index of the contact that leaves its cone; -1 if no contact leaves its cone.
+    /// The index, from 0, of the contact that leaves its cone; -1 if no contact leaves its cone.
     pub(super) contact: X,
     /// The derivative of the margin m with respect to the normal force of each contact. As commands of the fingers, this array and `tangential` cause
     /// contact forces from which all derivatives of m follow; see [`Self::probe`].
@@ -25,8 +25,8 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) by_friction: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the load factor, N.
     pub(super) rate: X,
-    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided: several contacts leave their cones together, or
-    /// the friction force is zero.
+    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided; else zero. There is a kink if several contacts
+    /// leave their cones together, or if the friction force is zero.
     pub(super) kink: X,
 }
 

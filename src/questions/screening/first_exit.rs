@@ -15,9 +15,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 struct Exit<X: Packed> {
     /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if the result depends on rounding.
     factor: X,
-    /// The margin of the contact at load factor zero, N, scaled by its [`StickingCone`].
+    /// The margin `α F_n - β |F_t|` of the contact at load factor zero, N; see [`StickingCone`].
     margin: X,
-    /// Bound of the rounding error of `margin`.
+    /// Bound of the rounding error of `margin`, N.
     rounding: X,
     /// Minus infinity if a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
     lost: X,

@@ -8,7 +8,7 @@ use super::lanes::Packed;
 /// `A` holds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MOST_SCREENED]> {
-    /// The largest part of the load that the contact forces leave unbalanced, as a fraction of the sum of forces; NaN if no forces were found.
+    /// The load that the contact forces leave unbalanced, relative to the forces and moments that act; NaN if no forces were found.
     pub(super) unbalanced: X,
     /// Positive if the load does positive work along a motion that no contact resists; else zero.
     pub(super) free: X,

@@ -1,7 +1,7 @@
 //! The functions ("kernels") that answer the questions of screening: compiled once for the plane and once for space, in this crate.
 //!
-//! A program that links the library knows the number of axes as a parameter of types. Functions with such parameters would be compiled again in every
-//! such program, for minutes. The kernels are therefore called by pointer.
+//! In a program that links the library the number of axes is a type parameter. Functions with such a parameter would be compiled again in every such
+//! program, which takes minutes. The kernels are therefore called by pointer.
 
 use core::any::Any;
 

@@ -1,9 +1,10 @@
 //! The least factor of the commands with which all contacts of a grasp stick under each load of a list.
 //!
-//! With the commands times s and a load the force at a contact is `F + s F'`. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin
-//! `n - |t|` is concave in s. Therefore it is not negative in an interval of factors s, perhaps empty: from the factor at which the force enters the
-//! cone to the factor at which it leaves. The answer is the least s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin
-//! is the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see [`Crossing`].
+//! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`: F is due to the load and the clearances, F' to the
+//! commands. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin `n - |t|` is concave in s. Therefore it is not negative in an
+//! interval of factors s, perhaps empty: from the factor at which the force enters the cone to the factor at which it leaves. The answer is the least
+//! s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of s; in space both ends
+//! are roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -150,8 +151,8 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// Intersects the interval of factors with the intervals of all contacts under load number `load`. `forces` has the contact forces due to the
-    /// commands, then those due to the load and the clearances.
+    /// Intersects the interval of factors with the intervals of all contacts under the load with the index `load`, from 0. `forces` has the contact
+    /// forces due to the commands, then the contact forces due to the load and the clearances.
     #[inline(never)]
     pub(super) fn under<V: Vectors, const C: usize>(
         &mut self,

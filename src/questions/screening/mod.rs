@@ -2,7 +2,9 @@
 //!
 //! Planners ask for this load most often. Screening answers without allocating and without a branch. It computes the contact forces as if every
 //! contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at which
-//! a contact stops sticking. In the formulas F_i is the force of contact i, W the load, τ the load factor, and s the factor on the commands a.
+//! a contact stops sticking. In the formulas W is the load, τ the load factor, a the commands, and s the factor on the given commands. F_i is the
+//! force of contact i. In the first formula F_i⁰ is its value under the base load W₀ and F_i' its rate. In the second formula F_iᵃ is due to the
+//! commands alone, and F_iᵂ to the load and the clearances alone.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
@@ -10,8 +12,8 @@
 //! | Which least squeeze makes all contacts stick under each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
 //!
 //! ```text
-//! F_i(τ) = F_i(W₀) + τ F_i'            W = W₀ + τ W'                      onset: the least τ > 0 beyond which
-//! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
+//! F_i(τ) = F_i⁰ + τ F_i'               W = W₀ + τ W'                      onset: the least τ > 0 beyond which a contact stops sticking
+//! F_i(s) = s F_iᵃ + F_iᵂ               a = s times the given commands     squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
 //! Derivatives of the load factor at first slip with respect to all data of a grasp are [`ScreenedGradients`]. All derivatives together take as long

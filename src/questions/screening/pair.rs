@@ -1,8 +1,8 @@
 //! Two contacts in the plane: contact forces in closed form, from compliances.
 //!
-//! The vector from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`. `p_i⊥` is p_i turned by a quarter turn, and m the midpoint. The
-//! compliances are `C_i = K_i⁻¹` in coordinate axes. Balance with a load (force W_f, moment W_m) leaves one unknown λ, the force along the line
-//! through both contacts:
+//! The vector from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`. `p_i⊥` is p_i turned counterclockwise by a quarter turn, and m the
+//! midpoint. The compliances are `C_i = K_i⁻¹` in coordinate axes. Balance with a load (force W_f, moment W_m) leaves one unknown λ, the force along
+//! the line through both contacts:
 //!
 //! ```text
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
@@ -91,7 +91,8 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The stretch of the line through both contacts due to the forces `p_i⊥` (p_i turned by a quarter turn), times |p|: `Σ p_i·C_i p_i⊥`.
+    /// The stretch of the line through both contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|: `Σ p_i·C_i
+    /// p_i⊥`.
     sheared: X,
     /// The stretch of this line due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
     commanded: X,

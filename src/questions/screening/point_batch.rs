@@ -94,7 +94,7 @@ impl<const C: usize> PointBatch<C> {
         is_written && fits
     }
 
-    /// The load factor at first slip of every grasp under each of the growing loads, on one thread. The order is that of
+    /// The load factor at first slip of every grasp under each of the growing loads, on one thread. Answers are ordered as in
     /// [`Batch::onsets_into`](super::Batch::onsets_into).
     pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
         self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);

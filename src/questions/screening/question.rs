@@ -69,8 +69,8 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and those that the clearances alone cause. Their rounding bounds are multiplied by
-    /// a factor below one, to the smaller bounds for loads.
+    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The rounding bounds of
+    /// forces due to commands are larger than the bounds of forces due to loads; here they are scaled down to the latter.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();

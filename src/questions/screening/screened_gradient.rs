@@ -52,10 +52,10 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: load factor or code of the verdict, the
-    /// contacts that stop sticking as bits, the contact whose margin is differentiated, and the flag of a kink. The derivatives follow: with respect
-    /// to n points, n normals, n commands, n pairs of stiffnesses, n coefficients of friction, and the components of the base load.
-    /// [`ScreenedGradient`] returns each of them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: the load factor, or the code of the verdict;
+    /// the sum of 2^i over the contacts i that stop sticking; the index, from 0, of the contact whose margin is differentiated; and a flag, positive
+    /// if the load factor has a kink. The derivatives follow: with respect to n points, n normals, n commands, n pairs of stiffnesses, n coefficients
+    /// of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers

@@ -17,8 +17,8 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) load: [X; 6],
 }
 
-/// The data that one of three methods computes once from the geometry and springs of a block, before a load is known. The first two methods do not
-/// exist for pairs in space and triangles in the plane. Conditions on the constant C keep these cases from being compiled.
+/// The data that one of three methods computes once from the geometry and springs of a block, before a load is known. The first method exists only in
+/// the plane, the second only in space. Conditions on the constant C keep the other cases from being compiled.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {

@@ -7,7 +7,7 @@
 /// If this were smaller, rounding would determine whether the contact sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// If more than this fraction of the load stays unbalanced, and no spring resists some motion, the load does work along that motion.
+/// If more than this fraction of the load stays unbalanced, and no spring resists some motion, the load is taken to do work along that motion.
 ///
 /// If the load does no work along the motion, only rounding stays unbalanced. If this limit were larger, a load that drives the object away weakly
 /// would be called unclear.

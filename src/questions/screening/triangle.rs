@@ -1,8 +1,8 @@
 //! Three contacts in space: contact forces from forces along the edges of their triangle, with compliances.
 //!
-//! Edges run around the triangle, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge j = i + 1 ends at contact i, and edge k = i +
-//! 2 begins at contact i. All edges are normal to `m = e_1 × e_2`. Balance with a load (force W_f, moment M about the centroid) leaves three unknowns
-//! λ, forces that stretch the edges:
+//! The edges run around the triangle of the contact points p_0, p_1 and p_2: `e_0 = p_2 - p_1` and so on. Edge i lies opposite to contact i. Modulo
+//! 3, edge j = i + 1 ends at contact i, and edge k = i + 2 begins at contact i. All edges are normal to `m = e_1 × e_2`. Balance with a load (force
+//! W_f, moment M about the centroid) leaves three unknowns λ, forces that stretch the edges:
 //!
 //! ```text
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²

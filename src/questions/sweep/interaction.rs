@@ -1,5 +1,6 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
-//! the sum of the changes due to each datum alone.
+//! the sum of the changes due to each datum alone. It is computed at the point of failure of a facet: the smallest errors at which the margin of this
+//! facet vanishes (see [`margin`](super::margin)).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -32,8 +33,8 @@ pub(super) struct PerturbedGrasp {
 }
 
 impl PerturbedGrasp {
-    /// The exact force on contact or joint drive `i` under `load`, N. The entries of `z` are the errors of the uncertain data, the last one of the
-    /// load factor, in standard deviations. `None` if a datum leaves its allowed range.
+    /// The exact force on contact or joint drive `i` under `load`, N. The entries of `z` are errors in standard deviations: of the uncertain data,
+    /// then of the load factor. A further entry, the error of friction, is not used. `None` if a datum leaves its allowed range.
     fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
@@ -74,7 +75,7 @@ impl PerturbedGrasp {
                 for z in &mut z {
                     *z = signs.sign();
                 }
-                // The last datum is friction, which does not change the force.
+                // The last error is that of friction, which does not change the force.
                 z.push(0.0);
                 let twice = beyond(&z) * 2.0;
                 squares += twice * twice.transpose() * (0.5 / PROBES as f64);

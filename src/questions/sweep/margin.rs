@@ -20,8 +20,8 @@ use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
-/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`. This is the required reliability: the number of standard
-/// deviations between the given data and failure.
+/// Errors of a datum at which exact forces are computed, as multiples of `sigmas`. The number `sigmas` is the required reliability: the number of
+/// standard deviations between the given data and failure.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// The change of a contact force due to the error of one datum, N: coefficients c_k of the polynomial `Σ c_k x^k`, k from 1. Here x is the error in
@@ -93,7 +93,7 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force for the data as given, N, plus the interaction of errors for facet number `row`.
+    /// The force for the data as given, N, plus the interaction of errors for the facet with the index `row`, from 0.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
@@ -109,8 +109,9 @@ impl UncertainForce<'_> {
         force
     }
 
-    /// Finds the smallest errors z of the data at which the margin of facet number `row` vanishes. These errors and the reliability are stored in
-    /// `margin`. If the margin vanishes nowhere within the distance beyond which failures are negligible, the reliability is about this distance.
+    /// Finds the smallest errors z of the data at which the margin of the facet with the index `row` vanishes. These errors and the reliability are
+    /// stored in `margin`. If the margin vanishes nowhere within the distance beyond which failures are negligible, the reliability is about this
+    /// distance.
     pub(super) fn find(&self, row: usize, facet: &SVector<f64, 3>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -222,8 +223,9 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// The mean number of zero crossings of the margin, `φ(β) E[(X' - β')₊]`, per radian of the facet's angle θ, see [`super::failure`]. `turned` is
-    /// the derivative of the facet with respect to θ.
+    /// The mean number of crossings of the margin from positive to negative, per radian of the facet's angle θ. It is `φ(β) E[(X' - β')₊]` in the
+    /// symbols of [`super::failure`], times the second-order correction of the failure probability. `turned` is the derivative of the facet with
+    /// respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

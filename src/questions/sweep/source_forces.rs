@@ -33,7 +33,7 @@ impl SourceForces {
         }
     }
 
-    /// The [`SourceForces`] of a load: the sum of those of its components, each multiplied by the component.
+    /// The [`SourceForces`] of a load: the sum of the [`SourceForces`] of its components, each multiplied by the component.
     pub(super) fn of(by_component: &[Self], space: Space, load: &Wrench<3>) -> Self {
         let none = by_component[0].off.iter().map(|sites| vec![Effect::default(); sites.len()]);
         let mut sum = Self { known: vec![SVector::zeros(); by_component[0].known.len()], off: none.list() };

@@ -23,7 +23,7 @@ use crate::prelude::*;
 /// the joint effects in turn. Therefore both are computed this many times, the first time without joint effects.
 const ROUNDS: usize = 2;
 
-/// For each contact or drive and each of its facets, the mixed second derivatives of the force with respect to the errors of pairs of data.
+/// For each contact or drive and each of its facets, the interaction of the errors of all data, with its mixed second derivatives.
 type MixedDerivatives = Vec<Vec<Interaction>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
@@ -109,13 +109,14 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, less a part that is kept for neglected effects.
+    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, less the fraction [`NEGLECTED_SHARE`] that is kept for neglected
+    /// effects.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with the
-    /// joint effects `before`, those of the last round.
+    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with
+    /// the joint effects `before` of the previous round.
     fn joint(&self, more: Option<AddedLoad<'_>>, before: &MixedDerivatives) -> MixedDerivatives {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
@@ -154,7 +155,8 @@ impl StuckGrasp {
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // Relative step of the difference quotient for the initial slope of the reliability with respect to the load factor.
+        // The first secant step needs the derivative of the reliability with respect to the load factor. It is a difference quotient over this
+        // relative step of the load factor.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         let (mut most, mut joint) = (guess, self.joint_at_base.clone());
@@ -224,7 +226,8 @@ fn reliability(fails: f64) -> f64 {
 }
 
 /// The root of an increasing function that is negative at zero, to the relative accuracy `precise`: the lower end of the last bracket. It is infinite
-/// if the function is still negative beyond `end`. Secant steps start from a guess and a slope (NaN if unknown) and stay within the bracket.
+/// if the function is still negative beyond `end`. Secant steps stay within the bracket. They start from a guess of the root and of the derivative
+/// `slope`, NaN if unknown.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);

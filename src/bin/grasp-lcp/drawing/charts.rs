@@ -1,4 +1,4 @@
-//! Charts of the friction that is used along a load path.
+//! Charts of the friction force of each contact along a load path, as a fraction of its limit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
@@ -25,7 +25,8 @@ pub(super) fn chart(
             let (ramp, verdict) = (question.ramp()?, &answer.verdict);
             let first_slip = verdict.first_slip.as_ref().map(|first| first.factor);
             let marks = [first_slip, verdict.lost.as_ref().map(|lost| lost.factor)];
-            // A first slip or loss of equilibrium beyond five times the load does not extend the chart. The part of interest would become too small.
+            // A first slip or loss of equilibrium beyond five times the load does not extend the chart. Otherwise the range of load factors from 0 to
+            // 1 would become too small.
             let farthest = marks.into_iter().flatten().filter(|factor| *factor <= 5.0).fold(1.0, f64::max);
             let chart = chart_of_load(grasp, &ramp, CHART_END * farthest, title)?;
             let reaches = verdict.held_to >= 1.0;

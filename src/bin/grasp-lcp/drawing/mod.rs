@@ -1,4 +1,4 @@
-//! Pictures of a scene: one for each question, a page with all of them, and charts of the friction that is used.
+//! Pictures of a scene: one for each question, a page with all of them, and charts of friction forces as fractions of their limits.
 
 mod charts;
 mod shown;

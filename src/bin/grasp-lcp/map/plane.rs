@@ -101,7 +101,6 @@ fn print_table(
     most: f64,
 ) {
     rows::head();
-    // Every sixtieth direction is in the table.
     let every = 60;
     let all = angles
         .iter()

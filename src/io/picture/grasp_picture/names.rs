@@ -15,8 +15,8 @@ use crate::picture::words::short;
 use crate::words::printable;
 
 impl Picture<'_> {
-    /// Writes all names, including the names of the load and of the motion by which the object is lost. Names without room are counted, and their
-    /// number is written below the picture.
+    /// Writes all names, including the names of the load and of the motion by which the object is lost. The number of names that are not written is
+    /// stated below the picture: names for which no free position is left, and all names of fingertips if there are too many fingertips.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,

@@ -21,9 +21,9 @@ use crate::picture::actuators::Actuators;
 ///   of the states of the points;
 /// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
 ///   the force is drawn in the middle of the grasp, with the moment about this point;
-/// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
+/// * displacements of the object at the contacts, with one magnification for all answers, which is written beside the picture;
 /// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
-/// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints whose torque is at its limit.
+/// * links of a [hand](crate::grasp::Hand) in the initial posture, and its joints whose torque is at its limit.
 ///
 /// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip it has sums, and the points on request. On narrow
 /// screens picture, legend and table are below each other.
@@ -73,7 +73,7 @@ pub(super) struct MovingLine {
 }
 
 impl Page {
-    /// A page without answers, which draws the grasp alone. Links of a hand are drawn at their initial places.
+    /// A page without answers, which draws the grasp alone. Links of a hand are drawn in the initial posture.
     pub fn new<const C: usize>(grasp: &Grasp<C>, title: impl Into<String>) -> Self {
         let grasp = inside(grasp);
         Self {
@@ -87,8 +87,8 @@ impl Page {
     }
 
     /// Adds a closed line on the object, corner by corner, m. Two corners give the line between them; in the plane z is zero. Several calls add
-    /// several lines. Lines affect nothing but the drawing, which shows their original and moved places. The object is shaded between two consecutive
-    /// lines of eight corners or more.
+    /// several lines. Lines affect nothing but the drawing, which shows them before and after the displacement of the object. The object is shaded
+    /// between two consecutive lines of eight corners or more.
     pub fn outline(self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.body_outline(0, corners)
     }
@@ -137,8 +137,8 @@ impl Page {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
-    /// Draws a motion of the object in the last answer, if `motion` has one, such as the motion of a [loss](crate::hold::Lost::motion). Only the
-    /// direction of the motion matters.
+    /// Draws a motion of the object in the last answer, such as the motion by which it is [lost](crate::hold::Lost::motion); draws nothing for
+    /// `None`. The displacement is scaled until it is visible, so only the direction of the motion matters.
     pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }

@@ -54,7 +54,7 @@ pub(super) struct LoadArrow {
     pub(super) is_moved: bool,
 }
 
-/// Axis of a motion of the object: the axis of rotation, or the direction of a pure translation.
+/// Axis of a motion of the object: the axis of a rotation (`turns` is true), or the direction of a pure translation.
 pub(super) struct Axis {
     pub(super) at: Vector3<f64>,
     pub(super) along: Vector3<f64>,

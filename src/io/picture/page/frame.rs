@@ -42,7 +42,7 @@ impl Frame {
         own.map_or(given, |contact| contact.friction)
     }
 
-    /// The slope of the cone of a contact in the picture of this answer; `given` is the coefficient of friction in the page's grasp.
+    /// Ratio of radius to height of the drawn friction cone of a contact in this answer; `given` is the coefficient of friction in the page's grasp.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST_CONE)
     }

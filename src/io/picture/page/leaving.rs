@@ -8,7 +8,7 @@ use crate::grasp::Motion;
 use crate::numerics::{IntoList, largest, mapped};
 use crate::spatial::{Contact, Twist};
 
-/// Lines on the object after the motion, and arrows from the old to the new places.
+/// Lines on the object after the motion, and arrows from points before the motion to the same points after it.
 pub(super) struct MovedLines {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
     pub(super) arrows: Vec<[Vector3<f64>; 2]>,
@@ -32,7 +32,7 @@ impl Drawing<'_> {
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point moves by 0.15 of the span.
+        // The fastest point moves by 0.15 of the span, so that the displacement is visible whatever the speed.
         let time = 0.15 * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };

@@ -46,7 +46,7 @@ pub(super) struct Mark {
     pub(super) tip: Option<usize>,
 }
 
-/// The shape of a mark. Widths and dashes are in pixels, places in metres.
+/// The shape of a mark. Widths and dashes are in pixels, positions in metres.
 pub(super) enum MarkShape {
     Line {
         corners: Vec<Vector3<f64>>,

@@ -35,7 +35,8 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             MarkShape::Load { from, along, width, heads, .. } => {
                 let (ends, _) = load_ends(eye, from, along);
                 let long = (ends[1] - ends[0]).xy().norm();
-                // A load whose arrow is shorter than 8 pixels on paper points to the eye or away from it.
+                // In space the arrow of a load is at least 18 pixels long. If it is shorter than 8 pixels on paper, it points almost to the eye or
+                // away from it.
                 if long < 8.0 {
                     painting.end_on(ends[0], ends[1].z > ends[0].z, BLACK, *width);
                 } else {
@@ -129,9 +130,9 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     }
 }
 
-/// Corners of the convex hull of these places (Andrew's monotone chain); the first corner is repeated at the end.
+/// Corners of the convex hull of these points (Andrew's monotone chain); the first corner is repeated at the end.
 pub(super) fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    // Sorts by the first coordinate, and places with the same first coordinate by the second; the sort is stable.
+    // Sorts by the second coordinate, then by the first. The sort is stable: points with the same first coordinate stay sorted by the second.
     for coordinate in [|place: &(f64, f64)| place.1, |place: &(f64, f64)| place.0] {
         let values: Vec<f64> = mapped(&places, &coordinate);
         places = moved(increasing(&values), &|i| places[i]);

@@ -163,7 +163,7 @@ fn numbers(
         (WholeAnswer::Pad(pad), Space::Planar) => pad.moment()[pad.moment().len() - 1],
         (WholeAnswer::Point(_), _) => 0.0,
     };
-    // A moment is written as zero if it is only rounding compared with the largest force at this arm, m. Pads are larger than a millimetre.
+    // A moment is written as zero if it is only rounding compared with the largest force times this arm, m. Pads are larger than a millimetre.
     let arm = 1e-3;
     let moment = Words::default().beside(moment, arm * state.largest_force());
     let moved = |point: &ContactAnswer<3>| if point.gap > 0.0 { point.gap } else { point.slip.norm() };
