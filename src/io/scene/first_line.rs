@@ -120,6 +120,8 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
+const EVERYTHING_STICKS: &str = "everything sticks";
+
 /// Names the contacts that slide in this equilibrium, or says that everything sticks; then names contacts that are open, or open in part.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     let (mut slide, mut in_part, mut open, mut lifted) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
@@ -144,7 +146,7 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     }
     let first = match (slide.len(), in_part.is_empty()) {
         (0, true) if open.len() + lifted.len() > 0 => "everything that touches sticks".to_owned(),
-        (0, true) => "everything sticks".to_owned(),
+        (0, true) => EVERYTHING_STICKS.to_owned(),
         (0, false) => format!("{} in part", plural(&in_part, "slides")),
         _ => plural(&[slide, in_part].concat(), "slides"),
     };
@@ -231,6 +233,9 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         (None, Some(step)) => format!("first slip by {}", place(step.leg, step.fraction, &step.load)),
         (None, None) => match &path.end {
             PathOutcome::Lost { state: Some(state), .. } => format!("{} there", in_short(state)),
+            PathOutcome::Completed { state: Some(state) } if in_short(state) != EVERYTHING_STICKS => {
+                format!("no contact begins to slide on the way; there {}", in_short(state))
+            }
             _ => "no contact begins to slide on the way".to_owned(),
         },
     };
