@@ -41,11 +41,11 @@ pub struct Comparison<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Difference {
-    /// Largest difference between the displacements of the object at a contact, m. Motions that no spring resists, in the equilibrium or in the
-    /// minimum, are not included.
+    /// Largest distance, over all contacts, between the displacement of the object at the contact in the equilibrium and that at the minimum, m.
+    /// Motions that no spring resists, in the equilibrium or in the minimum, are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Largest magnitude of the difference of a contact force between the equilibrium and the minimum, N.
+    /// Largest magnitude, over all contacts, of the vector difference between the contact force in the equilibrium and that at the minimum, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
     /// Magnitude of the difference between the energies stored in the springs, in the equilibrium and at the minimum, J.
@@ -97,7 +97,7 @@ pub enum ComparisonVerdict {
     /// complementarity problem gave no equilibrium.
     Agree,
     /// The minimum is an equilibrium, and the complementarity problem has another equilibrium; they differ by more than 1e-9 of the largest contact
-    /// force or displacement. With friction there may be several equilibria, and if a contact carries nothing the object may have several positions.
+    /// force or displacement. With friction there may be several equilibria, and if a contact carries no force the object may have several positions.
     TwoEquilibria,
     /// An equilibrium exists, but at the minimum of energy contact forces and load do not balance.
     OutOfEquilibrium {

@@ -55,7 +55,7 @@ pub(crate) struct PathFacts {
 #[derive(Debug, Clone)]
 pub(crate) struct AtRest {
     pub(crate) contacts: Vec<RestingContact>,
-    /// The engine's states of contacts and drives, if they had to be searched for.
+    /// The engine's states of contacts and drives, if these states had to be searched for; otherwise empty.
     pub(crate) states: Vec<State>,
 }
 
@@ -343,8 +343,8 @@ impl Engine {
         }
     }
 
-    /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, for bad loads, and if no proof is
-    /// found.
+    /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, if the load is not finite or beyond
+    /// 1e50, and if no proof is found.
     fn nothing_near(
         &self,
         lost: &Lost<3>,

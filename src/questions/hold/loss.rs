@@ -47,7 +47,8 @@ impl Engine {
         }
     }
 
-    /// The [`Lost`] of a verdict, for an end of small motions at this load factor; `everything_slides` says whether gross slip has begun.
+    /// The [`Lost`] of a verdict, for an end of small motions at this load factor; `everything_slides` is the load factor at which gross slip has
+    /// begun, if it has.
     pub(super) fn gone_too_far(
         &self,
         factor: f64,

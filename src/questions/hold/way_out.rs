@@ -10,8 +10,9 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// A contact whose speed relative to the fastest contact, body or rotation is below this fraction is taken as fixed, and a rotation as zero. The
-/// fraction only chooses the name of a motion. A larger one calls slow contacts fixed; a smaller one finds no contact to tip over.
+/// A contact that is slower than this fraction of the fastest contact, body or rotation is taken as fixed. A rotation that moves contacts by less
+/// than this fraction of the displacement of the object is taken as zero. The fraction only chooses the name of a motion. A larger one calls slow
+/// contacts fixed; a smaller one finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves at a loss, in everyday words.
@@ -24,7 +25,7 @@ const STANDS: f64 = 0.05;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum WayOut<const C: usize> {
-    /// All contacts that touch open: their points move away from the finger by more than 45° above its surface.
+    /// All contacts that touch open: their points move away from the finger in directions more than 45° above its surface.
     LiftsOff {
         /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]

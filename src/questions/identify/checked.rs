@@ -106,7 +106,8 @@ impl Unknown {
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))
     }
 
-    /// An error for numbers of unknown `number` that are out of range, if there are `layouts` layouts.
+    /// An error if the layout, the start value or the list of contacts of this unknown is out of range. `number` is the index of the unknown, from 0,
+    /// for the message; `layouts` is the number of layouts.
     fn check_numbers(&self, number: usize, layouts: usize) -> Result<(), Error> {
         let what = format!("unknown {number}");
         if let Some(layout) = self.layout.filter(|layout| *layout >= layouts) {

@@ -84,7 +84,7 @@ impl FreeCombination {
 enum Law {
     /// A product of powers of the unknowns, for changes of any size.
     Powers,
-    /// The sum of the unknowns, for changes in proportion to the powers.
+    /// The sum of the unknowns, if their relative changes are proportional to the powers.
     Sum,
     /// Some other function of the unknowns, known only by its first derivatives.
     Nearby,

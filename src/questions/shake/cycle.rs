@@ -45,7 +45,8 @@ impl Cycle {
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        // Without a limit cycle nearby, directions of slip may turn ever faster. Therefore the number of steps is limited.
+        // `there` is an extrapolated state. If no limit cycle is near it, directions of slip may turn ever faster along the path. Therefore the
+        // number of steps is limited.
         let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -63,8 +64,8 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// The forces and gaps of a state as numbers, divided by the units of [`CycleUnits`], and which contacts have kinetic friction. Gaps that stay
-    /// open during the whole cycle are replaced by zero.
+    /// The forces and gaps of a state, divided by the units of [`CycleUnits`], and for each contact 1 if its friction is kinetic, else 0. Gaps of
+    /// contacts that stay open during the whole cycle are replaced by zero: they may change although all forces repeat.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
@@ -100,8 +101,8 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle: whether its path is longer than rounding and the errors of jumps (motions under constant
-    /// load).
+    /// Whether a contact or drive slides in the cycle: the length of its path of slip exceeds rounding and the errors of jumps (motions under
+    /// constant load).
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * self.record.jump_motion
     }
@@ -116,8 +117,8 @@ impl Cycle {
         self.record.open[site].is_none() && self.is_open(site)
     }
 
-    /// Whether the object has moved, by more than rounding, from the beginning of the cycle to its end, with a contact that slid. Slips below the
-    /// errors of jumps count here, too, since they add up over the cycles.
+    /// Whether the object, and the slip of some contact that slid, differ by more than rounding between the beginning and the end of the cycle. Slips
+    /// below the errors of jumps count here, too, since they add up over the cycles.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;

@@ -83,7 +83,8 @@ impl Engine {
     }
 }
 
-/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index of this contact or drive.
+/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index, from 0, of this contact
+/// or drive (drives follow the contacts).
 struct LeastForce {
     size: f64,
     direction: SVector<f64, 3>,
@@ -92,7 +93,7 @@ struct LeastForce {
 
 impl LeastForce {
     /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. A round cone is
-    /// replaced by planes that touch it, more of them in each round. Returns whether the allowed number of rounds was enough.
+    /// approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
     fn lowered_to(
         &mut self,
         site: usize,
