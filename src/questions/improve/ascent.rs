@@ -45,8 +45,8 @@ pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// For each edge of a surface, segment or triangle that bounds the step, the contact on it. The multipliers of these edges follow the multipliers
-    /// of `bounds` in `step`.
+    /// For each edge of a surface, segment or triangle that bounds the step, the index of the contact on this edge. The multipliers of these edges
+    /// follow the multipliers of `bounds` in `step`.
     pub(super) rooms: Vec<usize>,
 }
 
@@ -132,8 +132,8 @@ impl AscentProblem<'_> {
                 let Some(factor) = factor else { return Ok(None) };
                 (factor, factor)
             }
-            // A negative reserve means that a contact slides under a load. Such a design is kept, because the gradient of its reserve leads to a
-            // better place.
+            // A negative reserve means that a contact slides under a load. Such a design is kept, because the gradient of its reserve leads to better
+            // positions of the contacts.
             ImproveGoal::Reserve => {
                 let least = least(&events, &|event| event.value);
                 (least, if size > 0.0 { size } else { self.design_space.unit_of_force() })

@@ -29,7 +29,7 @@ impl Curvature {
         }
         let product = &self.0 * step;
         let known = step.dot(&product);
-        // Powell's damping acts if dᵀy is below this fraction of dᵀBd: d is the step, y the decrease of the gradient.
+        // Let d be the step and y the decrease of the gradient. Powell's damping acts if dᵀy is below this fraction of dᵀBd.
         let confirmed = 0.2;
         let part = if shown >= confirmed * known { 1.0 } else { (1.0 - confirmed) * known / (known - shown) };
         let mixed = decrease * part + &product * (1.0 - part);

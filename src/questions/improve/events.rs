@@ -13,8 +13,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
-/// Identifies one sticking condition `a·F >= 0` of a contact force F under a load, with a row a of the friction cone. The condition is thus found
-/// again after the contact has moved.
+/// Identifies one sticking condition under a load, so that the condition is found again after the contact has moved. The condition is `a·F >= 0` for
+/// the contact force F, with the coefficients a of one facet of the friction cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
     /// Index of the load; `None` for a force of any direction.
@@ -51,8 +51,9 @@ pub(super) enum ConstraintKind {
     Force,
 }
 
-/// The sticking conditions `a·F >= 0` of a contact force F, as rows a, that can become active near the contact force `force`. For a polygonal cone
-/// these are all its facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction force.
+/// The coefficients a of the sticking conditions `a·F >= 0` that can become active near the contact force F = `force`. For a polygonal cone these are
+/// the conditions of all its facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction
+/// force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
@@ -134,8 +135,8 @@ impl PressedContact<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has the changes of the contact force due to this
-    /// force along each axis.
+    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has one entry for each coordinate axis: the
+    /// change of the contact force if this force acts along the axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))

@@ -126,8 +126,8 @@ impl Shape {
                 let speed = first.norm();
                 let along = vec![first / speed];
                 let normal = perpendicular(&along);
-                // Let n be the normal and p the point of the spline. The derivative of `n·p' = 0` with respect to the parameter of the spline gives
-                // the curvature.
+                // Let n be the normal, p the point of the spline and p' its derivative with respect to the parameter of the spline. The derivative of
+                // `n·p' = 0` gives the curvature.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =

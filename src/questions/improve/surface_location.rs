@@ -14,7 +14,7 @@ use crate::prelude::*;
 pub(super) struct SurfaceLocation {
     part: usize,
     at: [f64; 3],
-    /// 1 if the contact's normal is the normal of the surface, -1 if it is opposite.
+    /// 1 if the contact's normal is the normal of the surface, -1 if the two are opposite.
     side: f64,
     pub(super) point: SVector<f64, 3>,
     /// Unit normal of the contact, into the object.
@@ -92,8 +92,8 @@ impl SurfaceLocation {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt a curvature of its goal along these two directions. Therefore these directions are carried along to the new
-            // place, rather than chosen anew.
+            // The search has learnt the second derivatives of its goal along these two directions. Therefore the directions are carried along to the
+            // new place, rather than chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();

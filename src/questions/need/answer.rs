@@ -138,8 +138,8 @@ pub enum Amount {
         sufficient: f64,
         /// The insufficient amount next to `sufficient`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts
         /// differ by a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
-        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of
-        /// contact states shows that an amount is insufficient.
+        /// direction, the fraction is up to 1e-6 if the multiple of the load that is carried jumps at the bound. It is 1e-5 or more if only an
+        /// enumeration of contact states shows that an amount is insufficient.
         insufficient: f64,
         /// The verdict on the grasp with `insufficient`, in a sentence.
         otherwise: String,

@@ -70,7 +70,7 @@ impl Need<3> {
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }
-                // With fewer parts of a turn the angle that uses most friction could be missed; each part costs an equilibrium.
+                // With fewer than 180 steps of the turn, the angle at which most friction is used could be missed; each step costs an equilibrium.
                 let on_the_way = (0..180_u32).map(|k| path.state_at(0, f64::from(k) / 180.0));
                 on_the_way.chain([path.state()]).collect()
             }

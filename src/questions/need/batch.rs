@@ -150,8 +150,9 @@ impl BatchNeed {
         amounts
     }
 
-    /// Fills in missing answers if the load is sought. The rotation under the given load may be smaller than under the sought multiple of the load.
-    /// Therefore the rotation is computed again under that multiple.
+    /// Fills in answers that [`Self::while_it_sticks`] leaves open, if the load is sought. That function bounds the rotation under the sought
+    /// multiple of the load; the bound may exceed the limit of small motions although the rotation does not. Therefore the rotation itself is
+    /// computed under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,

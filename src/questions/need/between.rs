@@ -1,4 +1,5 @@
-//! The search for a sufficient amount between amounts that turned out to be insufficient.
+//! The search for a sufficient amount (of squeeze, friction, load, arm or angle) between amounts that turned out to be insufficient: the grasp does
+//! not meet the demand with them.
 
 use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};

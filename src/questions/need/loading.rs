@@ -1,4 +1,5 @@
-//! The trial of one amount: the grasp with this amount set, and the verdicts on its loads.
+//! The trial of one amount (of squeeze, friction, load, arm or angle): the grasp with this amount set, and the verdicts on its loads. The carried
+//! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -30,7 +31,7 @@ pub(super) struct Loading {
     pub(super) words: Words,
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
-    /// The parts of a verdict that a trial needs, and how far it follows load paths.
+    /// How far a trial follows load paths, and which fields of a verdict it computes.
     pub(super) extent: VerdictScope,
     /// Whether the amount with which nothing slides is sought only in addition to the amount that holds the object. The load factor of first slip
     /// then suffices as the reason why an amount is insufficient.
@@ -206,7 +207,8 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
-    /// The verdict on a ramp, with facts about its load path. Another load is carried up to the multiple `least`, so this one is followed no farther.
+    /// The verdict on a ramp, with facts about its load path. The path is followed only up to `least`, the multiple up to which another load is
+    /// carried, because only the load carried least matters.
     pub(super) fn put_on_up_to(
         &self,
         ramp: &Ramp<3>,
@@ -259,8 +261,8 @@ impl Loading {
         trial
     }
 
-    /// The result of a trial, from its verdict. `other` is a second margin: the distance to the limit of small motions for [`Demand::Held`], the
-    /// margin of sticking at rest for [`Demand::Sticks`].
+    /// The result of a trial, from its verdict. `other` is a second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its
+    /// limit of small motions. For [`Demand::Sticks`] it is the margin of sticking at rest, as a fraction of the largest contact force.
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let sufficient = match demand {
             Demand::Sticks => verdict.sticks(),

@@ -1,4 +1,5 @@
-//! Answers a [`Need`]: the sought amount, the amount with which nothing slides, and a safe amount.
+//! Answers a [`Need`]: the sought amount (of squeeze, friction, load, arm or angle), the amount with which nothing slides, and a safe amount. An
+//! amount is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::bound_scan::{BoundScan, between_known};

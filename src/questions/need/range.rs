@@ -2,8 +2,9 @@
 //! held.
 //!
 //! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v may prove
-//! that W(x) is unbalanced. Then v proves the same for every other amount y with W(y)·v > 0, so the range ends at the latest where this work
-//! vanishes. For friction there is a least coefficient, because friction widens the cones.
+//! that W(x) is unbalanced. Along v no contact force does negative work, but the load does positive work, W(x)·v > 0. Then v proves the same for
+//! every other amount y with W(y)·v > 0, so the range ends at the latest where this work vanishes. For friction there is a least coefficient, because
+//! friction widens the cones.
 
 use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::loading::Loading;

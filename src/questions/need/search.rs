@@ -1,7 +1,8 @@
-//! The search for a sufficient amount, and then for a neighbouring insufficient amount: together a bracket of the bound, which `threshold` narrows.
+//! The search for a sufficient amount (of squeeze, friction, load, arm or angle), and then for a neighbouring insufficient amount: together a bracket
+//! of the bound, the least or greatest sufficient amount. `threshold` narrows this bracket.
 //!
 //! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, and
-//! smaller if the greatest is sought.
+//! smaller if the greatest is sought. The carried part of the load is the load factor up to which the demand is met with an amount.
 
 use super::between::refined;
 use super::range::Range;
@@ -52,12 +53,12 @@ pub(super) enum BoundSearch {
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
+/// How the bound is estimated from the carried part c of the load with an amount x. With the amount at the bound, c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum BoundEstimate {
-    /// The bound is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the sought quantity.
+    /// The bound is about `x c`, because the load itself is the sought quantity.
     Times,
-    /// The bound is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to x.
+    /// The bound is about `x / c`, as if c were proportional to x.
     Divided,
     /// No estimate.
     Nothing,
@@ -72,7 +73,7 @@ pub(super) struct SearchPlan {
     pub(super) limits: [f64; 2],
     /// The range of amounts that no proof excludes.
     pub(super) range: Range,
-    /// Whether the least sufficient amount is sought, otherwise the greatest.
+    /// True if the least sufficient amount is sought, false if the greatest is sought.
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,

@@ -1,4 +1,6 @@
-//! The bracket of the least or greatest sufficient amount (the bound): one sufficient and one insufficient amount, and how the bracket is narrowed.
+//! The bracket of the bound, and how it is narrowed. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand
+//! with it; the bound is the least or greatest sufficient amount. A bracket consists of one sufficient and one insufficient amount. The carried part
+//! of the load is the load factor up to which the demand is met with an amount.
 
 use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
@@ -155,7 +157,7 @@ impl Threshold {
 struct Narrowing {
     edge: Threshold,
     sides: [BracketEnd; 2],
-    /// Index of the measure in use.
+    /// Index of the measure in use: 0 for the carried part of the load less 1, 1 for the second margin of the trial ([`Trial::measures`]).
     which: usize,
     /// The width of the bracket, and the decrease of the measure across it, when the measure began to be watched for a jump.
     at_first: (f64, Option<f64>),
@@ -191,7 +193,7 @@ impl Narrowing {
         (self.edge.insufficient.0 - self.edge.sufficient).abs()
     }
 
-    /// Whether the width of the bracket is at most this part of its larger amount.
+    /// Whether the width of the bracket is at most the fraction `close` of its larger amount.
     fn is_within(&self, close: f64) -> bool {
         self.width() <= close * self.largest()
     }
@@ -368,7 +370,7 @@ const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 /// decided.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
-/// Differences of a measure between two amounts below this are due to rounding.
+/// A difference of a measure between two amounts is taken as rounding if it is smaller than this number.
 const ROUNDING: f64 = 1e-11;
 
 /// The mean of two amounts, geometric if their ratio exceeds [`FAR_APART`].

@@ -1,4 +1,5 @@
-//! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound of the sufficient amounts.
+//! The trial of one amount (of squeeze, friction, load, arm or angle): whether the grasp meets the demand with it, and the distance to the bound, the
+//! least or greatest sufficient amount.
 
 use core::cell::{Cell, RefCell};
 
@@ -16,8 +17,8 @@ pub(super) enum Trial {
     Sufficient {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin: for [`Demand::Held`] the distance to the limit of small motions, for [`Demand::Sticks`] the margin of sticking at rest.
-        /// Infinite if it is not known.
+        /// A second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its limit of small motions. For [`Demand::Sticks`] it
+        /// is the margin of sticking at rest, as a fraction of the largest contact force. Infinite if it is not known.
         other: f64,
     },
     Insufficient {
@@ -132,9 +133,10 @@ impl Trials {
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct RefutingLoads {
-    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
+    /// Index, from 0, of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
+    /// Directions of a force of any direction that refuted an amount, or in which the smallest part of the force was carried. Quick trials are
+    /// confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
