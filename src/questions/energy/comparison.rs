@@ -51,11 +51,11 @@ pub struct Difference {
     /// Magnitude of the difference between the energies stored in the springs, in the equilibrium and at the minimum, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
-    /// The largest magnitude, over all contacts, of the object's displacement at the contact in the equilibrium and of the offset (command less
-    /// clearance), m.
+    /// The size to which the difference `displacement` is compared, m: the largest magnitude, over all contacts, of the object's displacement at the
+    /// contact in the equilibrium and of the offset (command less clearance).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement_size: f64,
-    /// The largest magnitude of a contact force in the equilibrium, N.
+    /// The size to which the difference `force` is compared: the largest magnitude of a contact force in the equilibrium, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force_size: f64,
     /// The size to which the difference `energy` is compared: the energy stored in the springs in the equilibrium, J.
@@ -141,7 +141,8 @@ impl Difference {
 
 impl<const C: usize> MinimumEnergy<C> {
     /// Whether the object is in equilibrium at the minimum of energy: the multipliers of friction constraints exert no resultant force or moment on
-    /// it. [`MinimumEnergy::imbalance`] may be up to 1e-12 of the largest force, with moments divided by the size of the grasp.
+    /// it. It is true also if [`MinimumEnergy::imbalance`] is only rounding, at most 1e-12 of the largest force (moments divided by the size of the
+    /// grasp).
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced

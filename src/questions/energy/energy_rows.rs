@@ -20,7 +20,8 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct ForceCondition {
     pub(super) contact: usize,
-    /// The facet of the friction cone whose condition this is; `None` for the condition that the normal force is not negative.
+    /// Index, from 0, of the facet of the friction cone to which the condition belongs; `None` for the condition that the normal force is not
+    /// negative.
     pub(super) facet: Option<usize>,
     /// The same condition for the force in N, `law·F_i >= 0`: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
     law: SVector<f64, 3>,
@@ -77,7 +78,7 @@ impl ForceCondition {
     }
 }
 
-/// The springs along those axes of contact frames for which `holds(contact, axis)` is true.
+/// The springs along those axes of contact frames for which `holds(contact, axis)` is true; axis 0 is the normal.
 pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> Piece {
     Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;

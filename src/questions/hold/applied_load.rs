@@ -29,7 +29,7 @@ pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
     /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
-    /// The verdict then knows the largest ratio of a motion to its limit.
+    /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
     /// Like `Measured`, but without the proof near the loss and without the data that only sentences need. The base load is not followed from zero to
     /// find out whether the grasp loses it.
@@ -109,7 +109,8 @@ impl Engine {
         settings: &Settings,
         extent: VerdictScope,
     ) -> Result<(Verdict<3>, PathFacts), Error> {
-        // The search for the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
+        // The search for the first slip and the load path share the equilibrium under the base load. With many bodies, finding this equilibrium takes
+        // most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let states = match &rest {
             Some((SearchOutcome::Found(found, _), _)) => found.states.clone(),
@@ -381,7 +382,7 @@ fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
     event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }
 
-/// The end of small motions, if the path has one that comes clearly before the loss of equilibrium, or has no loss; else `None`.
+/// The end of small motions, if it comes before the loss of equilibrium by more than rounding, or if there is no loss; else `None`.
 fn end_before_loss<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {

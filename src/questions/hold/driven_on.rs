@@ -41,7 +41,7 @@ impl Engine {
             }
         }
         let (values, vectors) = symmetric_eigen(&falls);
-        // A decrease of the potential by less than this fraction is rounding of arms and forces.
+        // A decrease of the potential is rounding of arms and forces if it is below this fraction of the largest force times the size of the grasp.
         (*values.last()? < -NEGLIGIBLE * scale).then(|| {
             let parts = vectors.column(free.len() - 1);
             combined(free, parts.as_slice())

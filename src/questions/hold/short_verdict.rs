@@ -63,7 +63,7 @@ pub enum VerdictKind {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossVerb {
-    /// The object moves down within 25° of the vertical, and no contact slides at the loss.
+    /// The object moves down, within 26° of the vertical, and no contact slides at the loss.
     Drops,
     /// All contacts that touch open, and the object does not fall.
     LiftsOff,

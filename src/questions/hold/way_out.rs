@@ -187,7 +187,7 @@ fn seen_from(
     let spin = summed(&twist.components()[3..], &|x| x * x).sqrt() * reach;
     let fastest = spin.max(largest(&touching, &|part| moves[*part].norm()));
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;
-    // A velocity v leads away from the finger if it is more than 45° above the finger's surface, which has the normal n.
+    // A velocity v leads away from the finger if it is more than 45° above the finger's surface, whose normal n points into the object.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
         let may_open = contacts[parts[part.contact].range.start].hold == Hold::Unilateral;
@@ -240,10 +240,10 @@ fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), 
 }
 
 impl<const C: usize> WayOut<C> {
-    /// Whether the object falls: it moves within 25° of the negative last axis, which is down, and no contact slides.
+    /// Whether the object falls: it moves within 26° of the negative last axis, which is down, and no contact slides.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // A direction with a last component below -0.9 is within 25° of the vertical and is called a fall.
+        // A unit direction with a last component below -0.9 is within 26° of the vertical and is called a fall.
         slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

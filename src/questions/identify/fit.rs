@@ -11,8 +11,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips there, and
-/// derivatives; `None` if the model does not predict all slips.
+/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
+/// and their derivatives; `None` if the model does not predict all slips.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,

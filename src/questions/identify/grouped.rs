@@ -74,8 +74,8 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or determines
-    /// parts of it with more than 1 % of the expected variance.
+    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or if directions
+    /// that one group alone determines contribute more than 1 % of the expected variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));

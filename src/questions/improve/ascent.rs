@@ -179,7 +179,7 @@ impl AscentProblem<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.design_space.question.steps() {
-                    // The learnt curvature may be wrong at these places, so that no step gains although a direction of ascent exists. Before the
+                    // The learnt curvature may be wrong at this design point, so that no step gains although a direction of ascent exists. Before the
                     // ascent ends without an optimum, the curvature is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
@@ -269,7 +269,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may have the same sticking condition. The one with the nearest value is taken as the same event after the step.
+        // Several events may have the same sticking condition. The event whose value is nearest is taken as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

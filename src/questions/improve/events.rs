@@ -17,10 +17,10 @@ use crate::prelude::*;
 /// the contact force F, with the coefficients a of one facet of the friction cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
-    /// Index of the load; `None` for a force of any direction.
+    /// Index of the load, from 0; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
-    /// Index of the condition among the conditions of the same contact and load.
+    /// Index, from 0, of the condition among the conditions of the same contact and load.
     pub(super) number: usize,
 }
 
@@ -123,7 +123,8 @@ impl PressedContact<'_> {
         events
     }
 
-    /// The [`SlipEvent`]s of this contact under load number `load`, which changes the contact force at the rate `rate` per unit of load factor.
+    /// The [`SlipEvent`]s of this contact under the load with index `load`, which changes the contact force at the rate `rate` per unit of load
+    /// factor.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };

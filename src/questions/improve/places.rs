@@ -55,7 +55,7 @@ fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint
     let (along, normal) = (vec![x, y], perpendicular(&[x, y]));
     let room = |k: usize| {
         let (from, to) = (corners[k], corners[(k + 1) % 3]);
-        // The corners are counterclockwise in this frame, so the outside is to the right of each side.
+        // The corners are counterclockwise in this frame, so the outside is to the right of each edge, seen from its first to its second corner.
         let out = perpendicular(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
@@ -262,7 +262,7 @@ impl Shape {
     }
 }
 
-/// Two perpendicular unit directions in the plane of a triangle, the first along its first side.
+/// Two perpendicular unit directions in the plane of a triangle, the first from its first to its second corner.
 fn frame(corners: &[SVector<f64, 3>; 3]) -> [SVector<f64, 3>; 2] {
     let x = (corners[1] - corners[0]).normalize();
     let other = corners[2] - corners[0];

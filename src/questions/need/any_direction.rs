@@ -40,8 +40,8 @@ impl Loading {
         )
     }
 
-    /// The result of the trial as far as it follows while everything sticks, without a path for each direction. A force of any direction is added to
-    /// the constant load `base`, on which `verdict` is given. `None` if something slides and the demand allows sliding.
+    /// The result of the trial as far as it can be computed while everything sticks, without a path for each direction. A force of any direction is
+    /// added to the constant load `base`, on which `verdict` is given. `None` if something slides and the demand allows sliding.
     fn while_all_stick(
         &self,
         verdict: &Verdict<3>,
@@ -180,7 +180,8 @@ impl Loading {
             let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
             let mut parts = [found[one].part, found[other].part];
             loop {
-                // The carried part has a different limit on each side of the jump. Towards each limit it is linear in the angle.
+                // The carried part has a different limit on each side of the jump. Towards each limit it is linear in the angle. Therefore the
+                // smaller last step is needed only if the part is near 1.
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);

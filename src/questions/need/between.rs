@@ -9,7 +9,7 @@ use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
-/// then tries the widest gaps near `begin`, the first amount of the whole search.
+/// then tries amounts between the neighbours with the largest ratio near `begin`, the first amount of the whole search.
 pub(super) fn refined(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,

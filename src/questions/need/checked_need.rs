@@ -199,7 +199,8 @@ impl CheckedNeed {
 }
 
 impl Need<3> {
-    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contact indices from `contacts` on.
+    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contact indices that are not below `contacts`, the
+    /// number of contacts.
     #[cfg(feature = "serde")]
     pub(crate) fn check(&self, space: Space, contacts: usize) -> Result<(), Error> {
         match self.posed(space)?.sought {

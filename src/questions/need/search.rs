@@ -105,7 +105,7 @@ impl SearchPlan {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether a proof excludes all amounts beyond this amount, to the accuracy of the proof.
+    /// Whether a proof excludes all amounts above (if `up`) or below this amount, to the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -273,7 +273,8 @@ fn guessed(
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = LAST_DIGITS;
-    // If four estimates are insufficient, the carried part of the load is not proportional to the amount, and [`walk`] continues the search.
+    // If four estimates are insufficient, the carried part of the load is not proportional to the amount, and [`first_sufficient`] continues the
+    // search.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;

@@ -90,8 +90,8 @@ impl Trial {
         self.measures()[1].unwrap_or(f64::INFINITY)
     }
 
-    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Of two equal results the one with less
-    /// carried load is worse.
+    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Of two results of the same kind, the one
+    /// with the smaller carried part of the load is worse.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
             Self::Insufficient { .. } => 0,

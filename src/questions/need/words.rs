@@ -92,7 +92,8 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
-        // A bound that was searched for has tried amounts next to it. A single amount that proofs leave has no such neighbours.
+        // This condition recognises a single amount that proofs leave: no amounts were tried next to it, and the far end of its interval is the
+        // amount itself.
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }

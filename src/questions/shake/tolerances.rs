@@ -24,7 +24,7 @@ pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 /// small slips in a cycle with large jumps would not be reported. A walk is recognised by slips of any size.
 pub(super) const SLIP_OF_JUMPS: f64 = 1e-5;
 
-/// If forces change by at most this relative number per cycle, the answer calls them constant. The number is larger than step errors.
+/// If forces and gaps change by at most this relative number per cycle, the answer calls the forces constant. The number is larger than step errors.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are not reported.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

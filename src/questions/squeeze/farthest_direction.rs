@@ -87,8 +87,8 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // Written for |s| at its limit, the first component of s is `along_first`; for the true λ it equals c₁ / part, and it is larger than that as long
-    // as |s| is less than its limit. Sixty halvings reduce the error to rounding.
+    // For a trial λ, `along_first` is the first component that s would need to have the length L; its actual first component is c₁ / part. While the
+    // actual component is smaller in magnitude, |s| is less than L. Sixty halvings reduce the error to rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();
@@ -118,7 +118,7 @@ mod tests {
             2.0 * generic(drawn) - 2.0
         };
         for round in 0..300 {
-            // Some maps B are singular, and some starts a are zero or perpendicular to the stiffest direction.
+            // Some maps B are singular. Some starts a are zero, or perpendicular to the direction in which a force causes the largest motion.
             let mut b = SMatrix::<f64, 3, 3>::from_fn(|_, _| number());
             let mut a = Vector3::from_fn(|_, _| 0.5 * number());
             match round % 4 {

@@ -40,7 +40,7 @@ pub enum LoadLimit<const C: usize> {
         /// A motion of the object that proves this: along it the base load does more work than contact forces within the budget can do against it.
         motion: Twist<C>,
     },
-    /// Rounding prevented bounds of the load factor.
+    /// No bounds of the load factor were found, because of rounding.
     Undecided,
 }
 
