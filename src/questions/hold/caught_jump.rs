@@ -1,5 +1,5 @@
 //! Jumps along the load path under constant load. The object slips because kinetic friction is lower, or snaps over from an unstable equilibrium,
-//! until other contacts catch it.
+//! until other contacts catch it. The load factor is the multiple of the growing load that acts; 1 is the whole load.
 
 use core::fmt;
 

@@ -73,7 +73,7 @@ fn turn_of(motion: &Motion<3>, body: usize) -> SVector<f64, 3> {
     SVector::from_column_slice(&twist_of(motion, body).components()[3..])
 }
 
-/// The sum of motions, each times its entry of `parts`.
+/// The linear combination of motions with the coefficients `parts`.
 fn combined(motions: &[Motion<3>], parts: &[f64]) -> Motion<3> {
     let sum = |of: &dyn Fn(&Motion<3>) -> Twist<3>| {
         motions.iter().zip(parts).fold(Twist::ZERO, |sum, (motion, part)| sum + of(motion) * *part)

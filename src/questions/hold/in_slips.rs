@@ -1,5 +1,5 @@
 //! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). Contact states are not
-//! searched for at each event.
+//! searched for at each event. The load factor is the multiple of the growing load that acts; 1 is the whole load.
 
 use super::applied_load::PathFacts;
 use super::verdict::{FirstSlip, Holding, Verdict};

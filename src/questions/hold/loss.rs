@@ -1,4 +1,5 @@
-//! Computes [`Lost`], the field of a verdict about the loss of equilibrium or the end of small motions.
+//! Computes [`Lost`], the field of a verdict about the loss of equilibrium or the end of small motions. The load factor is the multiple of the
+//! growing load that acts; 1 is the whole load.
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};

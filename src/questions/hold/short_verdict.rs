@@ -1,4 +1,5 @@
-//! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria.
+//! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria. The load factor is the multiple of the
+//! growing load that acts; 1 is the whole load.
 
 use core::fmt;
 

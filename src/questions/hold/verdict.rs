@@ -1,4 +1,5 @@
-//! The verdict on a load that grows from zero in addition to the base load.
+//! The verdict on a load that grows from zero in addition to the base load. The load factor is the multiple of the growing load that acts; 1 is the
+//! whole load.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};

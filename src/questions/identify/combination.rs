@@ -1,4 +1,5 @@
-//! Combinations of unknowns that the observed slips do not determine.
+//! Combinations of unknowns that the observed slips do not determine. An unknown is a number of the grasp, such as a coefficient of friction. A slip
+//! is a load or angle at which a contact, or the object, was observed to slip.
 
 use super::tolerances::NO_COMPONENT;
 use crate::numerics::Each;

@@ -1,5 +1,6 @@
 //! The search for the unknowns with the least Huber loss, by damped Gauss-Newton steps in the logarithms of the unknowns. This loss is quadratic in
-//! small residuals and linear in large ones.
+//! small residuals and linear in large ones. An unknown is a number of the grasp, such as a coefficient of friction. A slip is a load or angle at
+//! which a contact, or the object, was observed to slip.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -114,7 +115,8 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     Ok((begin, first))
 }
 
-/// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the given values.
+/// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the start values of the
+/// question.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = starting_fit(model)?;
     match linear {

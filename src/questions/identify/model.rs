@@ -1,4 +1,5 @@
-//! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns.
+//! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns. An unknown is a number of
+//! the grasp, such as a coefficient of friction. A slip is a load or angle at which a contact, or the object, was observed to slip.
 
 use nalgebra::DMatrix;
 
@@ -132,9 +133,9 @@ impl Model<'_> {
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of the logarithms of the predicted loads of the slips `those` with respect to the logarithm of unknown number `column`, as central
-    /// differences. If the model predicts no slip on one side, the difference is one-sided; if it predicts no slip on either side, the derivative is
-    /// zero.
+    /// Derivatives of the logarithms of the predicted loads of the slips with the indices `those` with respect to the logarithm of unknown number
+    /// `column`, as central differences. If the model predicts no slip on one side, the difference is one-sided; if it predicts no slip on either
+    /// side, the derivative is zero.
     fn differences(
         &self,
         logs: &[f64],

@@ -1,4 +1,4 @@
-//! An observed slip.
+//! An observed slip: a load or an angle at which the first contact, or the whole object, slid.
 
 use nalgebra::SVector;
 

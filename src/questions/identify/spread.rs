@@ -1,4 +1,5 @@
-//! Standard errors and confidence intervals of the unknowns, from a fit to observed slips.
+//! Standard errors and confidence intervals of the unknowns, from a fit to observed slips. An unknown is a number of the grasp, such as a coefficient
+//! of friction. A slip is a load or angle at which a contact, or the object, was observed to slip.
 
 use nalgebra::DMatrix;
 

@@ -1,4 +1,5 @@
-//! Ascent from one starting grasp to a local optimum of places and squeezes.
+//! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
+//! the normal force of its command; a design point is one choice of both.
 
 use nalgebra::DVector;
 

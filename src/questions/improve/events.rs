@@ -1,5 +1,6 @@
 //! For each contact and load, the value of each sticking condition (for the goal of first slip the load factor that breaks it), and its derivatives
-//! with respect to places and squeezes.
+//! with respect to places and squeezes. A place is the position of a contact on its curve or surface, a squeeze the normal force of its command; a
+//! design point is one choice of both.
 
 use core::f64::consts::TAU;
 

@@ -1,15 +1,14 @@
-//! The quadratic program of one step of places and squeezes. An event is a sticking condition under a load; its value is the load factor that breaks
-//! it, or its margin under the load. Within a box around the present places and squeezes, the program maximises the least of the linearised event
-//! values, less a curvature term.
+//! The quadratic program of one step of places (positions of contacts on their curves or surfaces) and squeezes (normal forces of commands). An event
+//! is a sticking condition under a load; its value is the load factor that breaks it, or its margin under the load. Within a box around the present
+//! places and squeezes, the program maximises the least of the linearised event values, less a curvature term. Let d be the step, bounded by `low`
+//! and `high`, B the Hessian, τ_k the value of event k with gradient g_k, and `h_b·d + left_b >= 0` constraint b:
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! Here d is the step, bounded by `low` and `high`, B the Hessian, τ_k the value of event k with gradient g_k, and `h_b·d + left_b >= 0` constraint
-//! b. `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. At the
-//! present values (d = 0) the weighted gradients of events and constraints do not cancel: their sum consists of the multipliers of the box and of B
-//! d.
+//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. At the present
+//! values (d = 0) the weighted gradients of events and constraints do not cancel: their sum consists of the multipliers of the box and of B d.
 
 use nalgebra::{DMatrix, DVector};
 

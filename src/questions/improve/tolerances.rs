@@ -1,4 +1,5 @@
-//! Limits of the search for finger places: at which an ascent has reached an optimum, and below which a gain is rounding.
+//! Limits of the search for finger places: at which an ascent has reached an optimum, and below which a gain is rounding. A place is the position of
+//! a contact on its curve or surface, a squeeze the normal force of its command; a design point is one choice of both.
 //!
 //! Places and squeezes are divided by the unit of their variable. Gains are divided by the load factor of first slip, or for a reserve by the
 //! greatest contact force under the base load.

@@ -106,8 +106,8 @@ impl Loading {
     }
 
     /// The worst result over directions of a force. First come directions in which the force was not carried with other amounts, then evenly spread
-    /// directions and those between. `worst` has the result without the force. Quick trials are confined to directions that refuted other amounts, if
-    /// there are any.
+    /// directions, and last directions between these. `worst` has the result without the force. Quick trials are confined to directions that refuted
+    /// other amounts, if there are any.
     fn in_every_direction(
         &self,
         mut worst: Trials,

@@ -1,5 +1,6 @@
 //! A scan of amounts around the bound, the least or greatest sufficient amount; an amount is sufficient if the grasp meets the demand with it. The
-//! scan finds how far the sufficient amounts extend from the bound, and further intervals of sufficient amounts.
+//! scan finds how far the sufficient amounts extend from the bound, and further intervals of sufficient amounts. At rest means under the loads that
+//! act before the loads of the question.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};

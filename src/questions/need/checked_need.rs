@@ -1,4 +1,4 @@
-//! A [`Need`] after a check of its fields, with defaults for all fields that were not given.
+//! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads.
 
 use alloc::borrow::Cow;
 

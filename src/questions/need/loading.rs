@@ -1,5 +1,6 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): the grasp with this amount set, and the verdicts on its loads. The carried
-//! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides.
+//! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides. At rest means under the loads
+//! that act before the loads of the question.
 
 use alloc::sync::Arc;
 use core::fmt;

@@ -1,5 +1,6 @@
 //! Answers a [`Need`]: the sought amount (of squeeze, friction, load, arm or angle), the amount with which nothing slides, and a safe amount. An
-//! amount is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
+//! amount is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads
+//! that act before the loads of the question.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::bound_scan::{BoundScan, between_known};
@@ -247,8 +248,8 @@ impl FoundAmounts<'_, '_> {
         if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
     }
 
-    /// The bracket at the harder end (less squeeze, more load) of the hardest interval of sufficient amounts that is not [narrow](NARROW). `None` if
-    /// `bound` is at this end already, or if all intervals are narrow.
+    /// The bracket at the harder end (less squeeze, more load) of an interval of sufficient amounts that is not [narrow](NARROW). Among several such
+    /// intervals the one with the hardest end is taken. `None` if `bound` is at this end already, or if all intervals are narrow.
     fn edge_of_a_wide_window(
         &self,
         plan: &SearchPlan,

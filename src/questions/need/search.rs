@@ -64,7 +64,8 @@ pub(super) enum BoundEstimate {
     Nothing,
 }
 
-/// The quantity that a search seeks, its range, and its effort.
+/// The plan of a search: its first amount, the range of amounts, whether the least or greatest amount is sought, and the width of the bracket at
+/// which it ends.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
     /// The first amount to try, if forces can balance the loads with it.

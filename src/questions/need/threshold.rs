@@ -1,6 +1,7 @@
 //! The bracket of the bound, and how it is narrowed. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand
 //! with it; the bound is the least or greatest sufficient amount. A bracket consists of one sufficient and one insufficient amount. The carried part
-//! of the load is the load factor up to which the demand is met with an amount.
+//! of the load is the load factor up to which the demand is met with an amount. At rest means under the loads that act before the loads of the
+//! question.
 
 use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};

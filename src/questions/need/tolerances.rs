@@ -1,5 +1,6 @@
 //! Stopping tolerances of the search for an amount, and the ratios and numbers of the amounts that it tries. An amount (of squeeze, friction, load,
-//! arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
+//! arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the
+//! loads that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. Distances and widths of brackets are relative to the
 //! amount, or to the end of the range of amounts that no proof excludes.

@@ -1,5 +1,5 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): whether the grasp meets the demand with it, and the distance to the bound, the
-//! least or greatest sufficient amount.
+//! least or greatest sufficient amount. At rest means under the loads that act before the loads of the question.
 
 use core::cell::{Cell, RefCell};
 

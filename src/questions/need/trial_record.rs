@@ -1,5 +1,6 @@
 //! The amounts (of squeeze, friction, load, arm or angle) that were tried for an answer, and the plan for the search of further amounts. An amount is
-//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
+//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads that act
+//! before the loads of the question.
 
 use core::cell::{Cell, Ref, RefCell};
 

@@ -1,4 +1,5 @@
-//! The answer to a [`Need`](super::Need) in a sentence, as one would say it to a colleague.
+//! The answer to a [`Need`](super::Need) in a sentence, as one would say it to a colleague. An amount (of squeeze, friction, load, arm or angle) is
+//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
 
 use core::fmt;
 

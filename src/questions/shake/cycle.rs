@@ -1,4 +1,5 @@
-//! One cycle of loads: the states at its beginning and end, and the slips between them.
+//! One cycle of loads: the states at its beginning and end, and the slips between them. A jump is a motion under constant load from one equilibrium
+//! to another.
 
 use super::tolerances::{SAME_CYCLE, SLIP_OF_JUMPS};
 use nalgebra::{DVector, SVector};
@@ -80,7 +81,8 @@ impl Cycle {
         self.difference().amax()
     }
 
-    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], or the errors of its steps if larger.
+    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], or the estimated relative step error of its load
+    /// path if that is larger.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }

@@ -1,4 +1,5 @@
-//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles.
+//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
+//! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts.
 
 use super::cycle::Cycle;
 use super::period_search::PeriodSearch;

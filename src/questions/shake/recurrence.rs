@@ -1,5 +1,6 @@
 //! Extrapolation of states between cycles with the same events: the difference of two successive states is a linear combination of earlier
-//! differences.
+//! differences. A state consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of
+//! contacts.
 //!
 //! An affine map with a matrix A leads from state to state, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey
 //! `d_{n+1} = A d_n`. If m eigenmodes of A contribute, each difference is a combination of the m differences before it, `d_{n+m} = Σ c_j d_{n+j}`,

@@ -84,7 +84,7 @@ pub enum Repeats<const C: usize> {
     Alternates {
         /// The contacts that slide in a period; empty if the object only jumps, or if only joints and tendons [yield](Shaken::yields).
         slides: Vec<WholeContact>,
-        /// The longest path that a contact slides in a period, to and fro added up, m.
+        /// The longest path of slip of a contact in a period, the slips in both senses added up, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         way: f64,
         /// Energy lost in a period by friction and by impacts, J.

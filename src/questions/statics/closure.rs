@@ -41,7 +41,7 @@ pub enum Closure<const C: usize> {
         /// A unit motion v along which no contact force in its cone does negative work. A load W that does positive work W·v along it cannot be
         /// balanced.
         motion: Twist<C>,
-        /// The motions of all bodies in `motion`; `motion` itself is the motion of the body that loads act on. Empty for a single object.
+        /// The motions of all bodies in the same unit motion; `motion` is the motion of the body that loads act on. Empty for a single object.
         bodies: Vec<BodyMotion<C>>,
     },
     /// Up to rounding, the grasp is on the boundary between `Closed` and `Open`, so that neither is proved.
