@@ -30,7 +30,7 @@ pub struct Comparison<const C: usize> {
     /// The differences between the equilibrium and the minimum; `None` unless both exist.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub difference: Option<Difference>,
-    /// Whether the minimum of energy is the equilibrium, and if not, by how much force and moment it is out of balance.
+    /// Whether the minimum of energy is the equilibrium; if not, the force and moment by which contact forces and load do not balance at the minimum.
     pub verdict: ComparisonVerdict,
 }
 

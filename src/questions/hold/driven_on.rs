@@ -48,7 +48,7 @@ impl Engine {
         })
     }
 
-    /// Whether a motion moves no joint, and displaces the bodies relative to the fingers at no closed contact.
+    /// Whether a motion moves no joint, and at no closed contact displaces the body relative to the finger.
     fn turns_in_place(&self, there: &Equilibrium<3>, motion: &Motion<3>) -> bool {
         let is_still = |i: usize, answer: &ContactAnswer<3>| {
             let point = &self.contacts()[i].point;

@@ -41,8 +41,8 @@ impl Engine {
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
         let left_out =
             rotation.dot(&(self.stiffness_of_arms(0, self.origin(), rest, &Wrench::ZERO) * rotation));
-        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
-        // stability until it is near.
+        // A fraction is returned only if its size exceeds a tenth, because each returned fraction adds a caution to the verdict. With a smaller
+        // threshold ordinary verdicts would have this caution; with a larger one it would come only shortly before a loss of stability.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 

@@ -80,7 +80,7 @@ impl Engine {
 const SAME_EVENT: f64 = 0.01;
 
 impl<const C: usize> Lost<C> {
-    /// The loss of these suction cups, which let go because their lips are open all around.
+    /// The [`Lost`] for suction cups that let go because their lips are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
         Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
     }

@@ -68,7 +68,8 @@ pub enum LossVerb {
     Drops,
     /// All contacts that touch open, and the object does not fall.
     LiftsOff,
-    /// The object, or every moving body, moves and hardly turns; or all contacts slide in a screw motion, or until motions are no longer small.
+    /// The object, or every moving body, moves and hardly turns. This is also the verb if all contacts slide and the object leaves in a screw motion,
+    /// or if all contacts slide until motions are no longer small.
     SlipsOut,
     /// The object, or every moving body, turns about contacts that stay in place, and other contacts open.
     TipsOver,

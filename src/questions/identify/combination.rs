@@ -18,7 +18,7 @@ use crate::words::listed;
 pub struct FreeCombination {
     /// The names of the unknowns in this combination.
     pub unknowns: Vec<String>,
-    /// For each unknown the power to which the common factor is raised; the largest power in size is 1 or -1.
+    /// For each unknown the power to which the common factor is raised; the power of largest magnitude is 1 or -1.
     pub powers: Vec<f64>,
     /// A sentence about the combination: which function of its unknowns the slips determine.
     pub says: String,
@@ -96,7 +96,7 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    // If all powers are 1 or -1 to this precision, the sentence about the combination names a product or a ratio.
+    // If all powers differ from 1 or -1 by less than this number, the sentence about the combination names a product or a ratio.
     let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),

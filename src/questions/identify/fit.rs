@@ -72,8 +72,8 @@ impl Model<'_> {
     }
 }
 
-/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted, and
-/// the reason.
+/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error holds the index, from 0, of the first slip that
+/// is not predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips. It is given by the start values of the unknowns,

@@ -93,7 +93,8 @@ impl Model<'_> {
         Ok(guesses)
     }
 
-    /// The residuals of all observations alone. The inner error is the first slip that the model does not predict, and the reason.
+    /// The residuals of all observations alone. The inner error holds the index, from 0, of the first slip that the model does not predict, and the
+    /// reason.
     pub(super) fn residuals(
         &self,
         logs: &[f64],
@@ -101,7 +102,8 @@ impl Model<'_> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
-    /// The residuals of all observations and their derivatives. The inner error is the first slip that the model does not predict, and the reason.
+    /// The residuals of all observations and their derivatives. The inner error holds the index, from 0, of the first slip that the model does not
+    /// predict, and the reason.
     pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, PredictionFailure)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,

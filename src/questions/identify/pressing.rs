@@ -81,7 +81,8 @@ pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], l
     all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
 }
 
-/// The coordinates of a load or a motion of the object; moments or rotations are multiplied by `factor`.
+/// The coordinates of a load or a motion of the object. Moments or rotations are multiplied by `factor`, so that they are comparable with forces or
+/// displacements.
 pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
     let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
     vector_of(space.of_the_object(), &|k| scaled(k, coordinates[k]))

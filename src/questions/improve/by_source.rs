@@ -21,7 +21,7 @@ pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 pub(super) const REST: usize = 0;
 /// Index in [`BySource`] of the forces due to the squeeze, the normal commands that the search varies.
 pub(super) const SQUEEZE: usize = 1;
-/// Index in [`BySource`] of the forces due to the first load; those due to further loads follow.
+/// Index in [`BySource`] of the forces due to the first load; the forces due to further loads follow.
 pub(super) const LOADS: usize = 2;
 
 /// The contact forces of a grasp, computed as if every contact stuck, separately for each source: base load with fixed commands, squeeze, and each

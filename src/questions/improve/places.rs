@@ -19,7 +19,8 @@ pub(super) struct SurfacePoint {
     pub(super) normal: SVector<f64, 3>,
     /// Unit tangent directions at the point: one of a curve, two of a surface.
     pub(super) along: Vec<SVector<f64, 3>>,
-    /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive on a convex shape.
+    /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the
+    /// direction, as on a convex shape.
     pub(super) bends: Vec<f64>,
     /// Linear limits of a step from the point, one for each edge or end of its part of the shape, as pairs (row, room). A step with the components s,
     /// m, in the directions `along` stays on the part if `row·s <= room` for every pair.

@@ -21,7 +21,7 @@ pub(super) struct SurfaceLocation {
     pub(super) normal: SVector<f64, 3>,
     /// Unit tangent directions, perpendicular to each other: the principal directions of curvature.
     pub(super) along: Vec<SVector<f64, 3>>,
-    /// Change of `normal` along each direction of `along` per metre in that direction, 1/m.
+    /// Change of `normal` along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the direction.
     pub(super) bends: Vec<f64>,
     /// Linear limits of a step, one for each edge or end of the part, as pairs (row, room). A step with the components s, m, in the directions
     /// `along` stays on the part if `row·s <= room` for every pair.

@@ -222,7 +222,7 @@ impl Loading {
         // The first step is half of the distance between evenly spread directions, rad.
         let mut step = if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 };
         for _ in 0..50 {
-            // If the weakest direction carries far more than the load, so do its neighbours, and the search ends.
+            // If far more than the load is carried in the weakest direction, the same is true of its neighbours, and the search ends.
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
@@ -302,7 +302,8 @@ fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
 
 /// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
 fn directions(space: Space) -> Vec<[f64; 3]> {
-    // The load at a loss is no closed function of the direction. With fewer directions the weakest one could be missed.
+    // No formula gives the load at the loss as a function of the direction, so directions are sampled. With fewer directions the weakest direction
+    // could be missed.
     let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {

@@ -66,7 +66,7 @@ impl Need<3> {
                 let turn = loading.multiplied_turn(turn);
                 let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
-                // If an angle is sought, the turn ends at this angle.
+                // If an angle is sought, the turn ends at this angle, and the equilibrium at its end is returned.
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }

@@ -173,7 +173,7 @@ impl Loading {
             if demand == Demand::Sticks {
                 let ramp = &ramps[which];
                 let slip = self.said_of(which, &ramp.direction, self.first_slip(ramp)?);
-                // A grasp that does not hold at rest has no first slip, and its verdict gives the reason.
+                // A grasp that does not hold at rest has no first slip; the reason is then taken from its verdict.
                 let is_enough = self.is_beside && slip.carried().is_some_and(|part| part >= 0.0);
                 let is_told = self.grasp.settings().is_quick || is_enough;
                 if let (Trial::Insufficient { .. }, true) = (&slip, is_told) {

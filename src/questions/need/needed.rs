@@ -334,7 +334,7 @@ fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
 }
 
 /// The last sufficient amount and the first insufficient amount among those tried from the bound `sufficient` towards easier amounts (more squeeze,
-/// less load). `None` if none is insufficient.
+/// less load). `None` if no tried amount is insufficient.
 fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
@@ -349,8 +349,8 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
 }
 
 /// The bracket at the far end of the sufficient amounts that begin at `sufficient`. The amounts `far`, between which it is expected, are tried in
-/// turn; for a safe amount, they are the far end with friction, squeeze and loads as given. `None` if neither is insufficient, or if a verdict is
-/// undecided.
+/// turn; for a safe amount, they are the far end with friction, squeeze and loads as given. `None` if neither of the two amounts is insufficient, or
+/// if a verdict is undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

@@ -157,7 +157,7 @@ impl Range {
                 (low, last) = (at, now);
             } else {
                 high = at;
-                // No proof exists at the secant's root, so it is the least coefficient to the accuracy of the proofs.
+                // No proof exists at the root of the secant, so this root is the least coefficient to the accuracy of the proofs.
                 if secant == Some(at) {
                     break;
                 }

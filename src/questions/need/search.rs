@@ -60,7 +60,7 @@ pub(super) enum BoundEstimate {
     Times,
     /// The bound is about `x / c`, as if c were proportional to x.
     Divided,
-    /// No estimate.
+    /// The bound is not estimated from c: for an arm, and for loads that repeat.
     Nothing,
 }
 
@@ -101,7 +101,7 @@ impl SearchPlan {
         self.low() <= amount && amount <= self.high()
     }
 
-    /// The upper or lower end of the range, if a proof excludes all amounts beyond it.
+    /// The upper (if `up`) or lower end of the range, if a proof excludes all amounts beyond it.
     pub(super) fn end(&self, up: bool) -> Option<f64> {
         if up { self.range.high } else { self.range.low }
     }
@@ -221,7 +221,7 @@ pub(super) fn search(
             }
         }
     }
-    // With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
+    // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
     // If the start is insufficient because its squeeze moves the part too far, a smaller squeeze may be sufficient. Therefore smaller amounts are
@@ -346,7 +346,7 @@ fn edge_from(
             now @ Trial::Insufficient { .. } => insufficient = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The amount just inside the proved end is insufficient, so the bound is elsewhere.
+        // If the amount just inside the proved end is not sufficient, the bound is not at this end, and the further guesses near it are skipped.
         if Some(amount) == inside && sufficient != amount {
             break;
         }

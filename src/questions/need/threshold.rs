@@ -154,7 +154,7 @@ impl Threshold {
     }
 }
 
-/// A bracket that is being narrowed, and what guides the next trial.
+/// A bracket that is being narrowed, and the data from which the next amount to try is determined.
 struct Narrowing {
     edge: Threshold,
     sides: [BracketEnd; 2],
@@ -272,7 +272,7 @@ impl Narrowing {
         let secant = || from + (to - from) * (over / (over - under));
         let is_inside = |root: &f64| (root - from) * (root - to) < 0.0;
         let root = self.kept.and_then(|side| self.sides[side].root(self.which)).filter(is_inside);
-        // A secant through measures at the level of rounding has no meaning.
+        // If the measures at the two ends differ by rounding alone, a secant through them has no meaning.
         (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
     }
 
@@ -289,8 +289,8 @@ impl Narrowing {
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
-        // Predictions are exact in the plane, where margins are linear in the amount. In space an old prediction is used once more if there is no new
-        // one.
+        // In the plane margins are linear in the amount, so that predictions are exact: the last prediction is kept while there is no new one. In
+        // space it is used only once more.
         self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
@@ -321,8 +321,8 @@ impl BracketEnd {
         (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end of the bracket. On the other side of
-    /// the bound the measure may have another slope.
+    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end of the bracket. Only one end is used,
+    /// because the derivative of the measure may jump at the bound.
     fn root(&self, which: usize) -> Option<f64> {
         let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
         where_it_vanishes(points)

@@ -8,7 +8,8 @@
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift is taken as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
 
-/// Relative change of forces and gaps per cycle below which the limit is near: all further cycles are expected to have the same events.
+/// If forces and gaps change per cycle by at most this relative number, the limit counts as near: all further cycles are expected to have the same
+/// events.
 ///
 /// If smaller, more cycles would be followed before the limit is known. If larger, events before the limit is reached would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;

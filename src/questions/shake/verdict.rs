@@ -105,7 +105,7 @@ pub enum Repeats<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
-    /// The object is lost: a cycle has no equilibrium from some load on.
+    /// The object is lost: in some cycle no equilibrium exists beyond some load.
     Lost {
         /// The cycle in which the object is lost, from 1.
         cycle: usize,

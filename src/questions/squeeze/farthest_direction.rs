@@ -20,7 +20,7 @@ use crate::search::Settings;
 impl Engine {
     /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions. The force acts
     /// in addition to a base load under which everything sticks. As long as everything sticks, no smaller force has this effect in any direction.
-    /// `None` if no force has it.
+    /// `None` if no force has this effect.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<3>,

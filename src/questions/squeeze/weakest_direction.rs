@@ -111,8 +111,8 @@ impl LeastForce {
             }
             self.size
         };
-        // The first planes are all facets of a polygonal cone. For a round cone the first planes are four facets: towards, against and across the
-        // friction force.
+        // The first planes are all facets of a polygonal cone. For a round cone the first planes are four facets: along the friction force, opposite
+        // to it, and at right angles to it on both sides.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
