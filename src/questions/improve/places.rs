@@ -85,7 +85,8 @@ impl Shape {
         }
     }
 
-    /// The largest absolute coordinate of a corner of a segment or triangle, m; zero for other shapes. The rounding of places is relative to it.
+    /// The largest absolute coordinate of a corner of a segment or triangle, m; zero for other shapes. Rounding errors of points are relative to this
+    /// coordinate.
     pub(super) fn largest(&self) -> f64 {
         let of = |corners: &[SVector<f64, 3>]| largest(corners, &SVector::amax);
         match self {

@@ -164,7 +164,8 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
+    /// The worst result over the loads of all these ramps (a ramp is a load that grows in proportion). The loop ends at the first load that is not
+    /// carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
@@ -219,7 +220,8 @@ impl Loading {
         self.grasp.with(&self.grasp.settings().with_most_load(most)).hold_to_an_extent(ramp, self.extent)
     }
 
-    /// Whether everything sticks under this ramp. This follows from the load factor of first slip alone, so no verdict is computed.
+    /// The trial of whether everything sticks while the load grows along this ramp. The load factor of first slip decides it, so no verdict is
+    /// computed.
     fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
         let onset = self.grasp.onset(ramp)?;
         let factor = match &onset {

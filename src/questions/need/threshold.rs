@@ -1,7 +1,7 @@
 //! The bracket of the bound, and how it is narrowed. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand
 //! with it; the bound is the least or greatest sufficient amount. A bracket consists of one sufficient and one insufficient amount. The carried part
 //! of the load is the load factor up to which the demand is met with an amount. At rest means under the loads that act before the loads of the
-//! question.
+//! question. A measure is a number that is zero at the bound unless it jumps there: the carried part less 1, or the second margin of a trial.
 
 use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
@@ -32,8 +32,9 @@ impl Threshold {
         self.narrowed(tries, sufficient, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at the
-    /// level of rounding, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount of the bracket.
+    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or changes
+    /// across the bracket by rounding alone, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount of the
+    /// bracket.
     ///
     /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
@@ -245,7 +246,8 @@ impl Narrowing {
         jumps && !has_other
     }
 
-    /// The next amount to try: next to the root of the measure, or where contacts at rest probably leave their states, or in the middle.
+    /// The next amount to try: next to the amount at which the measure probably vanishes, or at which contacts at rest probably leave their states,
+    /// or in the middle of the bracket.
     fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -265,7 +267,7 @@ impl Narrowing {
         from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
     }
 
-    /// The root of the measure in use: extrapolated on the side that the last step moved, or else by a secant.
+    /// The amount at which the measure in use vanishes: extrapolated from the end that the last step moved, or else by a secant.
     fn root(&self) -> Option<f64> {
         let [over, under] = signs_differ(&self.sides, self.which)?;
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
@@ -356,8 +358,8 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Relative distances from the bound at which full trials are made if quick trials leave amounts next to the bound undecided. The next distance is
-/// used if the trial at the previous distance is undecided.
+/// Relative distances from the bound at which full trials are made in space if quick trials leave amounts next to the bound undecided. They are used
+/// one after the other, until a trial shows an insufficient amount.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.
@@ -367,8 +369,8 @@ const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 /// not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
-/// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials next to the bound are
-/// decided.
+/// Relative distances from the bound at which full trials are made, one after the other, until a trial shows an insufficient amount. They are used in
+/// the plane, and in space if quick trials next to the bound are decided.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
 /// A difference of a measure between two amounts is taken as rounding if it is smaller than this number.

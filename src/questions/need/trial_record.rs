@@ -257,7 +257,7 @@ fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Opti
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
 }
 
-/// Whether each contact is in a state of the same kind in both lists.
+/// Whether each contact has the same kind of state (open, sticking, sliding or frictionless) in both equilibria at rest.
 fn same_kinds(one: &AtRest, other: &AtRest) -> bool {
     let (one, other) = (&one.contacts, &other.contacts);
     one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.kind == other.kind)
