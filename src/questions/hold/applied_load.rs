@@ -1,4 +1,5 @@
-//! The verdict on a load: the load path is followed from the base load to the whole load, factor 1, and on to `Settings::most_load` or to the loss.
+//! The verdict on a load. The load path is followed from the base load (load factor 0) to the whole load (factor 1), and on to the factor
+//! `Settings::most_load` or to the loss of equilibrium.
 
 use core::mem::{Discriminant, discriminant};
 

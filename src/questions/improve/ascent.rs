@@ -198,8 +198,8 @@ impl AscentProblem<'_> {
                     self.evaluate(self.design_space.stepped(&design.design_point, step.d.as_slice()))?;
                 let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - design.value) / design.scale);
                 let gain_ratio = gain / step.gain;
-                // The trust region doubles if the gain exceeds three quarters of the predicted gain and the step reaches the boundary. It shrinks if
-                // the gain is below a quarter of the predicted gain.
+                // The trust region doubles if the gain exceeds three quarters of the predicted gain and the step reaches the boundary of the region.
+                // It shrinks if the gain is below a quarter of the predicted gain.
                 if gain_ratio > 0.75 && step.d.amax() >= 0.99 * radius {
                     radius = (2.0 * radius).min(largest_radius);
                 } else if gain_ratio < 0.25 {

@@ -25,10 +25,10 @@ pub struct Improve<const C: usize> {
     /// The load that acts before the other loads and stays constant.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
-    /// A load that grows from zero, or the constant load if `any_force` is given.
+    /// A load that grows.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) load: Option<Wrench<C>>,
-    /// Loads that grow from zero, one at a time.
+    /// Loads that grow, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(crate) loads: Vec<Wrench<C>>,
     /// The size, N, of a force of any direction that acts at `at` in addition to the constant `load`. At load factor 1 the force has this size.

@@ -116,7 +116,7 @@ impl SurfaceLocation {
         there.filter(|location| (location.point - self.point).norm() <= near).list()
     }
 
-    /// A random place on the whole surface, on the same side as this place, with uniform density.
+    /// A random place on the whole surface, with uniform density. Its normal is on the same side of the surface as the normal of this place.
     pub(super) fn random(&self, surface: &Shape, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = numbered(surface.parts(), &|part| surface.size(part));
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
@@ -126,7 +126,8 @@ impl SurfaceLocation {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // All triangles have their corners in the same order, and all segments their ends, so the inside is on the same side of every part.
+        // All triangles have their corners in the same order, and all segments their ends. The object is therefore on the same side of every triangle
+        // or segment, relative to its normal.
         Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }

@@ -219,7 +219,7 @@ impl Loading {
         mut weakest: Trial,
     ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
-        // The first step is half of the distance between evenly spread directions, rad.
+        // The first step is half of the angle between neighbouring evenly spread directions, rad.
         let mut step = if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 };
         for _ in 0..50 {
             // If far more than the load is carried in the weakest direction, the same is true of its neighbours, and the search ends.
@@ -300,7 +300,7 @@ fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
     vec![first, [y * c - z * b, z * a - x * c, x * b - y * a]]
 }
 
-/// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
+/// Evenly spread unit vectors: on the unit circle in the plane, on a golden spiral over the unit sphere in space.
 fn directions(space: Space) -> Vec<[f64; 3]> {
     // No formula gives the load at the loss as a function of the direction, so directions are sampled. With fewer directions the weakest direction
     // could be missed.

@@ -38,8 +38,7 @@ impl Demand {
     }
 }
 
-/// A sought quantity with its loads, its demand, and the reductions of friction and squeeze (or the factor on the loads) for a safe amount.
-/// [`Grasp::need`](crate::ask::Grasp::need) refuses invalid values.
+/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) refuses invalid values.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

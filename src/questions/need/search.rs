@@ -247,8 +247,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Trying neighbours keeps one undecided amount from ending the search. If they were closer than 1e-9, the cause, two events at the same load,
-        // might occur again. In a narrow bracket two neighbours are enough.
+        // Neighbours are tried so that one undecided amount does not end the search. As a rule a verdict is undecided because of two events at the
+        // same load, which neighbours closer than 1e-9 might have, too. In a narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],

@@ -36,7 +36,7 @@ pub enum WeakestDirection<const C: usize> {
     Never,
     /// Nothing resists this motion, and a force at this point can do work along it.
     GivesWay {
-        /// This motion, of unit size.
+        /// The motion that nothing resists, of unit size.
         motion: Motion<C>,
     },
     /// Under the base load a contact slides or is open, a drive is at its force limit, or no equilibrium with all contacts sticking exists.
