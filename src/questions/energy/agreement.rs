@@ -1,4 +1,5 @@
-//! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, along a ramp.
+//! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, while load and commands change linearly
+//! with the factor.
 
 use nalgebra::SVector;
 
@@ -17,10 +18,11 @@ use crate::prelude::*;
 
 /// The load factors from 0 for which the minimum of energy is an equilibrium.
 ///
-/// Load and commands are affine in the factor τ. So is the vector of the complementarity problem of the [quadratic program](super::MinimumEnergy),
-/// while its matrix is constant. Lemke's method with τ as the parameter goes from one set of open contacts to the next. The method ends once the
-/// multiplier of a friction constraint enters the basis. At larger load factors this multiplier acts on the object like a force, and Coulomb's law is
-/// violated. The paper (see [`energy`](crate::energy)) predicts sliding in this way.
+/// Load and commands are affine functions of the factor τ. The vector of the complementarity problem of the [quadratic program](super::MinimumEnergy)
+/// is therefore affine in τ, too, and its matrix is constant. Lemke's method with τ as the parameter follows the solution from τ = 0, and each pivot
+/// changes the set of open contacts. It ends once the multiplier of a friction constraint enters the basis: at larger load factors this multiplier
+/// acts on the object like an external force, and Coulomb's law is violated. The paper (see [`energy`](crate::energy)) takes this load factor for the
+/// onset of sliding.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
@@ -28,8 +30,8 @@ pub enum Agreement<const C: usize> {
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
-        /// Contact and facet of every constraint that begins to bind, numbered as in [`PolygonCone`](crate::PolygonCone). The facet
-        /// is `None` for F_n = 0 at infinite friction.
+        /// Contact, counted from 0, and facet of every constraint that begins to bind. Facets are numbered as in [`PolygonCone`](crate::PolygonCone);
+        /// `None` stands for the constraint F_n >= 0 at infinite friction.
         binding: Vec<(usize, Option<usize>)>,
     },
     /// The minimum is an equilibrium at every load factor from 0.
@@ -80,8 +82,8 @@ impl Engine {
     }
 }
 
-/// The quadratic program along a ramp. `program` is that at load factor 0; `change` and `direction` are the changes of the contact springs' offsets
-/// (m) and of the load per unit of the factor.
+/// The quadratic program along a ramp. `program` is the program at load factor 0. `change` holds the changes of the contacts' offsets (command less
+/// clearance, m) and `direction` the change of the load (N, N m), both per unit of the factor.
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,
@@ -117,13 +119,14 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The answer if the multiplier of friction constraint `row` enters the basis of the active set `faces`. The load factor at which it enters is
-    /// computed anew from the active springs. `seen` is this load factor as the pivots give it.
+    /// The answer at the pivot at which the multiplier of friction constraint `row`, an index into `program.friction`, enters the basis. `faces` are
+    /// the constraints that are active before this pivot. `seen` is the load factor of the pivot, with the rounding errors of all pivots; the factor
+    /// of the answer is therefore computed anew from the active springs.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // If the margin of the constraint does not decrease with the load factor, the load factor from the pivots is taken.
+        // The margin of the constraint decreases with the load factor. If rounding hides this decrease, the load factor of the pivot is taken.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, 3>]| largest(list, &SVector::norm);
         let size = most(&forces) + factor * most(&rates);

@@ -30,7 +30,7 @@ pub struct Comparison<const C: usize> {
     /// The differences between the equilibrium and the minimum; `None` unless both exist.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub difference: Option<Difference>,
-    /// Whether the minimum of energy is the equilibrium, and if not, by how much force and moment it is out of balance.
+    /// Whether the minimum of energy is the equilibrium; if not, the force and moment by which contact forces and load do not balance at the minimum.
     pub verdict: ComparisonVerdict,
 }
 
@@ -41,21 +41,21 @@ pub struct Comparison<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Difference {
-    /// Largest difference between the displacements of the object at a contact, m. Motions that no spring resists, in the equilibrium or in the
-    /// minimum, are not included.
+    /// Largest distance, over all contacts, between the displacement of the object at the contact in the equilibrium and that at the minimum, m.
+    /// Motions that no spring resists, in the equilibrium or in the minimum, are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Largest magnitude of the difference of a contact force between the equilibrium and the minimum, N.
+    /// Largest magnitude, over all contacts, of the vector difference between the contact force in the equilibrium and that at the minimum, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
     /// Magnitude of the difference between the energies stored in the springs, in the equilibrium and at the minimum, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
-    /// The largest magnitude, over all contacts, of the object's displacement at the contact in the equilibrium and of the offset (command less
-    /// clearance), m.
+    /// The size to which the difference `displacement` is compared, m: the largest magnitude, over all contacts, of the object's displacement at the
+    /// contact in the equilibrium and of the offset (command less clearance).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement_size: f64,
-    /// The largest magnitude of a contact force in the equilibrium, N.
+    /// The size to which the difference `force` is compared: the largest magnitude of a contact force in the equilibrium, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force_size: f64,
     /// The size to which the difference `energy` is compared: the energy stored in the springs in the equilibrium, J.
@@ -97,7 +97,7 @@ pub enum ComparisonVerdict {
     /// complementarity problem gave no equilibrium.
     Agree,
     /// The minimum is an equilibrium, and the complementarity problem has another equilibrium; they differ by more than 1e-9 of the largest contact
-    /// force or displacement. With friction there may be several equilibria, and if a contact carries nothing the object may have several positions.
+    /// force or displacement. With friction there may be several equilibria, and if a contact carries no force the object may have several positions.
     TwoEquilibria,
     /// An equilibrium exists, but at the minimum of energy contact forces and load do not balance.
     OutOfEquilibrium {
@@ -141,7 +141,8 @@ impl Difference {
 
 impl<const C: usize> MinimumEnergy<C> {
     /// Whether the object is in equilibrium at the minimum of energy: the multipliers of friction constraints exert no resultant force or moment on
-    /// it. [`MinimumEnergy::imbalance`] may be up to 1e-12 of the largest force, with moments divided by the size of the grasp.
+    /// it. It is true also if [`MinimumEnergy::imbalance`] is only rounding, at most 1e-12 of the largest force (moments divided by the size of the
+    /// grasp).
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced

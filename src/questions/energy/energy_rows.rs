@@ -1,9 +1,9 @@
 //! Conditions on contact forces (gap conditions, facets of friction cones) in energy coordinates, with their values if everything sticks.
 //!
-//! Energy coordinates are `x = K^{-1/2} F`, with the contact forces F and the stiffness K. In them every condition `n·x >= 0` on one contact's force
-//! has a normal n of unit length, so that ratios of stiffnesses cancel. Let G be the grasp map, `K^{1/2}Gᵀ = Q R`, and Π = QQᵀ the projector on the
-//! motions of the object. The optimality conditions need only two kinds of products of two normals n, n', `n·Π n'` and `n·(1 - Π) n'`, and the values
-//! `n·x⁰` of the forces x⁰ if everything sticks.
+//! Let F be the contact forces, K the stiffness and G the grasp map. Energy coordinates are `x = K^{-1/2} F`. In them every condition `n·x >= 0` on
+//! one contact's force has a normal n of unit length, so that ratios of stiffnesses cancel. With the orthogonal factor Q of `K^{1/2}Gᵀ = Q R`,
+//! `Π = QQᵀ` is the projector on the motions of the object. The optimality conditions need only the products `n·Π n'` and `n·(1 - Π) n'` of two
+//! normals n, n', and the values `n·x⁰` at the forces x⁰ if everything sticks.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -20,7 +20,8 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct ForceCondition {
     pub(super) contact: usize,
-    /// The facet of the friction cone whose condition this is; `None` for the condition that the normal force is not negative.
+    /// Index, from 0, of the facet of the friction cone to which the condition belongs; `None` for the condition that the normal force is not
+    /// negative.
     pub(super) facet: Option<usize>,
     /// The same condition for the force in N, `law·F_i >= 0`: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
     law: SVector<f64, 3>,
@@ -28,7 +29,7 @@ pub(super) struct ForceCondition {
     pub(super) normal: SVector<f64, 3>,
     /// Norm of `K^{1/2} law`, by which the condition is divided in energy coordinates.
     pub(super) length: f64,
-    /// If the largest contact force is 1 N, the rounding error of [`Self::value`] is proportional to this number.
+    /// Bound of the rounding error of [`Self::value`], divided by that of the largest contact force; no unit.
     pub(super) weight: f64,
     /// Qᵀ times the normal, with the orthogonal factor Q of all springs: the coordinates of the normal's projection on motions of the object.
     pub(super) rows_of_factor: Vector,
@@ -77,7 +78,7 @@ impl ForceCondition {
     }
 }
 
-/// The springs along those axes of contact frames for which `holds(contact, axis)` is true.
+/// The springs along those axes of contact frames for which `holds(contact, axis)` is true; axis 0 is the normal.
 pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> Piece {
     Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
@@ -122,12 +123,12 @@ pub(super) fn values<'r>(
 
 /// The square matrix with `rows` rows and these entries; `None` for more than 10 000 rows.
 pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Option<DMatrix<f64>> {
-    // A thousand contacts in space on eight facets have 9 000 rows, and the matrix takes about a gigabyte.
+    // A thousand contacts in space on eight facets have 9 000 rows; a matrix of 10 000 rows takes 0.8 gigabytes.
     (rows <= 10_000).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
-/// The limit of pivots of Lemke's method for a dense matrix with this many rows: the caller's limit if given. Else it is the default, or less if a
-/// pivot takes long.
+/// The limit of pivots of Lemke's method for a dense matrix with this many rows. It is the limit set by the caller, or else the default limit of the
+/// solver, reduced for large matrices, for which a pivot takes long.
 pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     let entries = (rows * rows).max(1) as f64;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64

@@ -1,4 +1,5 @@
-//! Conversion of the types about minimum energy between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Converts the types about minimum energy between the form of the engine, whose vectors have three components even in the plane, and the form of the
+//! caller, whose vectors have `C` components: 2 in the plane, 3 in space.
 
 use super::agreement::Agreement;
 use super::comparison::{Comparison, ComparisonVerdict, Difference};

@@ -1,4 +1,4 @@
-//! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not cost digits.
+//! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not enlarge rounding errors.
 //!
 //! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
 //! constraints. The springs that remain active then determine the minimum. The multipliers of the constraints are forces on the **object** that no
@@ -58,15 +58,17 @@ impl<const C: usize> MinimumOutcome<C> {
 /// The minimum of potential energy under the friction constraints, with all contacts that have friction sticking: the result of the quadratic
 /// program. **It is an equilibrium only if [`Self::imbalance`] is zero.**
 ///
+/// With K_i, a_i, G_i and g_i the stiffness, offset (command less clearance), grasp map and gap of contact i, e_n its normal axis, W the load and q
+/// the twist:
+///
 /// ```text
 /// minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)      over q and g
 /// subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet h of the cone
 /// ```
 ///
-/// K_i, a_i and G_i are the stiffness, the offset (command less clearance) and the grasp map of contact i; e_n is its normal axis, and g_i its gap. W
-/// is the load, q the twist. The multiplier λ of a friction constraint, of contact i at the facet h, acts on the object like a force that no contact
-/// exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it
-/// would carry F_t across the gap, as in the program that the paper prints (see [`energy`](crate::energy)).
+/// The multiplier λ of the friction constraint of contact i at facet h acts on the object like a force that no contact exerts:
+/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has the constraint F_n >= 0 instead of a gap. With a gap, no friction
+/// constraint would keep it from transmitting F_t across the gap, as in the program that the paper prints (see [`energy`](crate::energy)).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -88,7 +90,8 @@ pub struct MinimumEnergy<const C: usize> {
     /// Energy stored in the springs of all contacts, joints and tendons, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// The minimum of the potential energy, J: stored energy less the work `W·q` of the load W along the motion q.
+    /// The minimum of the potential energy, J: stored energy less the work `W·q` along the motion q. Here W is the load, together with the permanent
+    /// loads of bodies and the pull of vacuums.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
     /// Motions that stretch no active spring: the twist is determined up to them. They are orthogonal to each other and have unit size, in which a
@@ -170,7 +173,7 @@ impl Engine {
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
         // If the state in which everything sticks satisfies all conditions up to rounding, it is the minimum and no pivot is needed. This also avoids
-        // ties, which are common in symmetric grasps.
+        // ties in the choice of pivots, which are common in symmetric grasps.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));

@@ -10,9 +10,10 @@
 //! external force. The quadratic program still has a minimum, but the object is not in equilibrium at this minimum. [`Comparison`] classifies one
 //! load, [`Agreement`] gives the load factor up to which the minimum is an equilibrium.
 //!
-//! Coulomb's law and the quadratic program differ in one factor. Let x = K^{-1/2} F be the contact forces in energy coordinates, with the stiffness
+//! Coulomb's law and the quadratic program differ in one factor. Let x = K^{-1/2} F be the contact forces F in energy coordinates, with the stiffness
 //! K. Let x⁰ be these forces if everything sticks, and Π the projector on the motions of the object. Each row of N x >= 0 is the condition of one
-//! facet of a friction cone, and S has the tangential components of these rows. z are slips in Coulomb's law, multipliers in the quadratic program:
+//! facet of a friction cone, and S consists of the tangential components of these rows. The unknowns z are slips in Coulomb's law, but multipliers in
+//! the quadratic program:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip

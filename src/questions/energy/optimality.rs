@@ -1,8 +1,9 @@
 //! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
 //!
-//! K is the stiffness, a the offsets of the contacts, G the grasp map, A = K^{1/2}Gᵀ = QR and Π = QQᵀ. The state in which everything sticks has the
-//! motion q⁰ of the object and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). With the scaled gaps ĝ = √k_n g, which act along the
-//! columns of E, and the friction constraints N x >= 0 (rows of unit length), the quadratic program is
+//! Let K be the stiffness, a the offsets of the contacts (command less clearance), G the grasp map and q the motion of the object. A = K^{1/2}Gᵀ has
+//! an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. The state in which everything sticks has the motion q⁰ and, in energy
+//! coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E.
+//! The rows of the friction constraints N x >= 0 have unit length. The quadratic program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -18,9 +19,9 @@
 //! x = x⁰ + (1 - Π) E ĝ + Π Nᵀλ
 //! ```
 //!
-//! Multipliers enter the forces through Π: they push the **object** like an external force. They leave the imbalance `Aᵀx + W = AᵀNᵀλ` of forces,
-//! with the load W; the minimum is an equilibrium exactly if this imbalance is zero. Slips of Coulomb's law enter through 1 - Π and preserve the
-//! balance.
+//! Multipliers enter the forces through Π: they act on the **object** like an external force. They leave the imbalance `Aᵀx + W = AᵀNᵀλ` of forces,
+//! with the load W; the minimum is an equilibrium exactly if this imbalance is zero. Under Coulomb's law slips enter through 1 - Π instead, and
+//! preserve the balance.
 //!
 //! Lemke's method finds the open gaps and the binding friction constraints. The answer is then computed from the remaining springs, so that it does
 //! not depend on the rounding of the pivots. Every condition of the minimum is checked.
@@ -44,8 +45,8 @@ pub(super) struct EnergyProgram<'g> {
     pub(super) friction: Vec<ForceCondition>,
 }
 
-/// The constraints that are active at a point of the quadratic program: per contact whether its gap is open, and the indices of binding friction
-/// constraints.
+/// The constraints that are active at a point of the quadratic program. `open` is true for each contact whose gap is open. `binding` holds the
+/// indices of the binding friction constraints in [`EnergyProgram::friction`].
 #[derive(Debug, Clone)]
 pub(super) struct Faces {
     pub(super) open: Vec<bool>,
@@ -83,7 +84,8 @@ impl<'g> EnergyProgram<'g> {
         self.gaps.iter().chain(&self.friction)
     }
 
-    /// The vector of the linear complementarity problem, from the contact forces if everything sticks: gap conditions, then friction constraints.
+    /// The vector of the linear complementarity problem: the values of the gap conditions, then of the friction constraints, at the contact forces
+    /// `stuck` (N) of the state in which everything sticks.
     pub(super) fn vector(&self, stuck: &[SVector<f64, 3>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
@@ -148,8 +150,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
-    /// the active springs do not resist the load. If a gap is negative at the motion of least norm, the part of the motion `near` that stretches no
-    /// active spring is added.
+    /// the active springs do not resist the load. If the active springs leave motions free and a gap is negative at the motion of least norm, the
+    /// part of `near`, the motion in Lemke's solution, that stretches no active spring is added.
     pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
@@ -180,12 +182,12 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Makes the binding friction constraints hold as equalities, N x = 0. `forces` balance the load without these constraints (x' in energy
-    /// coordinates) and are changed; `multipliers` are written. Returns the change of the motion, in the coordinates of the active springs. `None` if
-    /// constraints are linearly dependent.
+    /// Makes the binding friction constraints hold as equalities, N x = 0. On entry `forces` balance the load without regard to these constraints (x'
+    /// in energy coordinates); on return they satisfy them. `multipliers` receive the multipliers λ. Returns the change of the motion, in the
+    /// coordinates of the active springs. `None` if constraints are linearly dependent.
     ///
     /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
-    /// `x_n = (Nᵀλ)_n`. With the orthogonal factor Q of the active springs and `M = [N Q, N_n of the open gaps]`,
+    /// `x_n = (Nᵀλ)_n`. With the orthogonal factor Q of the active springs, the columns N_n of N for these normal components, and `M = [N Q, N_n]`,
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
@@ -264,8 +266,8 @@ impl<'g> EnergyProgram<'g> {
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // The multiplier of the condition that a gap is not negative, `push - held`: the normal force less the normal component of the friction
-        // multipliers' forces, in energy coordinates `√k_n (x - Nᵀλ)_n`.
+        // `push - held`, N, is the multiplier of the condition that a gap is not negative: the normal force less the normal component of the forces
+        // of the friction multipliers. In energy coordinates it is `√k_n (x - Nᵀλ)_n`.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

@@ -57,7 +57,7 @@ impl<const C: usize> fmt::Display for Comparison<C> {
     }
 }
 
-/// The contacts that slide in the equilibrium, for the clause before the imbalance of the minimum; empty if none slides.
+/// The words that name the contacts that slide in the equilibrium, up to "and" before the imbalance of the minimum; empty if none slides.
 fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     let mut names = Vec::new();
     for whole in state.whole_contacts() {

@@ -1,4 +1,5 @@
-//! The verdict on a load: the load path is followed from the base load to the whole load, factor 1, and on to `Settings::most_load` or to the loss.
+//! The verdict on a load. The load path is followed from the base load (load factor 0) to the whole load (factor 1), and on to the factor
+//! `Settings::most_load` or to the loss of equilibrium.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -29,7 +30,7 @@ pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
     /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
-    /// The verdict then knows the largest ratio of a motion to its limit.
+    /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
     /// Like `Measured`, but without the proof near the loss and without the data that only sentences need. The base load is not followed from zero to
     /// find out whether the grasp loses it.
@@ -55,7 +56,7 @@ pub(crate) struct PathFacts {
 #[derive(Debug, Clone)]
 pub(crate) struct AtRest {
     pub(crate) contacts: Vec<RestingContact>,
-    /// The engine's states of contacts and drives, if they had to be searched for.
+    /// The engine's states of contacts and drives, if these states had to be searched for; otherwise empty.
     pub(crate) states: Vec<State>,
 }
 
@@ -109,7 +110,8 @@ impl Engine {
         settings: &Settings,
         extent: VerdictScope,
     ) -> Result<(Verdict<3>, PathFacts), Error> {
-        // The search for the first slip and the load path share the equilibrium under the base load. With many bodies it takes most of the time.
+        // The search for the first slip and the load path share the equilibrium under the base load. With many bodies, finding this equilibrium takes
+        // most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let states = match &rest {
             Some((SearchOutcome::Found(found, _), _)) => found.states.clone(),
@@ -343,8 +345,8 @@ impl Engine {
         }
     }
 
-    /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, for bad loads, and if no proof is
-    /// found.
+    /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, if the load is not finite or beyond
+    /// 1e50, and if no proof is found.
     fn nothing_near(
         &self,
         lost: &Lost<3>,
@@ -381,7 +383,7 @@ fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
     event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }
 
-/// The end of small motions, if the path has one that comes clearly before the loss of equilibrium, or has no loss; else `None`.
+/// The end of small motions, if it comes before the loss of equilibrium by more than rounding, or if there is no loss; else `None`.
 fn end_before_loss<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {

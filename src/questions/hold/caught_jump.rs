@@ -1,5 +1,5 @@
 //! Jumps along the load path under constant load. The object slips because kinetic friction is lower, or snaps over from an unstable equilibrium,
-//! until other contacts catch it.
+//! until other contacts catch it. The load factor is the multiple of the growing load that acts; 1 is the whole load.
 
 use core::fmt;
 
@@ -20,7 +20,7 @@ use crate::words::{Words, listed, printable};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CaughtJump {
-    /// The load factor of the jump: the multiple of the load that grows.
+    /// The load factor at which the object jumps.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// The contacts that slip in the jump, each with the length of its slip.
@@ -29,7 +29,8 @@ pub struct CaughtJump {
     /// catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<CaughtMotion>,
-    /// Whether the object snaps over from the end of its path (a fold, a corner or an asymptote) to another equilibrium ([`Jump::snaps`]).
+    /// True if the path of equilibria ends at this load (in a fold, a corner or an asymptote), so that the object snaps over to another equilibrium
+    /// ([`Jump::snaps`]).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// Energy dissipated in the jump, J.

@@ -41,14 +41,14 @@ impl Engine {
             }
         }
         let (values, vectors) = symmetric_eigen(&falls);
-        // A decrease of the potential by less than this fraction is rounding of arms and forces.
+        // A decrease of the potential is rounding of arms and forces if it is below this fraction of the largest force times the size of the grasp.
         (*values.last()? < -NEGLIGIBLE * scale).then(|| {
             let parts = vectors.column(free.len() - 1);
             combined(free, parts.as_slice())
         })
     }
 
-    /// Whether a motion moves no joint, and displaces the bodies relative to the fingers at no closed contact.
+    /// Whether a motion moves no joint, and at no closed contact displaces the body relative to the finger.
     fn turns_in_place(&self, there: &Equilibrium<3>, motion: &Motion<3>) -> bool {
         let is_still = |i: usize, answer: &ContactAnswer<3>| {
             let point = &self.contacts()[i].point;
@@ -73,7 +73,7 @@ fn turn_of(motion: &Motion<3>, body: usize) -> SVector<f64, 3> {
     SVector::from_column_slice(&twist_of(motion, body).components()[3..])
 }
 
-/// The sum of motions, each times its entry of `parts`.
+/// The linear combination of motions with the coefficients `parts`.
 fn combined(motions: &[Motion<3>], parts: &[f64]) -> Motion<3> {
     let sum = |of: &dyn Fn(&Motion<3>) -> Twist<3>| {
         motions.iter().zip(parts).fold(Twist::ZERO, |sum, (motion, part)| sum + of(motion) * *part)

@@ -1,4 +1,5 @@
-//! Conversion of verdicts between the engine's vectors of three components and the callers' vectors of `C` components.
+//! Converts verdicts between the form of the engine, whose vectors have three components even in the plane, and the form of the caller, whose vectors
+//! have `C` components: 2 in the plane, 3 in space.
 
 use super::caught_jump::CaughtJump;
 use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};

@@ -1,5 +1,5 @@
 //! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). Contact states are not
-//! searched for at each event.
+//! searched for at each event. The load factor is the multiple of the growing load that acts; 1 is the whole load.
 
 use super::applied_load::PathFacts;
 use super::verdict::{FirstSlip, Holding, Verdict};
@@ -11,7 +11,7 @@ use crate::search::Settings;
 
 impl Engine {
     /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens or stops sliding, if no contact slides, or if
-    /// a factor is within rounding of 1. The caller then follows the full load path.
+    /// the load factor of the first slip or of the end is within rounding of 1. The caller then follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,

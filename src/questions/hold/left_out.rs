@@ -41,16 +41,16 @@ impl Engine {
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
         let left_out =
             rotation.dot(&(self.stiffness_of_arms(0, self.origin(), rest, &Wrench::ZERO) * rotation));
-        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
-        // stability until it is near.
+        // A fraction is returned only if its size exceeds a tenth, because each returned fraction adds a caution to the verdict. With a smaller
+        // threshold ordinary verdicts would have this caution; with a larger one it would come only shortly before a loss of stability.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 
     /// Minus the largest fraction of the springs' resistance that the forces of an equilibrium take away in any motion. It is -1/t for the least t
     /// for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
     ///
-    /// `None` if the size of the fraction is below a half, if nothing resists some motion, and for many coordinates. Struts between two points are
-    /// treated as if they were infinitely long.
+    /// `None` if the size of the fraction is below a half, if nothing resists some motion, and if the grasp has so many coordinates that it is solved
+    /// with band matrices. Struts between two points are treated as if they were infinitely long.
     pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let size = size_of(self.sites());
         if uses_band(size) {
@@ -126,8 +126,8 @@ impl Engine {
     }
 }
 
-/// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
-/// a larger value would leave too little reserve before the grasp buckles.
+/// [`Engine::taken_by_forces`] returns a fraction only if its size exceeds this number. A smaller number would add a caution to ordinary squeezes of
+/// soft fingers; a larger one would leave too little reserve before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
 
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.

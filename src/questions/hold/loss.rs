@@ -1,4 +1,5 @@
-//! Computes [`Lost`], the field of a verdict about the loss of equilibrium or the end of small motions.
+//! Computes [`Lost`], the field of a verdict about the loss of equilibrium or the end of small motions. The load factor is the multiple of the
+//! growing load that acts; 1 is the whole load.
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
@@ -47,7 +48,8 @@ impl Engine {
         }
     }
 
-    /// The [`Lost`] of a verdict, for an end of small motions at this load factor; `everything_slides` says whether gross slip has begun.
+    /// The [`Lost`] of a verdict, for an end of small motions at this load factor; `everything_slides` is the load factor at which gross slip has
+    /// begun, if it has.
     pub(super) fn gone_too_far(
         &self,
         factor: f64,
@@ -78,7 +80,7 @@ impl Engine {
 const SAME_EVENT: f64 = 0.01;
 
 impl<const C: usize> Lost<C> {
-    /// The loss of these suction cups, which let go because their lips are open all around.
+    /// The [`Lost`] for suction cups that let go because their lips are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
         Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
     }

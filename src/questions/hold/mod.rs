@@ -13,17 +13,18 @@
 //! applied, the [`Verdict`] names the motion of the object ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium
 //! ([`NoEquilibriumNear`]): a proof that holds whatever contacts have slipped before.
 //!
-//! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. The balance of the load W
-//! and the contact forces F_i gives `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most that of its normal force and of the
-//! friction that this normal force allows. The normal force is known at every motion q of the object, so that an equilibrium at the motion q needs
+//! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. Let u_n,i be the normal
+//! component of u_i (along the normal n into the object), and u_t,i its tangential part. The balance of the load W and the contact forces F_i gives
+//! `W·v = -Σ F_i·u_i`. The negative work of a contact along v is at most that of its normal force and of the friction that this normal force allows.
+//! The normal force is known at every motion q of the object, so that an equilibrium at the motion q needs
 //!
 //! ```text
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. Thus `h` is an upper bound of the negative work
-//! of all contacts. Let v be the motion of the loss. As q grows from the motion at the loss, the terms of opposed contacts in h change in opposite
-//! senses, until one contact opens. The neighbourhood has the radius at which h could first reach `W·v`.
+//! Here μ is the coefficient of friction, a_n the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. Thus `h` is an
+//! upper bound of the negative work of all contacts. Let v be the motion of the loss. As q grows from the motion at the loss, the terms of opposed
+//! contacts in h change in opposite senses, until one contact opens. The neighbourhood has the radius at which h could first reach `W·v`.
 
 mod applied_load;
 mod caught_jump;

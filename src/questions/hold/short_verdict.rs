@@ -1,4 +1,5 @@
-//! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria.
+//! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria. The load factor is the multiple of the
+//! growing load that acts; 1 is the whole load.
 
 use core::fmt;
 
@@ -63,11 +64,12 @@ pub enum VerdictKind {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossVerb {
-    /// The object moves down within 25° of the vertical, and no contact slides at the loss.
+    /// The object moves down, within 26° of the vertical, and no contact slides at the loss.
     Drops,
     /// All contacts that touch open, and the object does not fall.
     LiftsOff,
-    /// The object, or every moving body, moves and hardly turns; or all contacts slide in a screw motion, or until motions are no longer small.
+    /// The object, or every moving body, moves and hardly turns. This is also the verb if all contacts slide and the object leaves in a screw motion,
+    /// or if all contacts slide until motions are no longer small.
     SlipsOut,
     /// The object, or every moving body, turns about contacts that stay in place, and other contacts open.
     TipsOver,

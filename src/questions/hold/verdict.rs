@@ -1,4 +1,5 @@
-//! The verdict on a load that grows from zero in addition to the base load.
+//! The verdict on a load that grows from zero in addition to the base load. The load factor is the multiple of the growing load that acts; 1 is the
+//! whole load.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
@@ -42,9 +43,9 @@ pub struct Verdict<const C: usize> {
     /// held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Load factor from which on every contact with friction and a normal force slides, without interruption, up to factor 1. If a contact sticks at
-    /// factor 1, or the path ends before it, the contacts slide up to the end of the path instead. At larger factors friction is exhausted, and
-    /// normal forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
+    /// Load factor from which on every contact with friction and a normal force slides without interruption: up to factor 1 or, if a contact sticks
+    /// at factor 1 or the path ends before it, up to the end of the path. At larger factors friction is exhausted, and normal forces must carry any
+    /// further load. `None` if a contact sticks at factor 1 and at the end of the path.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -188,8 +189,8 @@ pub struct Lost<const C: usize> {
     /// Contacts that slide at the loss; in a grasp of several bodies only contacts whose two surfaces move relative to each other.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is within a hundredth
-    /// of the load factor `factor` and no link carries a force.
+    /// Whether all contacts that press slide: gross slip. At the end of small motions it is true if [`Verdict::everything_slides`] is at least 0.99
+    /// times `factor` and no link carries a force.
     pub is_gross_slip: bool,
     /// Whether the object is lost at the first slip, because some contact has a lower [kinetic friction](crate::grasp::Contact::kinetic).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]

@@ -10,8 +10,9 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// A contact whose speed relative to the fastest contact, body or rotation is below this fraction is taken as fixed, and a rotation as zero. The
-/// fraction only chooses the name of a motion. A larger one calls slow contacts fixed; a smaller one finds no contact to tip over.
+/// A contact that is slower than this fraction of the fastest contact, body or rotation is taken as fixed. A rotation that moves contacts by less
+/// than this fraction of the displacement of the object is taken as zero. The fraction only chooses the name of a motion. A larger one calls slow
+/// contacts fixed; a smaller one finds no contact to tip over.
 const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves at a loss, in everyday words.
@@ -24,7 +25,7 @@ const STANDS: f64 = 0.05;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum WayOut<const C: usize> {
-    /// All contacts that touch open: their points move away from the finger by more than 45° above its surface.
+    /// All contacts that touch open: their points move away from the finger in directions more than 45° above its surface.
     LiftsOff {
         /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
@@ -186,7 +187,7 @@ fn seen_from(
     let spin = summed(&twist.components()[3..], &|x| x * x).sqrt() * reach;
     let fastest = spin.max(largest(&touching, &|part| moves[*part].norm()));
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STANDS * fastest;
-    // A velocity v leads away from the finger if it is more than 45° above the finger's surface, which has the normal n.
+    // A velocity v leads away from the finger if it is more than 45° above the finger's surface, whose normal n points into the object.
     let goes_away = |v: &SVector<f64, 3>, n: &SVector<f64, 3>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
         let may_open = contacts[parts[part.contact].range.start].hold == Hold::Unilateral;
@@ -239,10 +240,10 @@ fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), 
 }
 
 impl<const C: usize> WayOut<C> {
-    /// Whether the object falls: it moves within 25° of the negative last axis, which is down, and no contact slides.
+    /// Whether the object falls: it moves within 26° of the negative last axis, which is down, and no contact slides.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
-        // A direction with a last component below -0.9 is within 25° of the vertical and is called a fall.
+        // A unit direction with a last component below -0.9 is within 26° of the vertical and is called a fall.
         slide.is_empty() && direction[words.space::<C>().axes() - 1] < -0.9
     }
 }

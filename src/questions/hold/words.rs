@@ -1,4 +1,5 @@
-//! The sentence of a verdict on a load, as one would say it to a colleague.
+//! The sentence of a verdict on a load, as one would say it to a colleague. The load factor is the multiple of the growing load that acts; 1 is the
+//! whole load.
 
 use alloc::borrow::Cow;
 use core::fmt;

@@ -29,9 +29,9 @@ pub struct Identified {
     /// are no [degrees of freedom](Self::degrees_of_freedom).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Root mean square of the residuals, outliers clamped, each divided by the given standard deviation of its slip. If this number is much more
-    /// than one, the model is wrong, or the given standard deviations are too small. `None` if no standard deviations were given, or no degrees of
-    /// freedom remain.
+    /// Root mean square of the residuals, each divided by the given standard deviation of its slip and clamped at the [bound of
+    /// outliers](super::Identify::with_outliers_beyond); 1 is expected. If this number is much more than one, the model is wrong, or the given
+    /// standard deviations are too small. `None` if no standard deviations were given, or no degrees of freedom remain.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Number of observations minus the number of independent combinations of unknowns that the observations determine. Observations are the observed

@@ -1,8 +1,8 @@
 //! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
 //!
-//! If several contacts may slip first, the predicted load of a slip has a kink as a function of the unknowns: on each side it depends on the data of
-//! one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find other
-//! assignments, two unknowns exchange their values and the search starts anew.
+//! If several contacts may slip first, the derivatives of the predicted load with respect to the unknowns jump at a kink: on each side of it the load
+//! depends on the data of one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends.
+//! To find other assignments, two unknowns exchange their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -232,7 +232,7 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
 }
 
 /// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Between the two points, each of
-/// these slips may begin to depend on other unknowns at a place of its own.
+/// these slips may begin to depend on other unknowns at a different point.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
     let Some(first) = rows.next() else { return false };

@@ -1,5 +1,6 @@
 //! Checks of a question of identification (which data of a grasp explain its observed slips). They return errors for questions that no search can
-//! answer. A layout is an arrangement of the contact points, with a grasp of its own.
+//! answer. A layout is an arrangement of the contact points, with a grasp of its own. An unknown is a number of the grasp, such as a coefficient of
+//! friction.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;
@@ -106,7 +107,8 @@ impl Unknown {
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))
     }
 
-    /// An error for numbers of unknown `number` that are out of range, if there are `layouts` layouts.
+    /// An error if the layout, the start value or the list of contacts of this unknown is out of range. `number` is the index of the unknown, from 0,
+    /// for the message; `layouts` is the number of layouts.
     fn check_numbers(&self, number: usize, layouts: usize) -> Result<(), Error> {
         let what = format!("unknown {number}");
         if let Some(layout) = self.layout.filter(|layout| *layout >= layouts) {

@@ -1,4 +1,5 @@
-//! Combinations of unknowns that the observed slips do not determine.
+//! Combinations of unknowns that the observed slips do not determine. An unknown is a number of the grasp, such as a coefficient of friction. A slip
+//! is a load or angle at which a contact, or the object, was observed to slip.
 
 use super::tolerances::NO_COMPONENT;
 use crate::numerics::Each;
@@ -17,7 +18,7 @@ use crate::words::listed;
 pub struct FreeCombination {
     /// The names of the unknowns in this combination.
     pub unknowns: Vec<String>,
-    /// For each unknown the power to which the common factor is raised; the largest power in size is 1 or -1.
+    /// For each unknown the power to which the common factor is raised; the power of largest magnitude is 1 or -1.
     pub powers: Vec<f64>,
     /// A sentence about the combination: which function of its unknowns the slips determine.
     pub says: String,
@@ -84,7 +85,7 @@ impl FreeCombination {
 enum Law {
     /// A product of powers of the unknowns, for changes of any size.
     Powers,
-    /// The sum of the unknowns, for changes in proportion to the powers.
+    /// The sum of the unknowns, if their relative changes are proportional to the powers.
     Sum,
     /// Some other function of the unknowns, known only by its first derivatives.
     Nearby,
@@ -95,7 +96,7 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    // If all powers are 1 or -1 to this precision, the sentence about the combination names a product or a ratio.
+    // If all powers differ from 1 or -1 by less than this number, the sentence about the combination names a product or a ratio.
     let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
     match law {
         Law::Sum => return format!("{apart} their sum"),

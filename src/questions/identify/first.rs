@@ -1,4 +1,5 @@
-//! Prediction of first slip by the model of a grasp, and its exact derivatives with respect to the unknowns.
+//! Prediction of first slip (the load at which the first contact stops sticking) by the model of a grasp, and its exact derivatives with respect to
+//! the unknowns, such as coefficients of friction.
 
 use crate::numerics::IntoList;
 use core::f64::consts::TAU;

@@ -1,5 +1,6 @@
 //! The search for the unknowns with the least Huber loss, by damped Gauss-Newton steps in the logarithms of the unknowns. This loss is quadratic in
-//! small residuals and linear in large ones.
+//! small residuals and linear in large ones. An unknown is a number of the grasp, such as a coefficient of friction. A slip is a load or angle at
+//! which a contact, or the object, was observed to slip.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,8 +12,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 
-/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips there, and
-/// derivatives; `None` if the model does not predict all slips.
+/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
+/// and their derivatives; `None` if the model does not predict all slips.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -71,8 +72,8 @@ impl Model<'_> {
     }
 }
 
-/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error is the first slip that is not predicted, and
-/// the reason.
+/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error holds the index, from 0, of the first slip that
+/// is not predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips. It is given by the start values of the unknowns,
@@ -114,7 +115,8 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     Ok((begin, first))
 }
 
-/// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the given values.
+/// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the start values of the
+/// question.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = starting_fit(model)?;
     match linear {

@@ -1,18 +1,18 @@
 //! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator.
 //!
-//! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. The rows U_g are the derivatives of the predictions
-//! of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns with `Σ U_g'U_g = 1`. Let e
-//! be the residuals of the slips, divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g`
-//! corrects for the influence of the group's own residuals on the solution:
+//! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. A prime denotes the transpose. The rows of U_g are
+//! the derivatives of the predictions of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns
+//! with `Σ U_g'U_g = 1`. Let e_g be the residuals of these slips, divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the
+//! solution. The power of `1 - Q_g` corrects for the influence of the group's own residuals on the solution:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
 //! This is the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The
-//! variance of an unknown with the components c in this basis is `Σ (c'w_g)²`. If the rows were independent, the numbers `c'w_g` would have the
-//! covariances `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)` with `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)²
-//! / tr Ω²`.
+//! variance of an unknown with the components c in this basis is `Σ (c'w_g)²`. Let `a_g = (1 - Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If
+//! the rows were independent, the numbers `c'w_g` would have the covariances `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom
+//! are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -74,8 +74,8 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or determines
-    /// parts of it with more than 1 % of the expected variance.
+    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or if directions
+    /// that one group alone determines contribute more than 1 % of the expected variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));

@@ -1,17 +1,18 @@
 //! The last motion of the object at gross slip, and the derivatives of the load factor at gross slip with respect to the unknowns.
 //!
-//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. The load factor λ at
-//! gross slip is then a root of
+//! Let W₀ be the constant load and W the growing load. At contact i let nᵢ be the wrench of a unit force along the normal, the columns of Tᵢ the
+//! wrenches of unit forces along the tangents, μᵢ the coefficient of friction, Nᵢ the normal force and kᵢ the normal stiffness. If the last motion m
+//! of the object opens no contact, normal forces stay constant while the object leaves, and friction opposes the sliding velocity vᵢ. The load factor
+//! λ at gross slip is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
 //! ```
 //!
-//! with the constant load W₀ and the growing load W. The first sum is over contacts i that press, with normal n, tangents T, friction coefficient μ,
-//! normal force N and normal stiffness k. The second sum is over contacts j that stick, whose velocity is zero. The unknowns of the equations are λ,
-//! the direction of m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There are as many
-//! equations as unknowns. Newton's method starts from the state at the end of the load path. The root and its exact derivatives do not depend on the
-//! path, and hence not on tangential springs and commands.
+//! The first sum is over the contacts i that press. The second sum is over the contacts j that stick, whose velocity is zero. The unknowns of the
+//! equations are λ, the direction of m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There
+//! are as many equations as unknowns. Newton's method starts from the state at the end of the load path. The root and its exact derivatives do not
+//! depend on the path, and hence not on tangential springs and commands.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

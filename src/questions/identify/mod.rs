@@ -14,8 +14,9 @@
 //! **Method.** All unknowns are positive, so that the search is in their logarithms x. The residual of a slip observed at load factor λ and predicted
 //! at λ(x) is `ln λ - ln λ(x)`. Gauss-Newton steps with Levenberg's damping minimise the sum of [Huber's loss](Identify::with_outliers_beyond).
 //! Derivatives of first slip are exact, see [`OnsetMargins`](crate::load_path::OnsetMargins). At gross slip the object leaves with a motion m. If m
-//! opens no contact, λ is a root of the equations below, with the constant load W₀ and the growing load W. The sums are over the contacts i that
-//! press, with normal nᵢ, tangents Tᵢ, friction μᵢ, normal stiffness kᵢ and normal force Nᵢ:
+//! opens no contact, λ is a root of the equations below, with the constant load W₀ and the growing load W. The sum is over the contacts i that press,
+//! with friction μᵢ, normal stiffness kᵢ and normal force Nᵢ. Here nᵢ is the wrench of a unit force along the normal of contact i, and the columns of
+//! Tᵢ are the wrenches of unit forces along its tangents:
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   dNᵢ = −kᵢ nᵢᵀ dy
@@ -43,16 +44,16 @@
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is
 //! rougher one way, or a finger that slides along the object. Their mean is then less certain than their number suggests. For slips with
-//! [groups](Slip::in_group) the errors come from the sums of residuals over each group, whatever error the slips of a group share. The covariance is
-//! the sandwich of Liang and Zeger (Biometrika 73, 1986)
+//! [groups](Slip::in_group) the errors come from the sums of residuals over each group, whatever error the slips of a group share. Let the rows of X
+//! be derivatives of the predicted slips with respect to the unknowns, both in logarithms, divided by standard deviations, and X_g the rows of group
+//! g. Rows `x_k` are the derivatives of known sums. `ψ` is Huber's psi: residuals divided by standard deviations, clamped where Huber's loss becomes
+//! linear. The number c is the mean derivative of ψ with respect to these residuals, and H the derivative of fitted values with respect to observed
+//! ones. With a prime for the transpose, the covariance is the sandwich of Liang and Zeger (Biometrika 73, 1986)
 //!
 //! ```text
 //! V = B⁻¹ (Σ_g X_g' A_g ψ_g ψ_g' A_g X_g + Σ_k x_k' x_k) B⁻¹,   B = c Σ_g X_g' X_g + Σ_k x_k' x_k,   A_g = (1 - H_gg)^(-1/2)
 //! ```
 //!
-//! The rows of X are derivatives of the predicted slips with respect to the unknowns, both in logarithms, divided by standard deviations. `ψ` is
-//! Huber's psi: residuals divided by standard deviations, clamped where Huber's loss becomes linear. The number c is the mean derivative of ψ with
-//! respect to these residuals. Rows `x_k` are the derivatives of known sums, and H is the derivative of fitted values with respect to observed ones.
 //! `A_g` is the correction CR2 of Bell and McCaffrey (Survey Methodology 28, 2002): V then has the right mean for independent slips. With few groups
 //! the scatter from group to group is poorly known. Intervals are therefore Student's with Satterthwaite's degrees of freedom,
 //! [`Estimate::degrees_of_freedom`] (Pustejovsky and Tipton, J. Bus. Econ. Stat. 36, 2018). Groups do not change the estimates. An unknown that one

@@ -1,4 +1,5 @@
-//! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns.
+//! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns. An unknown is a number of
+//! the grasp, such as a coefficient of friction. A slip is a load or angle at which a contact, or the object, was observed to slip.
 
 use nalgebra::DMatrix;
 
@@ -92,7 +93,8 @@ impl Model<'_> {
         Ok(guesses)
     }
 
-    /// The residuals of all observations alone. The inner error is the first slip that the model does not predict, and the reason.
+    /// The residuals of all observations alone. The inner error holds the index, from 0, of the first slip that the model does not predict, and the
+    /// reason.
     pub(super) fn residuals(
         &self,
         logs: &[f64],
@@ -100,7 +102,8 @@ impl Model<'_> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
-    /// The residuals of all observations and their derivatives. The inner error is the first slip that the model does not predict, and the reason.
+    /// The residuals of all observations and their derivatives. The inner error holds the index, from 0, of the first slip that the model does not
+    /// predict, and the reason.
     pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, PredictionFailure)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,
@@ -132,9 +135,9 @@ impl Model<'_> {
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of the logarithms of the predicted loads of the slips `those` with respect to the logarithm of unknown number `column`, as central
-    /// differences. If the model predicts no slip on one side, the difference is one-sided; if it predicts no slip on either side, the derivative is
-    /// zero.
+    /// Derivatives of the logarithms of the predicted loads of the slips with the indices `those` with respect to the logarithm of unknown number
+    /// `column`, as central differences. If the model predicts no slip on one side, the difference is one-sided; if it predicts no slip on either
+    /// side, the derivative is zero.
     fn differences(
         &self,
         logs: &[f64],

@@ -45,8 +45,8 @@ impl Pressing {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`. The friction force rotates
-    /// together with the sliding velocity.
+    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`: the magnitude of the friction
+    /// force stays the same, and its direction rotates with the sliding velocity.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());
@@ -81,7 +81,8 @@ pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], l
     all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
 }
 
-/// The coordinates of a load or a motion of the object; moments or rotations are multiplied by `factor`.
+/// The coordinates of a load or a motion of the object. Moments or rotations are multiplied by `factor`, so that they are comparable with forces or
+/// displacements.
 pub(super) fn at_length(space: Space, coordinates: &Vector, factor: f64) -> DVector<f64> {
     let scaled = |k: usize, x: f64| if k < space.axes() { x } else { x * factor };
     vector_of(space.of_the_object(), &|k| scaled(k, coordinates[k]))

@@ -1,4 +1,5 @@
-//! The question of identification: the unknowns, the observed slips, other layouts, and known sums.
+//! The question of identification: the unknowns, the observed slips, other layouts, and known sums. An unknown is a number of the grasp, such as a
+//! coefficient of friction, a layout an arrangement of the contact points.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;

@@ -1,4 +1,4 @@
-//! An observed slip.
+//! An observed slip: a load or an angle at which the first contact, or the whole object, slid.
 
 use nalgebra::SVector;
 
@@ -103,7 +103,9 @@ impl<const C: usize> Slip<C> {
         /// and the scatter of the slip is the scatter of this factor.
         pub fn squeezed(mut self, factor: f64) { self.squeeze = Some(factor); }
 
-        /// This slip in another layout: 0 is the grasp of the question, 1 the first [other layout](super::Identify::and_layouts), and so on.
+        /// This slip in another layout: 0 is the grasp of the question. Then come the layouts of
+        /// [`Identify::with_points`](super::Identify::with_points), numbered from 1, and after them those of
+        /// [`Identify::and_layouts`](super::Identify::and_layouts).
         pub fn in_layout(mut self, layout: usize) { self.layout = Some(layout); }
 
         /// This slip with a relative standard deviation of its load or angle: 0.05 for five percent. It must be given for every slip, or for none.

@@ -1,4 +1,5 @@
-//! Standard errors and confidence intervals of the unknowns, from a fit to observed slips.
+//! Standard errors and confidence intervals of the unknowns, from a fit to observed slips. An unknown is a number of the grasp, such as a coefficient
+//! of friction. A slip is a load or angle at which a contact, or the object, was observed to slip.
 
 use nalgebra::DMatrix;
 
@@ -88,8 +89,8 @@ struct Spread {
     /// Degrees of freedom: the number of observations minus `rank`.
     degrees: usize,
     scatter: Scatter,
-    /// Mean square of the residuals divided by the given scatter, outliers clamped; `None` if the scatter was not given or no degrees of freedom
-    /// remain.
+    /// Mean square of the residuals, each divided by the given standard deviation of its slip and clamped at the bound of outliers; 1 is expected.
+    /// `None` if the standard deviations were not given or no degrees of freedom remain.
     square: Option<f64>,
     /// For slips with groups, the contributions of groups to the errors; otherwise `None`.
     grouped: Option<Grouped>,
@@ -165,7 +166,8 @@ impl Spread {
         Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
-    /// The root mean square of the residuals, each divided by the given standard deviation; `None` if none was given or no degrees of freedom remain.
+    /// The root mean square of the residuals, each divided by the given standard deviation; `None` if no standard deviations were given or no degrees
+    /// of freedom remain.
     fn misfit(&self) -> Option<f64> {
         self.square.map(f64::sqrt)
     }

@@ -1,6 +1,7 @@
-//! Limits of the identification of unknowns from observed slips: a value below one of them is taken as zero, or the search stops.
+//! Limits of the identification of unknowns from observed slips: a value below one of them is taken as zero, or the search stops. An unknown is a
+//! number of the grasp, such as a coefficient of friction.
 //!
-//! All of them are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of the same kind.
+//! All these limits are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of the same kind.
 
 /// Forces, velocities, singular values and derivatives below this fraction of the largest are taken as zero.
 ///

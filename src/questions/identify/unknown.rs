@@ -1,4 +1,5 @@
-//! An unknown number of the grasp, to be estimated from observed slips.
+//! An unknown number of the grasp, to be estimated from observed slips. A slip is a load or angle at which a contact, or the object, was observed to
+//! slip.
 
 use crate::ask::Grasp;
 use crate::error::Error;

@@ -1,4 +1,5 @@
-//! The answer to [`Identify`](super::Identify) as a sentence: the unknowns and their errors.
+//! The answer to [`Identify`](super::Identify) as a sentence: the unknowns and their errors. An unknown is a number of the grasp, such as a
+//! coefficient of friction.
 
 use core::fmt;
 

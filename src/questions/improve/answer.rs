@@ -1,4 +1,5 @@
-//! The answer of the search for better finger places.
+//! The answer of the search for better finger places. A place is the position of a contact on its curve or surface, a squeeze the normal force of its
+//! command; a design point is one choice of both.
 
 use nalgebra::SVector;
 

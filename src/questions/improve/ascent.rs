@@ -1,4 +1,5 @@
-//! Ascent from one starting grasp to a local optimum of places and squeezes.
+//! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
+//! the normal force of its command; a design point is one choice of both.
 
 use nalgebra::DVector;
 
@@ -45,8 +46,8 @@ pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// For each edge of a surface, segment or triangle that bounds the step, the contact on it. The multipliers of these edges follow the multipliers
-    /// of `bounds` in `step`.
+    /// For each edge of a surface, segment or triangle that bounds the step, the index of the contact on this edge. The multipliers of these edges
+    /// follow the multipliers of `bounds` in `step`.
     pub(super) rooms: Vec<usize>,
 }
 
@@ -132,8 +133,8 @@ impl AscentProblem<'_> {
                 let Some(factor) = factor else { return Ok(None) };
                 (factor, factor)
             }
-            // A negative reserve means that a contact slides under a load. Such a design is kept, because the gradient of its reserve leads to a
-            // better place.
+            // A negative reserve means that a contact slides under a load. Such a design is kept, because the gradient of its reserve leads to better
+            // positions of the contacts.
             ImproveGoal::Reserve => {
                 let least = least(&events, &|event| event.value);
                 (least, if size > 0.0 { size } else { self.design_space.unit_of_force() })
@@ -179,7 +180,7 @@ impl AscentProblem<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.design_space.question.steps() {
-                    // The learnt curvature may be wrong at these places, so that no step gains although a direction of ascent exists. Before the
+                    // The learnt curvature may be wrong at this design point, so that no step gains although a direction of ascent exists. Before the
                     // ascent ends without an optimum, the curvature is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
@@ -197,8 +198,8 @@ impl AscentProblem<'_> {
                     self.evaluate(self.design_space.stepped(&design.design_point, step.d.as_slice()))?;
                 let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - design.value) / design.scale);
                 let gain_ratio = gain / step.gain;
-                // The trust region doubles if the gain exceeds three quarters of the predicted gain and the step reaches the boundary. It shrinks if
-                // the gain is below a quarter of the predicted gain.
+                // The trust region doubles if the gain exceeds three quarters of the predicted gain and the step reaches the boundary of the region.
+                // It shrinks if the gain is below a quarter of the predicted gain.
                 if gain_ratio > 0.75 && step.d.amax() >= 0.99 * radius {
                     radius = (2.0 * radius).min(largest_radius);
                 } else if gain_ratio < 0.25 {
@@ -269,7 +270,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may have the same sticking condition. The one with the nearest value is taken as the same event after the step.
+        // Several events may have the same sticking condition. The event whose value is nearest is taken as the same event after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

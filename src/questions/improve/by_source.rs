@@ -1,5 +1,6 @@
 //! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. Forces are kept apart by their source,
-//! the cause of the force: the base load with fixed commands, the variable squeeze, or a load.
+//! the cause of the force: the base load with fixed commands, the variable squeeze, or a load. A place is the position of a contact on its curve or
+//! surface, a squeeze the normal force of its command; a design point is one choice of both.
 
 use nalgebra::SVector;
 
@@ -20,7 +21,7 @@ pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 pub(super) const REST: usize = 0;
 /// Index in [`BySource`] of the forces due to the squeeze, the normal commands that the search varies.
 pub(super) const SQUEEZE: usize = 1;
-/// Index in [`BySource`] of the forces due to the first load; those due to further loads follow.
+/// Index in [`BySource`] of the forces due to the first load; the forces due to further loads follow.
 pub(super) const LOADS: usize = 2;
 
 /// The contact forces of a grasp, computed as if every contact stuck, separately for each source: base load with fixed commands, squeeze, and each

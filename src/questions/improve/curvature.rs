@@ -1,5 +1,6 @@
-//! The Hessian of minus the Lagrangian, learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping
-//! keeps this matrix positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
+//! The Hessian of minus the Lagrangian of the search: the event values and constraints, weighted by their multipliers, as a function of places and
+//! squeezes of contacts. It is learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps
+//! this matrix positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -29,7 +30,7 @@ impl Curvature {
         }
         let product = &self.0 * step;
         let known = step.dot(&product);
-        // Powell's damping acts if dᵀy is below this fraction of dᵀBd: d is the step, y the decrease of the gradient.
+        // Let d be the step and y the decrease of the gradient. Powell's damping acts if dᵀy is below this fraction of dᵀBd.
         let confirmed = 0.2;
         let part = if shown >= confirmed * known { 1.0 } else { (1.0 - confirmed) * known / (known - shown) };
         let mixed = decrease * part + &product * (1.0 - part);

@@ -1,4 +1,5 @@
-//! The variables of the search (places and squeezes), their values ([`DesignPoint`]), and the grasp with these values.
+//! The variables of the search, their values, and the grasp with these values. The variables are places (positions of contacts on their curves or
+//! surfaces) and squeezes (normal forces of commands); a [`DesignPoint`] is one choice of both.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,6 @@
 //! For each contact and load, the value of each sticking condition (for the goal of first slip the load factor that breaks it), and its derivatives
-//! with respect to places and squeezes.
+//! with respect to places and squeezes. A place is the position of a contact on its curve or surface, a squeeze the normal force of its command; a
+//! design point is one choice of both.
 
 use core::f64::consts::TAU;
 
@@ -13,14 +14,14 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{mapped, numbered, unit, vector_of};
 use crate::prelude::*;
 
-/// Identifies one sticking condition `a·F >= 0` of a contact force F under a load, with a row a of the friction cone. The condition is thus found
-/// again after the contact has moved.
+/// Identifies one sticking condition under a load, so that the condition is found again after the contact has moved. The condition is `a·F >= 0` for
+/// the contact force F, with the coefficients a of one facet of the friction cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow {
-    /// Index of the load; `None` for a force of any direction.
+    /// Index of the load, from 0; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
-    /// Index of the condition among the conditions of the same contact and load.
+    /// Index, from 0, of the condition among the conditions of the same contact and load.
     pub(super) number: usize,
 }
 
@@ -51,8 +52,9 @@ pub(super) enum ConstraintKind {
     Force,
 }
 
-/// The sticking conditions `a·F >= 0` of a contact force F, as rows a, that can become active near the contact force `force`. For a polygonal cone
-/// these are all its facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction force.
+/// The coefficients a of the sticking conditions `a·F >= 0` that can become active near the contact force F = `force`. For a polygonal cone these are
+/// the conditions of all its facets. For a round cone it is the facet towards the friction force, or eight facets all around if there is no friction
+/// force.
 fn nearest(edges: &Edges, force: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     let friction = tangential(force);
     edges.rows(&|_| {
@@ -122,7 +124,8 @@ impl PressedContact<'_> {
         events
     }
 
-    /// The [`SlipEvent`]s of this contact under load number `load`, which changes the contact force at the rate `rate` per unit of load factor.
+    /// The [`SlipEvent`]s of this contact under the load with index `load`, which changes the contact force at the rate `rate` per unit of load
+    /// factor.
     fn under(&self, load: usize, rate: SVector<f64, 3>) -> Vec<SlipEvent> {
         let force = self.force;
         let line = Line { force, rate, force_size: force.norm(), rate_size: rate.norm() };
@@ -134,8 +137,8 @@ impl PressedContact<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has the changes of the contact force due to this
-    /// force along each axis.
+    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has one entry for each coordinate axis: the
+    /// change of the contact force if this force acts along the axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
             vector_of(influence.len(), &|k| row.dot(&by(k)))

@@ -1,8 +1,9 @@
 //! The goal: the value that is maximised over places and squeezes.
 //!
-//! A sticking condition `a·F >= 0` applies to a contact force F, with a row a of its friction cone. It has the margin `r = a·F⁰` under the base load,
-//! and a load adds `s = a·F¹`, usually negative. The value of the goal of first slip is the load factor τ at which the margin vanishes,
-//! `r + τ s = 0`. The value of the goal of a reserve is the margin under the load, `r + s`.
+//! Let F⁰ be the contact force under the base load, F¹ the change of this force due to a load, and a the coefficients of a facet of the friction
+//! cone, so that the contact sticks while `a·F >= 0` for its force F. The margin under the base load is `r = a·F⁰`, and the load adds `s = a·F¹`,
+//! usually negative. The value of the goal of first slip is the load factor τ at which the margin vanishes, `r + τ s = 0`. The value of the goal of a
+//! reserve is the margin under the load, `r + s`.
 
 /// The value that the search for places and squeezes of the fingers maximises. Each load has such a value, and the least of them is maximised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -19,8 +20,8 @@ pub enum ImproveGoal {
 }
 
 impl ImproveGoal {
-    /// The value of the goal for one sticking condition. The margin of the contact force to this face of the friction cone is `rest` under the base
-    /// load; the load changes it by `added`, N. For first slip `None` if the load never breaks the condition.
+    /// The value of the goal for one sticking condition. `rest` is the margin, N, of this condition under the base load, and `added` the change of
+    /// the margin due to the load, N. For first slip `None` if the load never breaks the condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),

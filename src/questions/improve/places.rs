@@ -19,7 +19,8 @@ pub(super) struct SurfacePoint {
     pub(super) normal: SVector<f64, 3>,
     /// Unit tangent directions at the point: one of a curve, two of a surface.
     pub(super) along: Vec<SVector<f64, 3>>,
-    /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive on a convex shape.
+    /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the
+    /// direction, as on a convex shape.
     pub(super) bends: Vec<f64>,
     /// Linear limits of a step from the point, one for each edge or end of its part of the shape, as pairs (row, room). A step with the components s,
     /// m, in the directions `along` stays on the part if `row·s <= room` for every pair.
@@ -55,7 +56,7 @@ fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint
     let (along, normal) = (vec![x, y], perpendicular(&[x, y]));
     let room = |k: usize| {
         let (from, to) = (corners[k], corners[(k + 1) % 3]);
-        // The corners are counterclockwise in this frame, so the outside is to the right of each side.
+        // The corners are counterclockwise in this frame, so the outside is to the right of each edge, seen from its first to its second corner.
         let out = perpendicular(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
@@ -84,7 +85,8 @@ impl Shape {
         }
     }
 
-    /// The largest absolute coordinate of a corner of a segment or triangle, m; zero for other shapes. The rounding of places is relative to it.
+    /// The largest absolute coordinate of a corner of a segment or triangle, m; zero for other shapes. Rounding errors of points are relative to this
+    /// coordinate.
     pub(super) fn largest(&self) -> f64 {
         let of = |corners: &[SVector<f64, 3>]| largest(corners, &SVector::amax);
         match self {
@@ -126,8 +128,8 @@ impl Shape {
                 let speed = first.norm();
                 let along = vec![first / speed];
                 let normal = perpendicular(&along);
-                // Let n be the normal and p the point of the spline. The derivative of `n·p' = 0` with respect to the parameter of the spline gives
-                // the curvature.
+                // Let n be the normal, p the point of the spline and p' its derivative with respect to the parameter of the spline. The derivative of
+                // `n·p' = 0` gives the curvature.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =
@@ -262,7 +264,7 @@ impl Shape {
     }
 }
 
-/// Two perpendicular unit directions in the plane of a triangle, the first along its first side.
+/// Two perpendicular unit directions in the plane of a triangle, the first from its first to its second corner.
 fn frame(corners: &[SVector<f64, 3>; 3]) -> [SVector<f64, 3>; 2] {
     let x = (corners[1] - corners[0]).normalize();
     let other = corners[2] - corners[0];

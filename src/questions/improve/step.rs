@@ -1,14 +1,14 @@
-//! The quadratic program of one step of places and squeezes. In a box around their present values it maximises the least of the linearised event
-//! values, less a curvature term. An event is a sticking condition under a load; its value is the load factor that breaks it, or its margin under the
-//! load.
+//! The quadratic program of one step of places (positions of contacts on their curves or surfaces) and squeezes (normal forces of commands). An event
+//! is a sticking condition under a load; its value is the load factor that breaks it, or its margin under the load. Within a box around the present
+//! places and squeezes, the program maximises the least of the linearised event values, less a curvature term. Let d be the step, bounded by `low`
+//! and `high`, B the Hessian, τ_k the value of event k with gradient g_k, and `h_b·d + left_b >= 0` constraint b:
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! Here d is the step, B the Hessian, τ_k the value of event k with gradient g_k, and h_b·d + left_b >= 0 constraint b. `top` is a constant above
-//! every value that the least of the events can have in the box, so that t is positive and a minimum exists. At the present values (d = 0) the
-//! weighted gradients of events and constraints do not cancel: what remains are the multipliers of the box, and B d.
+//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. At the present
+//! values (d = 0) the weighted gradients of events and constraints do not cancel: their sum consists of the multipliers of the box and of B d.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -37,10 +37,12 @@ pub(super) struct TrialStep {
     /// Multipliers of the events (sticking conditions under loads), at least 0; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
-    /// For each variable the multipliers of the lower and upper end of `reach`; zero unless the variable is at that end now.
+    /// For each variable the multipliers of the lower and upper end of `reach`; an end has the multiplier zero unless the variable is at this end
+    /// now.
     pub(super) ends: Vec<[f64; 2]>,
-    /// First-order residual at the present values: the largest entry of `Σ λ ∇τ + Σ ν ∇b` over variables that are not at an end of `reach`. Or, if
-    /// larger, the residual of complementarity between the multipliers λ, ν and their events and constraints.
+    /// First-order residual at the present values, with the multipliers λ of the event values τ and ν of the constraints b: the largest entry of
+    /// `Σ λ ∇τ + Σ ν ∇b` over variables that are not at an end of `reach`. Or, if larger, the residual of complementarity between the multipliers λ,
+    /// ν and their events and constraints.
     pub(super) residual: f64,
 }
 

@@ -14,14 +14,14 @@ use crate::prelude::*;
 pub(super) struct SurfaceLocation {
     part: usize,
     at: [f64; 3],
-    /// 1 if the contact's normal is the normal of the surface, -1 if it is opposite.
+    /// 1 if the contact's normal is the normal of the surface, -1 if the two are opposite.
     side: f64,
     pub(super) point: SVector<f64, 3>,
     /// Unit normal of the contact, into the object.
     pub(super) normal: SVector<f64, 3>,
     /// Unit tangent directions, perpendicular to each other: the principal directions of curvature.
     pub(super) along: Vec<SVector<f64, 3>>,
-    /// Change of `normal` along each direction of `along` per metre in that direction, 1/m.
+    /// Change of `normal` along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the direction.
     pub(super) bends: Vec<f64>,
     /// Linear limits of a step, one for each edge or end of the part, as pairs (row, room). A step with the components s, m, in the directions
     /// `along` stays on the part if `row·s <= room` for every pair.
@@ -92,8 +92,8 @@ impl SurfaceLocation {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt a curvature of its goal along these two directions. Therefore these directions are carried along to the new
-            // place, rather than chosen anew.
+            // The search has learnt the second derivatives of its goal along these two directions. Therefore the directions are carried along to the
+            // new place, rather than chosen anew.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -116,7 +116,7 @@ impl SurfaceLocation {
         there.filter(|location| (location.point - self.point).norm() <= near).list()
     }
 
-    /// A random place on the whole surface, on the same side as this place, with uniform density.
+    /// A random place on the whole surface, with uniform density. Its normal is on the same side of the surface as the normal of this place.
     pub(super) fn random(&self, surface: &Shape, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = numbered(surface.parts(), &|part| surface.size(part));
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
@@ -126,7 +126,8 @@ impl SurfaceLocation {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // All triangles have their corners in the same order, and all segments their ends, so the inside is on the same side of every part.
+        // All triangles have their corners in the same order, and all segments their ends. The object is therefore on the same side of every triangle
+        // or segment, relative to its normal.
         Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }

@@ -1,6 +1,8 @@
-//! Bounds of the sufficient amounts beyond which only the enumeration of contact states finds an equilibrium at rest (before the loads act).
+//! Narrows the bracket of a bound beyond which only the enumeration of contact states finds an equilibrium at rest (before the loads act). An amount
+//! (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient
+//! amount.
 //!
-//! Several such equilibria may exist, and rounding determines which one is found. Verdicts on neighbouring amounts then alternate.
+//! Several such equilibria at rest may exist, and rounding determines which one is found. Verdicts on neighbouring amounts then alternate.
 
 use super::search::TrialFunctions;
 use super::threshold::{Threshold, WidthSchedule};
@@ -9,7 +11,7 @@ use crate::error::Error;
 
 /// Number of amounts tried beyond the last one for which an equilibrium at rest is found without the enumeration.
 ///
-/// If smaller, amounts whose verdicts depend on rounding are called sufficient. Each of the amounts tried costs an enumeration.
+/// If smaller, amounts whose verdicts depend on rounding are called sufficient. If larger, the answer takes longer: each amount costs an enumeration.
 const BEYOND_PRESUMED: u32 = 6;
 
 impl Threshold {

@@ -94,7 +94,7 @@ impl PressedBy {
     }
 }
 
-/// Rounds the end of a searched interval to one digit, up or down, so that the rounded number stays inside the interval.
+/// Rounds the end of a searched interval to one digit, up if `up`, else down, so that the rounded number stays inside the interval.
 pub(super) fn roughly(amount: f64, up: bool) -> f64 {
     if amount <= 0.0 {
         return amount;

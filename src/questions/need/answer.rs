@@ -138,8 +138,8 @@ pub enum Amount {
         sufficient: f64,
         /// The insufficient amount next to `sufficient`. Either the grasp was computed with it, or a proof excludes it. As a rule the two amounts
         /// differ by a fraction of at most 1e-12; in [`Needed::sticks`] and [`Needed::safe`] of at most 1e-8. In space, and for a force of any
-        /// direction, the fraction is up to 1e-6 if the carried part of the load jumps at the bound. It is 1e-5 or more if only an enumeration of
-        /// contact states shows that an amount is insufficient.
+        /// direction, the fraction is up to 1e-6 if the multiple of the load that is carried jumps at the bound. It is 1e-5 or more if only an
+        /// enumeration of contact states shows that an amount is insufficient.
         insufficient: f64,
         /// The verdict on the grasp with `insufficient`, in a sentence.
         otherwise: String,
@@ -209,7 +209,7 @@ pub enum Amount {
     /// The verdict for an amount is undecided, so that the least or greatest sufficient amount is not known.
     #[non_exhaustive]
     Undecided {
-        /// The amount with the undecided verdict.
+        /// The amount for which the verdict is undecided.
         at: f64,
         /// The reason, in a sentence.
         doubt: String,
@@ -245,9 +245,9 @@ pub struct TriedAmounts {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FarEnd {
-    /// The last sufficient amount, for which a verdict was computed.
+    /// The sufficient amount at this end of the interval; a verdict was computed for it.
     pub sufficient: f64,
-    /// The insufficient amount next to `sufficient`, for which a verdict was computed.
+    /// The insufficient amount next to `sufficient`, outside the interval; a verdict was computed for it.
     pub insufficient: f64,
     /// The verdict on the grasp with `insufficient` in a sentence, or the reason why the verdict is undecided.
     pub otherwise: String,

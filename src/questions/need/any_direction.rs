@@ -1,5 +1,5 @@
-//! The trial of an amount under a force of any direction. It has a closed form while everything sticks; otherwise many directions are tried one by
-//! one.
+//! The trial of an amount (such as a squeeze) under a force of any direction. It has a closed form while everything sticks; otherwise many directions
+//! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost.
 
 use core::f64::consts::{PI, TAU};
 
@@ -40,8 +40,8 @@ impl Loading {
         )
     }
 
-    /// The result of the trial as far as it follows while everything sticks, without a path for each direction. A force of any direction is added to
-    /// the constant load `base`, on which `verdict` is given. `None` if something slides and the demand allows sliding.
+    /// The result of the trial as far as it can be computed while everything sticks, without a path for each direction. A force of any direction is
+    /// added to the constant load `base`, on which `verdict` is given. `None` if something slides and the demand allows sliding.
     fn while_all_stick(
         &self,
         verdict: &Verdict<3>,
@@ -106,8 +106,8 @@ impl Loading {
     }
 
     /// The worst result over directions of a force. First come directions in which the force was not carried with other amounts, then evenly spread
-    /// directions and those between. `worst` has the result without the force. Quick trials are confined to directions that refuted other amounts, if
-    /// there are any.
+    /// directions, and last directions between these. `worst` has the result without the force. Quick trials are confined to directions that refuted
+    /// other amounts, if there are any.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -133,7 +133,7 @@ impl Loading {
             (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
         }
         match weakest {
-            // The weakest direction near one that is refuted is tried first from then on.
+            // The weakest direction near a direction in which the force is not held is tried first from then on.
             Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) = self.weakest_near(direction, along, trial)?;
                 refuting.add(direction);
@@ -147,9 +147,9 @@ impl Loading {
         Ok(Trials { held: Some(held), ..worst })
     }
 
-    /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which less is carried than in
-    /// its neighbours the weakest direction is sought. Neighbours may have different numbers of jumps on their load paths. The direction between them
-    /// at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
+    /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which a smaller part is carried
+    /// than in its neighbours the weakest direction is sought. Neighbours may have different numbers of jumps on their load paths. The direction
+    /// between them at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
     fn between_directions(
         &self,
         (all, found): (&[[f64; 3]], &[DirectionTrial]),
@@ -180,7 +180,8 @@ impl Loading {
             let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
             let mut parts = [found[one].part, found[other].part];
             loop {
-                // The carried part has a different limit on each side of the jump. Towards each limit it is linear in the angle.
+                // The carried part has a different limit on each side of the jump. Towards each limit it is linear in the angle. Therefore the
+                // smaller last step is needed only if the part is near 1.
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
@@ -200,8 +201,8 @@ impl Loading {
         Ok(held)
     }
 
-    /// The result for one direction, with facts about its load path, which is followed up to the multiple `least` that is carried in another
-    /// direction.
+    /// The result for one direction, with facts about its load path. The path is followed only up to `least`, the multiple of the load that is
+    /// carried in another direction, because only the weakest direction matters.
     fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, PathFacts), Error> {
         let least = least.map(|carried| carried.max(CLOSE));
         let (verdict, path) = self.put_on_up_to(ramp, least)?;
@@ -209,8 +210,8 @@ impl Loading {
         Ok((self.said_of(1, &ramp.direction, trial), path))
     }
 
-    /// The weakest direction near one whose trial is `weakest`, with its trial. The search moves to neighbours that carry less. Its step is halved
-    /// where no neighbour carries less.
+    /// The weakest direction near `direction`, whose trial is `weakest`, with its trial. The search moves to a neighbouring direction in which a
+    /// smaller part of the load is carried. Its step is halved where no neighbour carries less.
     fn weakest_near(
         &self,
         mut direction: [f64; 3],
@@ -218,10 +219,10 @@ impl Loading {
         mut weakest: Trial,
     ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
-        // The first step is half of the distance between evenly spread directions, rad.
+        // The first step is half of the angle between neighbouring evenly spread directions, rad.
         let mut step = if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 };
         for _ in 0..50 {
-            // If the weakest direction carries far more than the load, so do its neighbours, and the search ends.
+            // If far more than the load is carried in the weakest direction, the same is true of its neighbours, and the search ends.
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
@@ -245,35 +246,35 @@ impl Loading {
     }
 }
 
-/// The result for one direction of a force: the carried part of the load, at least 1, and the number of jumps. Jumps are motions under constant load
-/// while the load is applied.
+/// The result for one direction of a force: the carried part of the load (0 if the verdict is undecided), and the number of jumps, which are motions
+/// under constant load while the load is applied.
 #[derive(Debug, Clone, Copy)]
 struct DirectionTrial {
     part: f64,
     jumps: usize,
 }
 
-/// Between directions that carry more than this multiple of the load no weaker one is sought. If smaller, a weakest direction between evenly spread
-/// ones is missed; if larger, load paths are followed farther.
+/// No weaker direction is sought near a direction in which more than this multiple of the load is carried. If smaller, a weakest direction between
+/// evenly spread directions is missed; if larger, load paths are followed farther.
 const CLOSE: f64 = 1.1;
 
-/// The least angle between directions that are tried, rad. The carried parts of the load within this angle differ by less than 1e-6, unless they
-/// jump.
+/// Directions closer to each other than this angle, rad, are not tried. The carried parts of the load within this angle differ by less than 1e-6,
+/// unless they jump.
 const LAST_STEP: f64 = 1e-3;
 
-/// The least angle between directions at a jump of the carried part, rad. It is used if less than 1 % more than the load is carried. If larger,
+/// The smaller value of [`LAST_STEP`] at a jump of the carried part, rad. It is used if less than 1 % more than the load is carried. If larger,
 /// directions in which the load is lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
-/// At most this many directions in which less is carried than in their neighbours are improved on. If fewer, the weakest direction is missed if two
-/// directions carry nearly the same.
+/// Upper limit of the number of directions near which the weakest direction is sought: those in which a smaller part is carried than in their
+/// neighbours. With fewer, the weakest direction is missed if two directions carry nearly the same part.
 const MOST_MINIMA: usize = 3;
 
 /// At most this many pairs of neighbouring directions with different numbers of jumps are searched, the weakest pairs first. If fewer, narrow cones
 /// of directions in which the load is lost stay unseen. Each pair takes five to seven verdicts.
 const MOST_EDGES: usize = 12;
 
-/// For each of the evenly spread directions its neighbours: two on a circle, about six on the sphere.
+/// For each of the evenly spread directions the indices of its neighbours: two on a circle, about six on the sphere.
 fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
     let count = all.len();
     // On a sphere each of 200 directions has an area of (0.25 rad)².
@@ -299,9 +300,10 @@ fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
     vec![first, [y * c - z * b, z * a - x * c, x * b - y * a]]
 }
 
-/// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
+/// Evenly spread unit vectors: on the unit circle in the plane, on a golden spiral over the unit sphere in space.
 fn directions(space: Space) -> Vec<[f64; 3]> {
-    // The load at a loss is no closed function of the direction. With fewer directions the weakest one could be missed.
+    // No formula gives the load at the loss as a function of the direction, so directions are sampled. With fewer directions the weakest direction
+    // could be missed.
     let count = if space == Space::Planar { 72 } else { 200 };
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let direction = |k: usize| {

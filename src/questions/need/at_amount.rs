@@ -40,7 +40,8 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// The grasp with the amount set, and the equilibrium in which a contact uses the largest fraction of its friction. `None` if no load is held.
+    /// The grasp with the amount set, and its equilibrium under the load under which a contact uses the largest fraction of its friction. `None` if
+    /// no load is held.
     fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
         let grown = self.growing(given)?;
         let posed = self.posed(given.space())?.on(&grown)?;
@@ -66,11 +67,11 @@ impl Need<3> {
                 let turn = loading.multiplied_turn(turn);
                 let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
-                // If an angle is sought, the turn ends at this angle.
+                // If an angle is sought, the turn ends at this angle, and the equilibrium at its end is returned.
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }
-                // With fewer parts of a turn the angle that uses most friction could be missed; each part costs an equilibrium.
+                // With fewer than 180 steps of the turn, the angle at which most friction is used could be missed; each step costs an equilibrium.
                 let on_the_way = (0..180_u32).map(|k| path.state_at(0, f64::from(k) / 180.0));
                 on_the_way.chain([path.state()]).collect()
             }

@@ -106,7 +106,7 @@ struct BatchNeed {
 
 impl BatchNeed {
     /// Whether the answer follows from the greatest multiple of the load that the grasp bears: the answer is this multiple, or for a squeeze its
-    /// inverse. For a squeeze everything else that acts must be proportional to the squeeze.
+    /// inverse. For a squeeze this requires that nothing but commands and the load acts, and that no contact has a clearance.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
         let held = |contact: &Contact<C>| {
             contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0
@@ -150,8 +150,9 @@ impl BatchNeed {
         amounts
     }
 
-    /// Fills in missing answers if the load is sought. The rotation under the given load may be smaller than under the sought multiple of the load.
-    /// Therefore the rotation is computed again under that multiple.
+    /// Fills in answers that [`Self::while_it_sticks`] leaves open, if the load is sought. That function bounds the rotation under the sought
+    /// multiple of the load; the bound may exceed the limit of small motions although the rotation does not. Therefore the rotation itself is
+    /// computed under that multiple.
     fn under_the_load_sought<const C: usize>(
         &self,
         first: usize,

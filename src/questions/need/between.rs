@@ -1,4 +1,5 @@
-//! The search for a sufficient amount between amounts that turned out to be insufficient.
+//! The search for a sufficient amount (of squeeze, friction, load, arm or angle) between amounts that turned out to be insufficient: the grasp does
+//! not meet the demand with them.
 
 use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
@@ -8,7 +9,7 @@ use crate::numerics::{increasing, moved};
 use crate::prelude::*;
 
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
-/// then tries the widest gaps near `begin`, the first amount of the whole search.
+/// then tries amounts between the neighbours with the largest ratio near `begin`, the first amount of the whole search.
 pub(super) fn refined(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,

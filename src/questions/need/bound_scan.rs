@@ -1,5 +1,6 @@
-//! A scan of amounts around the bound (the least or greatest sufficient amount). It finds how far the sufficient amounts extend from the bound, and
-//! further intervals of sufficient amounts.
+//! A scan of amounts around the bound, the least or greatest sufficient amount; an amount is sufficient if the grasp meets the demand with it. The
+//! scan finds how far the sufficient amounts extend from the bound, and further intervals of sufficient amounts. At rest means under the loads that
+//! act before the loads of the question.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -214,8 +215,8 @@ fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f6
     Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }
 
-/// An amount between two neighbouring sufficient amounts, a little beyond the place where one of the two [measures](Trial::measures) would vanish.
-/// This place is extrapolated from the first of the two amounts and the sufficient amount before it.
+/// An amount between two neighbouring sufficient amounts, a little beyond the amount at which one of the two [margins](Trial::measures) would vanish.
+/// The latter amount is extrapolated from the first of the two neighbours and the sufficient amount before it.
 fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
     let beyond = |[before, here, next]: [&(f64, Trial); 3]| {
         let root = |which: usize| {

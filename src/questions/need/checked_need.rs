@@ -1,4 +1,4 @@
-//! A [`Need`] after a check of its fields, with defaults for all fields that were not given.
+//! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads.
 
 use alloc::borrow::Cow;
 
@@ -48,7 +48,7 @@ impl<const C: usize> Need<C> {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CheckedNeed {
     pub(super) sought: Sought,
-    /// The loads; for an arm the load at displacement 0, for an angle the load that turns.
+    /// The loads. If an arm is sought, the load at displacement 0; if an angle is sought, the load that turns.
     pub(super) loads: Loads<3>,
     /// The load at rest. It is constant unless its multiple is the sought quantity.
     pub(super) base: Wrench<3>,
@@ -199,7 +199,8 @@ impl CheckedNeed {
 }
 
 impl Need<3> {
-    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contact indices from `contacts` on.
+    /// Refuses fields that are missing or belong to another quantity, numbers out of range, and contact indices that are not below `contacts`, the
+    /// number of contacts.
     #[cfg(feature = "serde")]
     pub(crate) fn check(&self, space: Space, contacts: usize) -> Result<(), Error> {
         match self.posed(space)?.sought {
@@ -318,7 +319,7 @@ impl Need<3> {
     }
 }
 
-/// The fault of a factor of safety if only a load at rest acts.
+/// The message of the error if a factor of safety is given but only a load at rest acts.
 const NOTHING_TO_MULTIPLY: &str = "multiplies the load asked about, and none is given; the load at rest and the weights of bodies stay as they are";
 
 /// The error of a question without a load if nothing acts at rest.

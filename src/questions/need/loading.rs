@@ -1,4 +1,6 @@
-//! The trial of one amount: the grasp with this amount set, and the verdicts on its loads.
+//! The trial of one amount (of squeeze, friction, load, arm or angle): the grasp with this amount set, and the verdicts on its loads. The carried
+//! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides. At rest means under the loads
+//! that act before the loads of the question.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -30,7 +32,7 @@ pub(super) struct Loading {
     pub(super) words: Words,
     /// Load paths are followed up to this multiple of the load.
     followed: f64,
-    /// The parts of a verdict that a trial needs, and how far it follows load paths.
+    /// How far a trial follows load paths, and which fields of a verdict it computes.
     pub(super) extent: VerdictScope,
     /// Whether the amount with which nothing slides is sought only in addition to the amount that holds the object. The load factor of first slip
     /// then suffices as the reason why an amount is insufficient.
@@ -162,7 +164,8 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The worst result over the loads of all these ramps. The loop ends at the first load that is not carried.
+    /// The worst result over the loads of all these ramps (a ramp is a load that grows in proportion). The loop ends at the first load that is not
+    /// carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
@@ -171,7 +174,7 @@ impl Loading {
             if demand == Demand::Sticks {
                 let ramp = &ramps[which];
                 let slip = self.said_of(which, &ramp.direction, self.first_slip(ramp)?);
-                // A grasp that does not hold at rest has no first slip, and its verdict gives the reason.
+                // A grasp that does not hold at rest has no first slip; the reason is then taken from its verdict.
                 let is_enough = self.is_beside && slip.carried().is_some_and(|part| part >= 0.0);
                 let is_told = self.grasp.settings().is_quick || is_enough;
                 if let (Trial::Insufficient { .. }, true) = (&slip, is_told) {
@@ -206,7 +209,8 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
-    /// The verdict on a ramp, with facts about its load path. Another load is carried up to the multiple `least`, so this one is followed no farther.
+    /// The verdict on a ramp, with facts about its load path. The path is followed only up to `least`, the multiple up to which another load is
+    /// carried, because only the load carried least matters.
     pub(super) fn put_on_up_to(
         &self,
         ramp: &Ramp<3>,
@@ -216,7 +220,8 @@ impl Loading {
         self.grasp.with(&self.grasp.settings().with_most_load(most)).hold_to_an_extent(ramp, self.extent)
     }
 
-    /// Whether everything sticks under this ramp. This follows from the load factor of first slip alone, so no verdict is computed.
+    /// The trial of whether everything sticks while the load grows along this ramp. The load factor of first slip decides it, so no verdict is
+    /// computed.
     fn first_slip(&self, ramp: &Ramp<3>) -> Result<Trial, Error> {
         let onset = self.grasp.onset(ramp)?;
         let factor = match &onset {
@@ -259,8 +264,8 @@ impl Loading {
         trial
     }
 
-    /// The result of a trial, from its verdict. `other` is a second margin: the distance to the limit of small motions for [`Demand::Held`], the
-    /// margin of sticking at rest for [`Demand::Sticks`].
+    /// The result of a trial, from its verdict. `other` is a second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its
+    /// limit of small motions. For [`Demand::Sticks`] it is the margin of sticking at rest, as a fraction of the largest contact force.
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let sufficient = match demand {
             Demand::Sticks => verdict.sticks(),

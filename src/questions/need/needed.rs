@@ -1,4 +1,6 @@
-//! Answers a [`Need`]: the sought amount, the amount with which nothing slides, and a safe amount.
+//! Answers a [`Need`]: the sought amount (of squeeze, friction, load, arm or angle), the amount with which nothing slides, and a safe amount. An
+//! amount is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads
+//! that act before the loads of the question.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::bound_scan::{BoundScan, between_known};
@@ -133,7 +135,7 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     let whole = |amount: f64| tried.at(amount, demand, false);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let learns = matches!(need.loads, Loads::AnyForce { .. });
-    // A full trial of a force of any direction takes hundreds of verdicts.
+    // A full trial of a force of any direction takes hundreds of verdicts, so a quick trial replaces it.
     let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
@@ -246,8 +248,8 @@ impl FoundAmounts<'_, '_> {
         if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
     }
 
-    /// The bracket at the harder end (less squeeze, more load) of the hardest interval of sufficient amounts that is not [narrow](NARROW). `None` if
-    /// `bound` is at this end already, or if all intervals are narrow.
+    /// The bracket at the harder end (less squeeze, more load) of an interval of sufficient amounts that is not [narrow](NARROW). Among several such
+    /// intervals the one with the hardest end is taken. `None` if `bound` is at this end already, or if all intervals are narrow.
     fn edge_of_a_wide_window(
         &self,
         plan: &SearchPlan,
@@ -332,7 +334,7 @@ fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
 }
 
 /// The last sufficient amount and the first insufficient amount among those tried from the bound `sufficient` towards easier amounts (more squeeze,
-/// less load). `None` if none is insufficient.
+/// less load). `None` if no tried amount is insufficient.
 fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
@@ -347,8 +349,8 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
 }
 
 /// The bracket at the far end of the sufficient amounts that begin at `sufficient`. The amounts `far`, between which it is expected, are tried in
-/// turn; for a safe amount, they are the far end with friction, squeeze and loads as given. `None` if neither is insufficient, or if a verdict is
-/// undecided.
+/// turn; for a safe amount, they are the far end with friction, squeeze and loads as given. `None` if neither of the two amounts is insufficient, or
+/// if a verdict is undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

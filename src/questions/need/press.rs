@@ -1,4 +1,5 @@
-//! The normal forces with which contacts press under a squeeze, and sentences about these forces.
+//! The normal forces with which contacts press under a squeeze, and sentences about these forces. At rest means under the loads that act before the
+//! loads of the question.
 
 use nalgebra::SVector;
 
@@ -21,7 +22,7 @@ pub struct ContactPress {
     /// contacts if joints or tendons press.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_set: bool,
-    /// For a suction cup: the pressure of its vacuum below that of the air around, Pa. `None` for other contacts.
+    /// For a suction cup: how far the pressure in the cup is below the pressure of the surrounding air, Pa. `None` for other contacts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
     /// The force to set for this squeeze, N: `pressed_with`, or `force`, of the contact. The `force` at rest differs from it if the object gives way.
@@ -34,7 +35,8 @@ pub struct ContactPress {
     pub overlap: Option<f64>,
 }
 
-/// The force that is set at these points of one contact, N. `None` for links, vacuum and commands across the normal, and if no force is set.
+/// The normal force that the user sets at these points of one contact, N, summed over the points. `None` for links, for contacts with a vacuum or a
+/// command across the normal, and if no force is set.
 pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
     let of_point = |point: &Contact<3>| {
         let is_plain = point.link.is_none()
@@ -47,7 +49,8 @@ pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
     points.iter().map(of_point).sum()
 }
 
-/// The pressure of a suction cup's vacuum below that of the air, Pa, if these points in space form its ring-shaped lip. In the plane there is no area.
+/// How far the pressure in a suction cup is below the pressure of the surrounding air, Pa, if these points in space form its ring-shaped lip. In the
+/// plane there is no area, and the result is `None`.
 pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     let count = points.len() as f64;
     let vacuum: f64 = points.iter().map(|point| point.suction).sum();
@@ -103,8 +106,9 @@ pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
     is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
 }
 
-/// The force that is the same at all pressing contacts, as text: `name(force)`, followed by the number to set unless the force is that number:
-/// `pressed_with`, or else `times`, the multiple of the given squeeze. `None` if forces or numbers differ.
+/// The text for a force that is the same at all pressing contacts: `name(force)`, followed by the number to set, which is `pressed_with` or else
+/// `times`, the multiple of the given squeeze. The number is left out if the force itself is what the user sets. `None` if forces or numbers differ
+/// between contacts.
 fn all_alike(
     words: Words,
     presses: &[ContactPress],

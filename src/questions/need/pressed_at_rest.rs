@@ -1,4 +1,5 @@
-//! The normal forces with which the contacts press at rest, for a given multiple of the squeeze.
+//! The normal forces with which the contacts press at rest, for a given multiple of the squeeze. At rest means under the loads that act before the
+//! loads of the question.
 
 use super::checked_need::{CheckedNeed, Sought};
 use super::press::{ContactPress, force_set, pressure_of_cup};

@@ -1,4 +1,5 @@
-//! Answers of a [`Need`](super::Need) that follow from proofs: all amounts are excluded, all but one, or all beyond the last sufficient one.
+//! Answers of a [`Need`](super::Need) that follow from proofs: all amounts are excluded, all but one, or all beyond the last sufficient one. An
+//! amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it.
 
 use super::answer::{Amount, FarEnd};
 use super::needed::nothing_suffices;

@@ -1,9 +1,10 @@
 //! The range of amounts for which contact forces inside their cones could balance all loads. With an amount outside this range the object is not
-//! held.
+//! held. An amount is a multiple of the squeeze or load, a coefficient of friction, or an arm.
 //!
 //! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v may prove
-//! that W(x) is unbalanced. Then v proves the same for every other amount y with W(y)·v > 0, so the range ends at the latest where this work
-//! vanishes. For friction there is a least coefficient, because friction widens the cones.
+//! that W(x) is unbalanced. Along v no contact force does negative work, but the load does positive work, W(x)·v > 0. Then v proves the same for
+//! every other amount y with W(y)·v > 0, so the range ends at the latest where this work vanishes. For friction there is a least coefficient, because
+//! friction widens the cones.
 
 use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::loading::Loading;
@@ -156,7 +157,7 @@ impl Range {
                 (low, last) = (at, now);
             } else {
                 high = at;
-                // No proof exists at the secant's root, so it is the least coefficient to the accuracy of the proofs.
+                // No proof exists at the root of the secant, so this root is the least coefficient to the accuracy of the proofs.
                 if secant == Some(at) {
                     break;
                 }

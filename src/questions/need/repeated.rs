@@ -1,4 +1,5 @@
-//! The trial of an amount under loads that are applied and removed again and again.
+//! The trial of an amount under loads that are applied and removed again and again. A leg is a section of the load program, a period one cycle or
+//! several cycles after which the motion repeats itself.
 
 use core::f64::consts::TAU;
 

@@ -1,7 +1,8 @@
-//! The search for a sufficient amount, and then for a neighbouring insufficient amount: together a bracket of the bound, which `threshold` narrows.
+//! The search for a sufficient amount (of squeeze, friction, load, arm or angle), and then for a neighbouring insufficient amount: together a bracket
+//! of the bound, the least or greatest sufficient amount. `threshold` narrows this bracket.
 //!
 //! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, and
-//! smaller if the greatest is sought.
+//! smaller if the greatest is sought. The carried part of the load is the load factor up to which the demand is met with an amount.
 
 use super::between::refined;
 use super::range::Range;
@@ -52,18 +53,19 @@ pub(super) enum BoundSearch {
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// How the bound of the sufficient amounts is estimated from the part c of the load that is carried with an amount x. At the bound c is 1.
+/// How the bound is estimated from the carried part c of the load with an amount x. With the amount at the bound, c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum BoundEstimate {
-    /// The bound is about `x c`, with the tried amount x and the carried part c of the load, because the load itself is the sought quantity.
+    /// The bound is about `x c`, because the load itself is the sought quantity.
     Times,
-    /// The bound is about `x / c`, with the tried amount x and the carried part c of the load, as if c were proportional to x.
+    /// The bound is about `x / c`, as if c were proportional to x.
     Divided,
-    /// No estimate.
+    /// The bound is not estimated from c: for an arm, and for loads that repeat.
     Nothing,
 }
 
-/// The quantity that a search seeks, its range, and its effort.
+/// The plan of a search: its first amount, the range of amounts, whether the least or greatest amount is sought, and the width of the bracket at
+/// which it ends.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
     /// The first amount to try, if forces can balance the loads with it.
@@ -72,7 +74,7 @@ pub(super) struct SearchPlan {
     pub(super) limits: [f64; 2],
     /// The range of amounts that no proof excludes.
     pub(super) range: Range,
-    /// Whether the least sufficient amount is sought, otherwise the greatest.
+    /// True if the least sufficient amount is sought, false if the greatest is sought.
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,
@@ -99,12 +101,12 @@ impl SearchPlan {
         self.low() <= amount && amount <= self.high()
     }
 
-    /// The upper or lower end of the range, if a proof excludes all amounts beyond it.
+    /// The upper (if `up`) or lower end of the range, if a proof excludes all amounts beyond it.
     pub(super) fn end(&self, up: bool) -> Option<f64> {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether a proof excludes all amounts beyond this amount, to the accuracy of the proof.
+    /// Whether a proof excludes all amounts above (if `up`) or below this amount, to the accuracy of the proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -219,7 +221,7 @@ pub(super) fn search(
             }
         }
     }
-    // With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
+    // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
     // If the start is insufficient because its squeeze moves the part too far, a smaller squeeze may be sufficient. Therefore smaller amounts are
@@ -245,8 +247,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Trying neighbours keeps one undecided amount from ending the search. If they were closer than 1e-9, the cause, two events at the same load,
-        // might occur again. In a narrow bracket two neighbours are enough.
+        // Neighbours are tried so that one undecided amount does not end the search. As a rule a verdict is undecided because of two events at the
+        // same load, which neighbours closer than 1e-9 might have, too. In a narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -272,7 +274,8 @@ fn guessed(
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = LAST_DIGITS;
-    // If four estimates are insufficient, the carried part of the load is not proportional to the amount, and [`walk`] continues the search.
+    // If four estimates are insufficient, the carried part of the load is not proportional to the amount, and [`first_sufficient`] continues the
+    // search.
     for _ in 0..4 {
         let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
@@ -343,7 +346,7 @@ fn edge_from(
             now @ Trial::Insufficient { .. } => insufficient = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // The amount just inside the proved end is insufficient, so the bound is elsewhere.
+        // If the amount just inside the proved end is not sufficient, the bound is not at this end, and the further guesses near it are skipped.
         if Some(amount) == inside && sufficient != amount {
             break;
         }

@@ -1,4 +1,7 @@
-//! The bracket of the least or greatest sufficient amount (the bound): one sufficient and one insufficient amount, and how the bracket is narrowed.
+//! The bracket of the bound, and how it is narrowed. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand
+//! with it; the bound is the least or greatest sufficient amount. A bracket consists of one sufficient and one insufficient amount. The carried part
+//! of the load is the load factor up to which the demand is met with an amount. At rest means under the loads that act before the loads of the
+//! question. A measure is a number that is zero at the bound unless it jumps there: the carried part less 1, or the second margin of a trial.
 
 use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
@@ -29,8 +32,9 @@ impl Threshold {
         self.narrowed(tries, sufficient, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or is at the
-    /// level of rounding, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount of the bracket.
+    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or changes
+    /// across the bracket by rounding alone, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount of the
+    /// bracket.
     ///
     /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
     pub(super) fn narrowed(
@@ -151,11 +155,11 @@ impl Threshold {
     }
 }
 
-/// A bracket that is being narrowed, and what guides the next trial.
+/// A bracket that is being narrowed, and the data from which the next amount to try is determined.
 struct Narrowing {
     edge: Threshold,
     sides: [BracketEnd; 2],
-    /// Index of the measure in use.
+    /// Index of the measure in use: 0 for the carried part of the load less 1, 1 for the second margin of the trial ([`Trial::measures`]).
     which: usize,
     /// The width of the bracket, and the decrease of the measure across it, when the measure began to be watched for a jump.
     at_first: (f64, Option<f64>),
@@ -191,7 +195,7 @@ impl Narrowing {
         (self.edge.insufficient.0 - self.edge.sufficient).abs()
     }
 
-    /// Whether the width of the bracket is at most this part of its larger amount.
+    /// Whether the width of the bracket is at most the fraction `close` of its larger amount.
     fn is_within(&self, close: f64) -> bool {
         self.width() <= close * self.largest()
     }
@@ -242,7 +246,8 @@ impl Narrowing {
         jumps && !has_other
     }
 
-    /// The next amount to try: next to the root of the measure, or where contacts at rest probably leave their states, or in the middle.
+    /// The next amount to try: next to the amount at which the measure probably vanishes, or at which contacts at rest probably leave their states,
+    /// or in the middle of the bracket.
     fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -262,14 +267,14 @@ impl Narrowing {
         from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
     }
 
-    /// The root of the measure in use: extrapolated on the side that the last step moved, or else by a secant.
+    /// The amount at which the measure in use vanishes: extrapolated from the end that the last step moved, or else by a secant.
     fn root(&self) -> Option<f64> {
         let [over, under] = signs_differ(&self.sides, self.which)?;
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
         let secant = || from + (to - from) * (over / (over - under));
         let is_inside = |root: &f64| (root - from) * (root - to) < 0.0;
         let root = self.kept.and_then(|side| self.sides[side].root(self.which)).filter(is_inside);
-        // A secant through measures at the level of rounding has no meaning.
+        // If the measures at the two ends differ by rounding alone, a secant through them has no meaning.
         (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
     }
 
@@ -286,8 +291,8 @@ impl Narrowing {
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
-        // Predictions are exact in the plane, where margins are linear in the amount. In space an old prediction is used once more if there is no new
-        // one.
+        // In the plane margins are linear in the amount, so that predictions are exact: the last prediction is kept while there is no new one. In
+        // space it is used only once more.
         self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
@@ -318,8 +323,8 @@ impl BracketEnd {
         (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end of the bracket. On the other side of
-    /// the bound the measure may have another slope.
+    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end of the bracket. Only one end is used,
+    /// because the derivative of the measure may jump at the bound.
     fn root(&self, which: usize) -> Option<f64> {
         let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
         where_it_vanishes(points)
@@ -353,8 +358,8 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Relative distances from the bound at which full trials are made if quick trials leave amounts next to the bound undecided. The next distance is
-/// used if the trial at the previous distance is undecided.
+/// Relative distances from the bound at which full trials are made in space if quick trials leave amounts next to the bound undecided. They are used
+/// one after the other, until a trial shows an insufficient amount.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.
@@ -364,11 +369,11 @@ const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 /// not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
-/// Relative distances from the bound of the sufficient amounts for full trials in the plane, and in space if quick trials next to the bound are
-/// decided.
+/// Relative distances from the bound at which full trials are made, one after the other, until a trial shows an insufficient amount. They are used in
+/// the plane, and in space if quick trials next to the bound are decided.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
-/// Differences of a measure between two amounts below this are due to rounding.
+/// A difference of a measure between two amounts is taken as rounding if it is smaller than this number.
 const ROUNDING: f64 = 1e-11;
 
 /// The mean of two amounts, geometric if their ratio exceeds [`FAR_APART`].

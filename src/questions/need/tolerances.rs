@@ -1,6 +1,9 @@
-//! Stopping tolerances of the search for an amount, and the ratios and numbers of the amounts that it tries.
+//! Stopping tolerances of the search for an amount, and the ratios and numbers of the amounts that it tries. An amount (of squeeze, friction, load,
+//! arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the
+//! loads that act before the loads of the question.
 //!
-//! Distances and widths are relative to the amount, or to the end of a range.
+//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. Distances and widths of brackets are relative to the
+//! amount, or to the end of the range of amounts that no proof excludes.
 
 use super::threshold::WidthSchedule;
 
@@ -48,7 +51,8 @@ pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: WidthSchedule = &[(0, 1e-12), (64, 5e-10)];
 
-/// In space a bracket with this relative width is narrow enough if the carried part of the load jumps at the bound of the sufficient amounts.
+/// In space a bracket with this relative width is narrow enough if the carried part of the load (the load factor up to which the demand is met) jumps
+/// at the bound.
 ///
 /// If smaller, halvings take most of the time of an answer. If larger, the width shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
@@ -80,24 +84,27 @@ pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 /// If smaller, narrow intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
 
-/// If a margin would vanish at a place between two sufficient amounts, an amount beyond this place is tried. It lies at this fraction of the way from
-/// the place to the next amount.
+/// If a margin would vanish at an amount x between two sufficient amounts, an amount beyond x is tried. It lies at this fraction of the way from x to
+/// the next sufficient amount.
 ///
-/// If smaller, rounding or a bend of the margin may hide insufficient amounts beyond the place. If larger, a narrow interval of them is stepped over.
+/// If smaller, rounding or a curved margin may hide insufficient amounts beyond x. If larger, a narrow interval of insufficient amounts is stepped
+/// over.
 pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 
-/// At most this many amounts are tried between neighbours with different contact states at rest, or where a margin would vanish.
+/// Upper limit of the number of amounts tried between neighbouring amounts with different contact states at rest, or where a margin would vanish.
 ///
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Of the [`BETWEEN`] amounts at most this many are tried where a margin would vanish.
+/// Upper limit of the number of amounts, among these [`BETWEEN`] amounts, that are tried where a margin (of the load, or of small motions) would
+/// vanish.
 ///
-/// With one, a margin that falls less and less steeply hides insufficient amounts. With more, too few are left for other contact states.
+/// If 1, a single extrapolation of a margin that falls less and less steeply misses insufficient amounts. If larger, too few amounts are left for
+/// changes of contact states.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// If the first amount tried is easier than the bound by more than this ratio, amounts easier than the first one are tried as well. The scan around
-/// the bound does not extend that far.
+/// If the first amount tried is easier than the bound by more than this ratio, amounts easier than the first one are tried as well, because the scan
+/// around the bound does not extend that far.
 ///
 /// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just on the easier side of the first one is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;

@@ -1,4 +1,5 @@
-//! The trial of one amount: whether the grasp meets the demand with it, and the distance to the bound of the sufficient amounts.
+//! The trial of one amount (of squeeze, friction, load, arm or angle): whether the grasp meets the demand with it, and the distance to the bound, the
+//! least or greatest sufficient amount. At rest means under the loads that act before the loads of the question.
 
 use core::cell::{Cell, RefCell};
 
@@ -16,8 +17,8 @@ pub(super) enum Trial {
     Sufficient {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin: for [`Demand::Held`] the distance to the limit of small motions, for [`Demand::Sticks`] the margin of sticking at rest.
-        /// Infinite if it is not known.
+        /// A second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its limit of small motions. For [`Demand::Sticks`] it
+        /// is the margin of sticking at rest, as a fraction of the largest contact force. Infinite if it is not known.
         other: f64,
     },
     Insufficient {
@@ -89,8 +90,8 @@ impl Trial {
         self.measures()[1].unwrap_or(f64::INFINITY)
     }
 
-    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Of two equal results the one with less
-    /// carried load is worse.
+    /// The worse of two results: insufficient is worse than undecided, and undecided worse than sufficient. Of two results of the same kind, the one
+    /// with the smaller carried part of the load is worse.
     pub(super) fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
             Self::Insufficient { .. } => 0,
@@ -132,9 +133,10 @@ impl Trials {
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct RefutingLoads {
-    /// Index of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
+    /// Index, from 0, of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction that refuted an amount, or in which least was carried. Quick trials are confined to these directions.
+    /// Directions of a force of any direction that refuted an amount, or in which the smallest part of the force was carried. Quick trials are
+    /// confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 

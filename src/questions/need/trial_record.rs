@@ -1,4 +1,6 @@
-//! The amounts that were tried for an answer, and the plan for the search of further amounts.
+//! The amounts (of squeeze, friction, load, arm or angle) that were tried for an answer, and the plan for the search of further amounts. An amount is
+//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads that act
+//! before the loads of the question.
 
 use core::cell::{Cell, Ref, RefCell};
 
@@ -150,9 +152,9 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. The margins of contacts
-    /// (distances from the ends of their states) are extrapolated. They are taken from `sufficient` and the nearest amounts on its far side with the
-    /// same contact states. `None` if there is no such amount.
+    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. It is extrapolated from the
+    /// margins of contacts: gap, normal force, friction margin or slip, one of which is zero where the state ends. The margins are taken from
+    /// `sufficient` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
@@ -255,7 +257,7 @@ fn of(trials: &RefCell<Vec<(f64, Trials)>>, amount: f64, demand: Demand) -> Opti
     trials.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, trials)| trials.of(demand).cloned())
 }
 
-/// Whether each contact is in a state of the same kind in both lists.
+/// Whether each contact has the same kind of state (open, sticking, sliding or frictionless) in both equilibria at rest.
 fn same_kinds(one: &AtRest, other: &AtRest) -> bool {
     let (one, other) = (&one.contacts, &other.contacts);
     one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.kind == other.kind)

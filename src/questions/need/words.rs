@@ -1,4 +1,5 @@
-//! The answer to a [`Need`](super::Need) in a sentence, as one would say it to a colleague.
+//! The answer to a [`Need`](super::Need) in a sentence, as one would say it to a colleague. An amount (of squeeze, friction, load, arm or angle) is
+//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
 
 use core::fmt;
 
@@ -92,7 +93,8 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
-        // A bound that was searched for has tried amounts next to it. A single amount that proofs leave has no such neighbours.
+        // This condition recognises a single amount that proofs leave: no amounts were tried next to it, and the far end of its interval is the
+        // amount itself.
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }

@@ -1,4 +1,5 @@
-//! One cycle of loads: the states at its beginning and end, and the slips between them.
+//! One cycle of loads: the states at its beginning and end, and the slips between them. A jump is a motion under constant load from one equilibrium
+//! to another.
 
 use super::tolerances::{SAME_CYCLE, SLIP_OF_JUMPS};
 use nalgebra::{DVector, SVector};
@@ -45,7 +46,8 @@ impl Cycle {
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        // Without a limit cycle nearby, directions of slip may turn ever faster. Therefore the number of steps is limited.
+        // `there` is an extrapolated state. If no limit cycle is near it, directions of slip may turn ever faster along the path. Therefore the
+        // number of steps is limited.
         let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -63,8 +65,8 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// The forces and gaps of a state as numbers, divided by the units of [`CycleUnits`], and which contacts have kinetic friction. Gaps that stay
-    /// open during the whole cycle are replaced by zero.
+    /// The forces and gaps of a state, divided by the units of [`CycleUnits`], and for each contact 1 if its friction is kinetic, else 0. Gaps of
+    /// contacts that stay open during the whole cycle are replaced by zero: they may change although all forces repeat.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
@@ -79,7 +81,8 @@ impl Cycle {
         self.difference().amax()
     }
 
-    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], or the errors of its steps if larger.
+    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], or the estimated relative step error of its load
+    /// path if that is larger.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
@@ -100,8 +103,8 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle: whether its path is longer than rounding and the errors of jumps (motions under constant
-    /// load).
+    /// Whether a contact or drive slides in the cycle: the length of its path of slip exceeds rounding and the errors of jumps (motions under
+    /// constant load).
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * self.record.jump_motion
     }
@@ -116,8 +119,8 @@ impl Cycle {
         self.record.open[site].is_none() && self.is_open(site)
     }
 
-    /// Whether the object has moved, by more than rounding, from the beginning of the cycle to its end, with a contact that slid. Slips below the
-    /// errors of jumps count here, too, since they add up over the cycles.
+    /// Whether, from the beginning of the cycle to its end, the object has moved and the slip of some contact has changed, both by more than
+    /// rounding. Slips below the errors of jumps count here, too, since they add up over the cycles.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;

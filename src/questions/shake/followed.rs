@@ -1,4 +1,5 @@
-//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles.
+//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
+//! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts.
 
 use super::cycle::Cycle;
 use super::period_search::PeriodSearch;
@@ -186,8 +187,8 @@ impl<'g> FollowedCycles<'g, '_> {
             return Extrapolation::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // A state is taken as next to the limit if forces and gaps change by at most `near` in a cycle. `near` is smaller for a smaller present
-        // change, so that a trial after a failed trial is closer to the limit.
+        // A state is taken as near the limit if forces and gaps change by at most the relative number `near` in the cycle from it. `near` is smaller
+        // for a smaller present change, so that a trial after a failed trial is closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
@@ -253,7 +254,7 @@ impl<'g> FollowedCycles<'g, '_> {
         self.opened.iter_mut().enumerate().for_each(|(i, opened)| *opened |= cycle.is_open(i));
     }
 
-    /// The behaviour if the load path ends within the cycle of this number: the loss, or undecided.
+    /// The behaviour if the load path ends within cycle number `cycle`, counted from 1 at rest: the loss, or undecided.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {

@@ -5,7 +5,7 @@
 //! as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later cycles depend only on the state e at their beginning,
 //!
 //! ```text
-//! e = (forces F_i of closed contacts, gaps of open ones)
+//! e = (forces of closed contacts, gaps of open contacts, contacts with kinetic friction)
 //! ```
 //!
 //! not on the position of the object, nor on the slip of a contact so far. If the state e at the end of a cycle equals the state at its beginning,

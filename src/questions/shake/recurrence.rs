@@ -1,9 +1,11 @@
 //! Extrapolation of states between cycles with the same events: the difference of two successive states is a linear combination of earlier
-//! differences.
+//! differences. A state consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of
+//! contacts.
 //!
-//! An affine map leads from state to state, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey `d_{n+1} = A d_n`. If m modes
-//! contribute, each difference is a combination of the m differences before it, `d_{n+m} = Σ c_j d_{n+j}`. If the differences die out, the states
-//! converge to `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
+//! An affine map with a matrix A leads from state to state, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey
+//! `d_{n+1} = A d_n`. If m eigenmodes of A contribute, each difference is a combination of the m differences before it, `d_{n+m} = Σ c_j d_{n+j}`,
+//! with coefficients c_j for j from 0 to m - 1. If the differences die out, the states converge to `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)`
+//! (minimal polynomial extrapolation).
 
 use crate::numerics::{IntoList, Singular, matrix_of};
 use nalgebra::{DMatrix, DVector};
@@ -49,7 +51,7 @@ impl<'p> Recurrence<'p> {
     }
 
     /// The number of cycles after which the difference of successive states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle. The
-    /// result is at most about a million, and exactly this number if differences do not shrink.
+    /// result is at most 2^20, and 2^20 if differences do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -92,7 +94,8 @@ impl<'p> Recurrence<'p> {
         (self.combination(&weights), change)
     }
 
-    /// The sum of the states, multiplied by weights that add up to one. It is an equilibrium, since all states are equilibria under the same load.
+    /// The sum of the states, multiplied by weights that add up to one. The sum is an equilibrium: all states are equilibria under the same load, and
+    /// the conditions of equilibrium are linear while the events are the same.
     fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();

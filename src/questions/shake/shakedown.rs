@@ -30,9 +30,9 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
-    /// The greatest factor on the loads; infinite if contacts stick even under loads whose forces reach a million times those at rest. With a larger
-    /// factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. Linear programming proves this, up to a relative
-    /// error of 1e-9.
+    /// The greatest factor on the loads; infinite if contacts stick even under loads that cause contact forces a million times as large as those
+    /// under the base load. With a larger factor the grasp never comes to rest, in any order of the loads, as long as no contact opens. Linear
+    /// programming proves this, up to a relative error of 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Slips of the contacts with which no contact slides under the loads times `factor`, m, in contact frames; their normal components are zero.

@@ -3,13 +3,13 @@
 //!
 //! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under this force.
 
-/// A cycle repeats itself if the relative difference of forces and gaps between its beginning and end is at most this number, as it is after
-/// rounding.
+/// A cycle repeats itself if forces and gaps at its end differ from those at its beginning by at most this number, as they do because of rounding.
 ///
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift is taken as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
 
-/// Relative change of forces and gaps per cycle below which the limit is near: all further cycles are expected to have the same events.
+/// If forces and gaps change per cycle by at most this relative number, the limit counts as near: all further cycles are expected to have the same
+/// events.
 ///
 /// If smaller, more cycles would be followed before the limit is known. If larger, events before the limit is reached would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
@@ -17,14 +17,15 @@ pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 /// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
-/// Slip in a cycle with jumps that counts as none, as a fraction of the largest displacement at a contact in one of these jumps.
+/// In a cycle with jumps a contact is reported as sliding only if its slip exceeds this fraction of the largest displacement at a contact in one of
+/// these jumps.
 ///
 /// A jump (motion under constant load) starts a little beyond the loss of equilibrium. Its steps end a little before the object rests. This adds
-/// slips of some 1e-6 of the motion in the jump. If the limit were smaller, these slips would be reported as sliding to and fro. If larger, small
-/// slips beside large jumps would not be reported. A walk is recognised by slips of any size.
+/// slips of some 1e-6 of the motion in the jump. If the fraction were smaller, these slips would be reported as sliding to and fro. If larger, true
+/// small slips in a cycle with large jumps would not be reported. A walk is recognised by slips of any size.
 pub(super) const SLIP_OF_JUMPS: f64 = 1e-5;
 
-/// Relative change of forces per cycle below which the answer calls them constant. It is larger than step errors.
+/// If forces and gaps change by at most this relative number per cycle, the answer calls the forces constant. The number is larger than step errors.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are not reported.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

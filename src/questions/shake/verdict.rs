@@ -84,7 +84,7 @@ pub enum Repeats<const C: usize> {
     Alternates {
         /// The contacts that slide in a period; empty if the object only jumps, or if only joints and tendons [yield](Shaken::yields).
         slides: Vec<WholeContact>,
-        /// The longest path that a contact slides in a period, to and fro added up, m.
+        /// The longest path of slip of a contact in a period, the slips in both senses added up, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         way: f64,
         /// Energy lost in a period by friction and by impacts, J.
@@ -105,7 +105,7 @@ pub enum Repeats<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
-    /// The object is lost: a cycle has no equilibrium from some load on.
+    /// The object is lost: in some cycle no equilibrium exists beyond some load.
     Lost {
         /// The cycle in which the object is lost, from 1.
         cycle: usize,

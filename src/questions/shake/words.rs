@@ -60,7 +60,7 @@ impl<const C: usize> Shaken<C> {
             Repeats::Alternates { slides, way, dissipated, jumps } => {
                 let what = self.slides_and_yields(slides);
                 match (slides.is_empty(), what.is_empty()) {
-                    // Impacts take energy that depends on the inertia of the object, which is not known.
+                    // The sentence gives no energy: impacts dissipate an energy that depends on the inertia of the object, which is not known.
                     (_, true) => write!(
                         f,
                         "JUMPS TO AND FRO: {} in {} a contact stops it, and nothing slides",
@@ -94,7 +94,7 @@ impl<const C: usize> Shaken<C> {
                 if slide.is_empty() { Ok(()) } else { write!(f, ", {slide}") }
             }
             Repeats::Lost { cycle, lost, load, .. } => {
-                // A load under which the object still rests is not the one that moves it.
+                // At factor 0 the object still rests under `load`. It is lost as soon as the load departs from this value.
                 let when =
                     if lost.factor <= NEGLIGIBLE { "as soon as the load departs from" } else { "under" };
                 let load = words.load(load);

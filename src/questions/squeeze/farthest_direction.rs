@@ -1,8 +1,9 @@
-//! The direction in which the least force through a point moves the object farther than small motions, while everything sticks.
+//! The direction in which the least force through a point makes a motion exceed its limit of small motions, while everything sticks.
 //!
-//! A rotation, slip or opening s is affine in the force x, `s = a + B x`. The shortest x with `|s| = L`, where L is the limit, satisfies `x = λ Bᵀs`.
-//! In the singular value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at
-//! 1/σ₁², so that a bisection finds the λ with |s| = L.
+//! Let x be the force, and s the vector of a rotation, slip or opening that must not exceed its limit L. While everything sticks s is affine in x:
+//! `s = a + B x`, where a is its value under the base load. The shortest x with `|s| = L` satisfies `x = λ Bᵀs` with a multiplier λ. In the singular
+//! value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at 1/σ₁² (σ₁ is the
+//! largest σ), so that a bisection finds the λ with |s| = L.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -19,7 +20,7 @@ use crate::search::Settings;
 impl Engine {
     /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions. The force acts
     /// in addition to a base load under which everything sticks. As long as everything sticks, no smaller force has this effect in any direction.
-    /// `None` if no force has it.
+    /// `None` if no force has this effect.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<3>,
@@ -55,7 +56,8 @@ impl Engine {
     }
 }
 
-/// The size and direction of the shortest x with which a motion, changed by `by_force x`, reaches its limit; `None` if no x brings it to the limit.
+/// The size and direction of the shortest force x (N) with which a motion, changed by `by_force x`, reaches its limit; `None` if no x brings it to
+/// the limit.
 fn shortest_to_the_limit(
     motion: &CountedMotion,
     by_force: &SMatrix<f64, 3, 3>,
@@ -85,8 +87,8 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // The first component at the limit, `along_first`, is at least c₁ / part if |s| is less than its limit. Sixty halvings reduce the error to
-    // rounding.
+    // For a trial λ, `along_first` is the first component that s would need to have the length L; its actual first component is c₁ / part. While the
+    // actual component is smaller in magnitude, |s| is less than L. Sixty halvings reduce the error to rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();
@@ -116,7 +118,7 @@ mod tests {
             2.0 * generic(drawn) - 2.0
         };
         for round in 0..300 {
-            // Some maps B are singular, and some starts a are zero or perpendicular to the stiffest direction.
+            // Some maps B are singular. Some starts a are zero, or perpendicular to the direction in which a force causes the largest motion.
             let mut b = SMatrix::<f64, 3, 3>::from_fn(|_, _| number());
             let mut a = Vector3::from_fn(|_, _| 0.5 * number());
             match round % 4 {

@@ -34,7 +34,7 @@ pub enum LeastSqueeze<const C: usize> {
     },
     /// Nothing resists this motion at any squeeze, and some load does work along it.
     GivesWay {
-        /// This motion, of unit size.
+        /// The motion that nothing resists, of unit size.
         motion: Motion<C>,
     },
     /// Rounding keeps the factor from rising further although a sticking condition is broken.

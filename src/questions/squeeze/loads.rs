@@ -22,7 +22,7 @@ pub enum Loads<const C: usize> {
         /// The point at which the force acts, m, in coordinate axes.
         point: [f64; C],
     },
-    /// A load that turns: each load from angle zero through a full turn, or up to its last angle.
+    /// A load that turns: each load from angle zero to the last angle of the turn, or through a full turn if no last angle is given.
     Turn(Turn<C>),
 }
 

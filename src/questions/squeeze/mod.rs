@@ -1,18 +1,19 @@
 //! The least squeeze with which all contacts stick, and the weakest direction (in which the least force makes a contact stop sticking), both computed
 //! without sampling.
 //!
-//! While all contacts stick, forces are linear in the load and in the commands. The condition of a contact is `a·F >= 0` for each facet of its cone.
-//! The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the force of size r through a point that lowers `a·F` most is known for
+//! While all contacts stick, the contact forces are affine in the load and in the commands. Let F be the force of a contact (normal component first),
+//! and a the coefficients of a facet of its friction cone, so that the contact sticks if `a·F >= 0` for each facet. The round cone has a facet
+//! `a = (μ, -cos φ, -sin φ)` at every angle φ. Among the forces x of size at most r through a point, the one that lowers `a·F` most is then known for
 //! each facet,
 //!
 //! ```text
 //! F(x) = F⁰ + A x,   |x| <= r:        min a·F = a·F⁰ - r |Aᵀa|
 //! ```
 //!
-//! with F⁰ the contact forces without this force and A the map from the force to F. As functions of φ, `a·F⁰` and the square of `|Aᵀa|` are
+//! with F⁰ the force of the contact without x, and A the map from x to the change of F. As functions of φ, `a·F⁰` and the square of `|Aᵀa|` are
 //! trigonometric polynomials. Angles at which `a·F⁰ - r |Aᵀa|` is negative are found without losing a root (`numerics/on_a_circle`). Each condition
-//! is linear in the squeeze factor, so a broken condition gives a lower bound of the factor that is needed. This bound is tried next, until no
-//! condition is broken. The last bound is the least factor with which all contacts stick, up to rounding.
+//! is affine in the squeeze factor, so a condition that fails gives a lower bound of the factor that is needed. This bound is tried next, until no
+//! condition fails. The last bound is the least factor with which all contacts stick, up to rounding.
 //!
 //! | file | idea |
 //! |---|---|

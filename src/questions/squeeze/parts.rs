@@ -9,18 +9,19 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The condition `row·F >= 0` on the force F of a contact, which is a sum of several forces.
+/// The condition `row·F >= 0` that keeps a contact sticking: F is the contact's force, a sum of several forces, and `row` the coefficients of one
+/// facet of its friction cone.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
-    /// The value of `row·F` under `load`, N.
+    /// The value of `row·F` under `load`, N; negative if the condition is broken.
     pub(super) value: f64,
     /// Sum of the magnitudes of the forces whose sum is F, N. The rounding error of F is proportional to it.
     size: f64,
     pub(super) load: Wrench<3>,
 }
 
-/// The contact forces while all contacts stick, as a sum of two parts. One is due to the commands at factor 1 (`squeeze`), the other, without
-/// commands, to the loads and clearances.
+/// The contact forces while all contacts stick, as a sum of two parts. One, `squeeze`, is due to the commands at factor 1. The other, `base`, is due
+/// to the loads and clearances, without commands.
 pub(super) struct ForceParts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
@@ -85,8 +86,8 @@ impl<'l> ForceParts<'l> {
     }
 
     /// The sticking conditions of a contact with the least margins `row·F` if the commands are multiplied by `factor`. For a list of loads there is
-    /// one condition under each load, for a force of any direction one for each facet, under the worst force. For a turning load there is one
-    /// condition at each angle where a margin is least.
+    /// one condition under each load. For a force of any direction there is one for each facet of a polygonal cone and at most one for a round cone,
+    /// each under the force that is worst for it. For a turning load there is one condition at each angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

@@ -36,7 +36,7 @@ pub enum WeakestDirection<const C: usize> {
     Never,
     /// Nothing resists this motion, and a force at this point can do work along it.
     GivesWay {
-        /// This motion, of unit size.
+        /// The motion that nothing resists, of unit size.
         motion: Motion<C>,
     },
     /// Under the base load a contact slides or is open, a drive is at its force limit, or no equilibrium with all contacts sticking exists.
@@ -83,7 +83,8 @@ impl Engine {
     }
 }
 
-/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index of this contact or drive.
+/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index, from 0, of this contact
+/// or drive (drives follow the contacts).
 struct LeastForce {
     size: f64,
     direction: SVector<f64, 3>,
@@ -92,7 +93,7 @@ struct LeastForce {
 
 impl LeastForce {
     /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. A round cone is
-    /// replaced by planes that touch it, more of them in each round. Returns whether the allowed number of rounds was enough.
+    /// approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -110,15 +111,16 @@ impl LeastForce {
             }
             self.size
         };
-        // The first planes are all facets of a polygonal cone. For a round cone the first planes are four facets: towards, against and across the
-        // friction force.
+        // The first planes are all facets of a polygonal cone. For a round cone the first planes are four facets: along the friction force, opposite
+        // to it, and at right angles to it on both sides.
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
         // Each round with further planes lowers the force, with quadratic convergence. After this many rounds only rounding could change the force.
         for _ in 0..200 {
-            // The margin on the facet at angle φ of the round cone has a gradient a + b cos φ + c sin φ with respect to the force at the point. If
-            // this gradient vanishes at four angles, it vanishes at all angles, and no force makes this contact slide.
+            // The margin on the facet at angle φ of the round cone has a gradient a + b cos φ + c sin φ, with constant vectors a, b and c, with
+            // respect to the force at the point. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes this contact
+            // slide.
             if size.is_infinite() {
                 return true;
             }

@@ -43,7 +43,7 @@ impl<const C: usize> WrenchScale<C> {
         let points = || contacts.iter().map(Contact::point);
         let about = points().sum::<SVector<f64, C>>() / contacts.len() as f64;
         let length = points().map(|point| (point - about).norm()).fold(0.0, f64::max);
-        // Contacts at one point define no length. Thus any length may be used.
+        // Contacts at one point define no length; 1 m is as good as any other.
         Self { about: about.into(), length: if length > 0.0 { length } else { 1.0 } }
     }
 

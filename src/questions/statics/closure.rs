@@ -4,9 +4,9 @@
 //! contacts resist every motion. For several bodies the wrenches are those on all of them at once, and a motion moves each of them.
 //!
 //! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
-//! `proofs/wrench_cone`). If no such forces exist, the unbalanced remainder is a motion along which no contact force does negative work. Otherwise
-//! the unit force and the force found are added at each contact, and the sums are projected onto forces that balance each other to the last digit.
-//! The projected forces must lie clearly inside the cones.
+//! `proofs/wrench_cone`). If no such forces exist, the wrench that remains unbalanced gives a motion along which no contact force does negative work.
+//! Otherwise the unit force and the force found are added at each contact, and the sums are projected onto forces that balance each other to the last
+//! digit. Closure is proved if the projected forces are inside the cones by more than rounding.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -41,7 +41,7 @@ pub enum Closure<const C: usize> {
         /// A unit motion v along which no contact force in its cone does negative work. A load W that does positive work W·v along it cannot be
         /// balanced.
         motion: Twist<C>,
-        /// The motions of all bodies in `motion`; `motion` itself is the motion of the body that loads act on. Empty for a single object.
+        /// The motions of all bodies in the same unit motion; `motion` is the motion of the body that loads act on. Empty for a single object.
         bodies: Vec<BodyMotion<C>>,
     },
     /// Up to rounding, the grasp is on the boundary between `Closed` and `Open`, so that neither is proved.
@@ -92,9 +92,9 @@ impl Engine {
         }
     }
 
-    /// Decides closure for friction cones that are spanned by fixed generators, `straight`, and by generators of round cones, which `round` returns
-    /// for a motion. Forces have only the components in `axes`, each a contact and one of its axes. `inside` returns whether forces are strictly
-    /// inside their cones.
+    /// Decides closure for friction cones that are spanned by generators (forces on their edges). `straight` are the generators of polygonal cones.
+    /// `round` returns, for a motion, the generator of each round cone that does the most negative work along it. Forces have only the components in
+    /// `axes`, pairs of a contact and one of its axes. `inside` returns whether forces are strictly inside their cones.
     fn closure(
         &self,
         axes: &[(usize, usize)],

@@ -1,4 +1,5 @@
-//! Conversion of the types of statics between the engine, whose vectors have three components in the plane, too, and callers, with `C` components.
+//! Converts the types of statics between the form of the engine, whose vectors have three components even in the plane, and the form of the caller,
+//! whose vectors have `C` components: 2 in the plane, 3 in space.
 
 use super::budget::WrenchScale;
 use super::closure::Closure;

@@ -1,8 +1,9 @@
 //! Limit analysis: the largest multiple of a load that contact forces within a budget balance and, as its inverse, the budget that a load needs.
 //!
-//! The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces F_i in their cones. The wrenches that contact forces can exert form a
-//! convex set. A plane that touches this set, with the set on one side, gives an upper bound of λ. A ray from inside the set towards the load at this
-//! bound either ends in the set, or leaves it through a plane with a smaller bound.
+//! Let G_i be the grasp map of contact i, W₀ the base load and W the load. The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some
+//! forces F_i in their cones and within the budget. The wrenches that contact forces can exert form a convex set. A plane that touches this set, with
+//! the set on one side, gives an upper bound of λ. A ray from inside the set towards the wrench that balances the load at this bound either ends in
+//! the set, or leaves it through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -39,7 +40,7 @@ pub enum LoadLimit<const C: usize> {
         /// A motion of the object that proves this: along it the base load does more work than contact forces within the budget can do against it.
         motion: Twist<C>,
     },
-    /// Rounding prevented bounds of the load factor.
+    /// No bounds of the load factor were found, because of rounding.
     Undecided,
 }
 
@@ -81,8 +82,8 @@ impl<const C: usize> LoadLimit<C> {
 /// Bounds of the largest factor λ for which the load `base + λ rate`, with the unit load `rate`, lies in the set of wrenches that can be balanced.
 fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLimit<3> {
     set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
-    // `set.flat` has directions of wrenches in which no contact force acts. The set is widened along these directions so that it has an interior. A
-    // load with a component along one of them cannot be balanced.
+    // `set.flat` holds unit wrenches along which no contact force has a component. The set is widened along these directions so that it has an
+    // interior. A load with a component along one of them cannot be balanced.
     let unheld = |load: &Vector| {
         let mut part = Vector::zeros();
         for v in &set.flat {
@@ -125,8 +126,8 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The lower bound is a factor whose load was found inside the set of wrenches: the last factor tried, or else the upper bound reduced by ever
-    // larger fractions.
+    // The lower bound is a factor whose load was found to be balanced: the last factor tried, or else the upper bound reduced by ever larger
+    // fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
@@ -140,8 +141,9 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     }
 }
 
-/// Contact forces that balance the load at which the ray `crossing` ends. They are the forces of the set's vertices around the crossing, weighted by
-/// their coefficients `shares`. The rest of the weight is distributed evenly over the vertices of the simplex.
+/// Contact forces that balance the load at the end of the ray `crossing`. That load is a weighted mean of vertices of the set, each the wrench of
+/// known contact forces; the same mean of these forces is returned. The weights are `shares` for the vertices around the crossing; the remaining
+/// weight is distributed evenly over the vertices of `simplex`.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());

@@ -1,8 +1,9 @@
 //! The set of wrenches of contact forces within a budget, known by its support points.
 //!
-//! The support point in the direction v is the sum of the contact forces that do most work along v. At each contact this is the force in the friction
-//! cone that does most work along the displacement `u = G_iᵀv` of the contact, with its grasp map G_i. On the round cone this work is `u_n + μ |u_t|`
-//! per newton of normal force. A contact whose force could only do negative work does not press.
+//! The support point in the direction v is the wrench of the contact forces within the budget that do most work along v. At each contact this is the
+//! force in the friction cone that does most work along the displacement `u = G_iᵀv` of the contact, with its grasp map G_i. On the round cone this
+//! work is `u_n + μ |u_t|` per newton of normal force, with the normal and tangential components u_n and u_t. A contact whose force could only do
+//! negative work does not press.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -53,8 +54,8 @@ pub(super) struct WrenchSet {
     scale: WrenchScale<3>,
     /// Wrench of the suction cups' vacuum, which is added to every wrench of the set and does not depend on the contact forces.
     vacuum: Vector,
-    /// Directions of wrenches in which no contact force acts. The set is widened along them, so that it has an interior; empty unless the caller sets
-    /// them.
+    /// Unit wrenches along which no contact force has a component. The set is widened along them, so that it has an interior; empty unless the caller
+    /// sets them.
     pub(super) flat: Vec<Vector>,
 }
 
