@@ -1,6 +1,8 @@
-//! A scan of amounts around the bound, the least or greatest sufficient amount; an amount is sufficient if the grasp meets the demand with it. The
-//! scan finds how far the sufficient amounts extend from the bound, and further intervals of sufficient amounts. At rest means under the loads that
-//! act before the loads of the question.
+//! A scan: trials of further amounts on both sides of the bound (the least or greatest sufficient amount) after a search has found it. An amount is
+//! sufficient if the grasp meets the demand with it. At rest means under the loads that act before the loads of the question.
+//!
+//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
+//! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -19,8 +21,8 @@ use crate::prelude::*;
 pub(super) struct BoundScan {
     /// Number of changes between sufficient and insufficient among the amounts of the scan, including the change at the bound.
     pub(super) changes: usize,
-    /// The other end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour.
-    /// `None` if all amounts tried beyond the bound are sufficient.
+    /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
+    /// if all amounts tried on the easier side of the bound are sufficient.
     pub(super) until: Option<Threshold>,
     /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
@@ -52,8 +54,8 @@ impl SearchPlan {
 }
 
 impl BoundScan {
-    /// Tries `scan` new amounts on both sides of a bound of the sufficient amounts, as far as contact forces can balance the loads. `known` amounts
-    /// are included in the scan. If `far`, there is one more amount on the easier side, 16 times as large, or as small, as the bound.
+    /// Tries `scan` new amounts, half of them on each side of a bound of the sufficient amounts, as far as contact forces can balance the loads.
+    /// `known` amounts are included in the scan. If `far`, there is one more amount on the easier side, 16 times as large, or as small, as the bound.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -88,7 +90,8 @@ impl BoundScan {
                 amounts.extend(mapped(known, &|(at, _)| *at));
             }
             in_order(&mut amounts, up);
-            // A full trial at the farther end of the scan finds directions in which a force is not carried; the trials between include them.
+            // A full trial of the easiest amount finds directions in which a force is not carried. The shorter trials of the other amounts on this
+            // side then include these directions.
             if let (true, true, Some(&last)) = (tries.learns, is_beyond, amounts.last()) {
                 tries.at(last)?;
             }
@@ -104,8 +107,9 @@ impl BoundScan {
         Ok(around)
     }
 
-    /// The far end of the sufficient amounts if all tried amounts suffice. The scan starts from `to`, the last amount tried, and goes over the
-    /// `known` amounts. It ends with `scan` amounts beyond the first amount of the search.
+    /// The bracket of the far end if all amounts tried in the harder direction are sufficient, so that there is no bound; `to` is the hardest of
+    /// them. The scan goes from `to` in the easier direction, over the `known` amounts and `scan` new amounts that are easier than the first amount
+    /// of the search. `None` if all these amounts are sufficient.
     pub(super) fn far_end(
         to: f64,
         scan: usize,
@@ -117,8 +121,8 @@ impl BoundScan {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // If every easier amount is known to be sufficient up to small motions, one amount far away is enough: it shows whether the part moves too
-        // far.
+        // If every easier amount is known to be sufficient up to small motions, two amounts far away, with ratios 4 and 16 to the first amount, are
+        // enough: they show whether the part moves too far.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -179,9 +183,9 @@ impl BoundScan {
 }
 
 /// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
-/// Such an amount lies beyond the point at which a margin would [vanish](where_a_margin_vanishes), or in the middle of two amounts with different
-/// contact states at rest. If contact states at rest change with the amount, the carried part of the load may jump. The pair of amounts with the
-/// largest ratio comes first. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
+/// Such an amount lies beyond the amount at which a margin is [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with
+/// different contact states at rest. If contact states at rest change with the amount, the carried part of the load may jump. The pair of amounts
+/// with the largest ratio comes first. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -215,8 +219,8 @@ fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f6
     Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }
 
-/// An amount between two neighbouring sufficient amounts, a little beyond the amount at which one of the two [margins](Trial::measures) would vanish.
-/// The latter amount is extrapolated from the first of the two neighbours and the sufficient amount before it.
+/// An amount between two neighbouring sufficient amounts, a little beyond the amount at which one of the two [margins](Trial::measures) is predicted
+/// to be zero. The prediction extrapolates the margin linearly from the first of the two neighbours and the sufficient amount before it.
 fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
     let beyond = |[before, here, next]: [&(f64, Trial); 3]| {
         let root = |which: usize| {

@@ -32,7 +32,7 @@
 //! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. Therefore the
 //! search goes both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts
 //! around the bound finds how far the sufficient amounts extend ([`FarEnd`]), and which others are sufficient ([`AmountWindow`]). If contact states
-//! at rest differ between neighbouring amounts, or a margin would vanish between them, amounts between these neighbours are tried, too. The scan can
+//! at rest differ between neighbouring amounts, or a margin is predicted to be zero between them, amounts between them are tried, too. The scan can
 //! still miss a narrow interval between two amounts. The answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof
 //! excludes all others. If only loads and squeeze act, twice the squeeze carries twice the load. The scan is then omitted, unless a much larger
 //! squeeze moves the part too far.

@@ -1,6 +1,9 @@
 //! Answers a [`Need`]: the sought amount (of squeeze, friction, load, arm or angle), the amount with which nothing slides, and a safe amount. An
 //! amount is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads
 //! that act before the loads of the question.
+//!
+//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
+//! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
 
 use super::answer::{Amount, FarEnd, Needed, Quantity};
 use super::bound_scan::{BoundScan, between_known};
@@ -175,12 +178,12 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     }
 }
 
-/// A search that has found sufficient amounts, and the scan that completes the answer.
+/// Completes the answer after a search has found sufficient amounts: makes the scan, and computes the far end and the forces at rest.
 struct FoundAmounts<'f, 'q> {
     tried: &'f TrialRecord<'q>,
     demand: Demand,
     tries: TrialFunctions<'f>,
-    /// Number of amounts that are tried around the bound.
+    /// Number of new amounts in a scan; 0 if no scan is made.
     scan: usize,
 }
 
@@ -209,8 +212,8 @@ impl FoundAmounts<'_, '_> {
         Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
-    /// Tries further amounts between those tried before, see [`between_known`]. Returns whether one of them has another verdict than its neighbours.
-    /// No amount is tried without a scan, or if all easier amounts are known to be sufficient.
+    /// Tries further amounts between the amounts tried before, see [`between_known`]. Returns whether one of them has another verdict than its
+    /// neighbours. Nothing is tried if no scan is made, or if every amount easier than a sufficient one is known to be sufficient.
     fn changes_between(&self, plan: &SearchPlan, is_claimed: &dyn Fn(f64) -> bool) -> Result<bool, Error> {
         let is_asked = !plan.is_monotone && self.scan > 0;
         if is_asked { between_known(&self.known(), is_claimed, self.tries) } else { Ok(false) }
@@ -228,7 +231,7 @@ impl FoundAmounts<'_, '_> {
         Ok(Amount::Any { to, until: self.far_end(until)?, tried })
     }
 
-    /// The scan of amounts around a bound. It is repeated if an amount between those tried has another verdict than its neighbours, see
+    /// The result of the scan around a bound. The scan is repeated if an amount between its amounts has another verdict than its neighbours, see
     /// [`Self::changes_between`].
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
@@ -348,9 +351,9 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
     Some([last, beyond[first].0])
 }
 
-/// The bracket at the far end of the sufficient amounts that begin at `sufficient`. The amounts `far`, between which it is expected, are tried in
-/// turn; for a safe amount, they are the far end with friction, squeeze and loads as given. `None` if neither of the two amounts is insufficient, or
-/// if a verdict is undecided.
+/// The bracket of the far end of the sufficient amounts whose bound is `sufficient`. The far end is expected between the two amounts `far`, which are
+/// tried in turn. For a safe amount, `far` is the bracket of the far end with friction, squeeze and loads as given. `None` if neither of the two
+/// amounts is insufficient, or if a verdict is undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

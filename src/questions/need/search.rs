@@ -1,8 +1,8 @@
 //! The search for a sufficient amount (of squeeze, friction, load, arm or angle), and then for a neighbouring insufficient amount: together a bracket
 //! of the bound, the least or greatest sufficient amount. `threshold` narrows this bracket.
 //!
-//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, and
-//! smaller if the greatest is sought. The carried part of the load is the load factor up to which the demand is met with an amount.
+//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, smaller if
+//! the greatest is sought; harder amounts are the opposite. The carried part of the load is the load factor up to which the demand is met.
 
 use super::between::refined;
 use super::range::Range;
@@ -68,7 +68,7 @@ pub(super) enum BoundEstimate {
 /// which it ends.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
-    /// The first amount to try, if forces can balance the loads with it.
+    /// The amount with which the search begins, if forces can balance the loads with it; see [`Self::begin`].
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
@@ -78,8 +78,7 @@ pub(super) struct SearchPlan {
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,
-    /// Whether it is known that all easier amounts are sufficient if one amount is. Easier amounts are larger if the least amount is sought, and
-    /// smaller if the greatest is sought.
+    /// Whether it is known that every amount easier than a sufficient amount is sufficient, too, as far as motions are small.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.
@@ -122,7 +121,7 @@ impl SearchPlan {
         self.contains(guess).then_some(guess)
     }
 
-    /// Whether the amount `one` demands more of the grasp than `other`: it is smaller if the least amount is sought, else larger.
+    /// Whether the amount `one` is harder than `other`: smaller if the least amount is sought, larger if the greatest is sought.
     pub(super) fn is_harder(&self, one: f64, other: f64) -> bool {
         if self.is_least { one < other } else { one > other }
     }

@@ -45,8 +45,8 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later differ less and less.
-        // Therefore an amount that is easier by 1e-6 is tried, too.
+        // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later change the bound less and
+        // less. Therefore an amount is tried, too, that lies nearer to the sufficient end of the bracket by the fraction 1e-6.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
@@ -323,8 +323,8 @@ impl BracketEnd {
         (self.measures, self.last) = (measures, [Some((at, measures)), one, other]);
     }
 
-    /// The amount at which a measure would vanish, extrapolated from the last two or three amounts at this end of the bracket. Only one end is used,
-    /// because the derivative of the measure may jump at the bound.
+    /// The amount at which a measure is predicted to be zero, extrapolated from the last two or three amounts at this end of the bracket. Only one
+    /// end is used, because the derivative of the measure may jump at the bound.
     fn root(&self, which: usize) -> Option<f64> {
         let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
         where_it_vanishes(points)

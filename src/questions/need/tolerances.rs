@@ -2,8 +2,10 @@
 //! arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the
 //! loads that act before the loads of the question.
 //!
-//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. Distances and widths of brackets are relative to the
-//! amount, or to the end of the range of amounts that no proof excludes.
+//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
+//! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
+//!
+//! Distances and widths of brackets are relative to the amount, or to the end of the range of amounts that no proof excludes.
 
 use super::threshold::WidthSchedule;
 
@@ -43,7 +45,7 @@ pub(super) const NEAR_DOUBLINGS: u32 = 4;
 /// Two tried amounts that are nearer to each other than this relative distance are counted as one amount in the number of tried amounts that an
 /// answer contains.
 ///
-/// If smaller, amounts that only narrow a bracket are counted as well, and the scan seems denser than it was.
+/// If smaller, amounts that only narrow a bracket are counted as well, and the tried amounts seem closer together than they are.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
 /// The relative widths at which the bracket of the sought amount is narrow enough. They leave only digits that are due to rounding.
@@ -84,32 +86,33 @@ pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 /// If smaller, narrow intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
 
-/// If a margin would vanish at an amount x between two sufficient amounts, an amount beyond x is tried. It lies at this fraction of the way from x to
-/// the next sufficient amount.
+/// After a scan, two margins are extrapolated linearly from neighbouring sufficient amounts: the carried part of the load less 1, and the distance to
+/// the limit of small motions or of sticking at rest. If a margin is predicted to be zero at an amount x before the next sufficient amount, an amount
+/// beyond x is tried. It lies at this fraction of the way from x to that next amount.
 ///
 /// If smaller, rounding or a curved margin may hide insufficient amounts beyond x. If larger, a narrow interval of insufficient amounts is stepped
 /// over.
 pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 
-/// Upper limit of the number of amounts tried between neighbouring amounts with different contact states at rest, or where a margin would vanish.
+/// Upper limit of the number of amounts that are tried after a scan, between its amounts. They are tried where a margin is predicted to be zero (see
+/// [`BEYOND_A_MARGIN`]), and between neighbouring amounts with different contact states at rest.
 ///
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Upper limit of the number of amounts, among these [`BETWEEN`] amounts, that are tried where a margin (of the load, or of small motions) would
-/// vanish.
+/// Upper limit of the number of these [`BETWEEN`] amounts that are tried because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]).
 ///
-/// If 1, a single extrapolation of a margin that falls less and less steeply misses insufficient amounts. If larger, too few amounts are left for
-/// changes of contact states.
+/// A margin that falls less and less steeply is zero farther on than its first extrapolation predicts. If 1, insufficient amounts there are missed.
+/// If larger, too few amounts are left to try between different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// If the first amount tried is easier than the bound by more than this ratio, amounts easier than the first one are tried as well, because the scan
-/// around the bound does not extend that far.
+/// The search begins with some amount. If it is easier than the bound by more than this ratio, amounts easier than the first one are tried as well,
+/// because the scan around the bound does not extend that far.
 ///
-/// If smaller, answers take more verdicts. If larger, an end of the sufficient amounts just on the easier side of the first one is missed.
+/// If smaller, answers take more verdicts. If larger, a far end just on the easier side of the first amount is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
-/// Number of amounts tried on the easier side of the first amount in the case of [`FAR_BEHIND`], up to a ratio of 4.
+/// Number of amounts tried on the easier side of the first amount of the search in the case of [`FAR_BEHIND`]. The easiest has a ratio of 4 to it.
 ///
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
@@ -117,7 +120,7 @@ pub(super) const NEAR_THE_START: usize = 3;
 /// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`] if a greatest amount is sought. A force may jam
 /// the object already with an arm far shorter than the grasp.
 ///
-/// Without these amounts, an end of the sufficient amounts at a very short arm is missed. Each costs a verdict.
+/// Without these amounts, a far end at a very short arm is missed. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 
 /// An interval of sufficient amounts is narrow if its ends differ by less than this fraction. If there is a wider interval, the bound in the answer
@@ -127,7 +130,7 @@ pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 /// over.
 pub(super) const NARROW: f64 = 0.01;
 
-/// If the bound of a safe amount is easier by this ratio than the first amount tried, amounts between both are scanned.
+/// If the bound of a safe amount is easier than the first amount of the search by more than this ratio, a scan around the bound is made.
 ///
-/// If smaller, most safe amounts take the trials of a scan. If larger, an interval that the search stepped over stays unseen.
+/// If smaller, most safe amounts take the trials of a scan. If larger, an interval of sufficient amounts that the search stepped over stays unseen.
 pub(super) const STEPPED_OVER: f64 = 1.25;

@@ -1,6 +1,9 @@
 //! The amounts (of squeeze, friction, load, arm or angle) that were tried for an answer, and the plan for the search of further amounts. An amount is
 //! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads that act
 //! before the loads of the question.
+//!
+//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
+//! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
 
 use core::cell::{Cell, Ref, RefCell};
 
@@ -28,9 +31,8 @@ use crate::squeeze::Loads;
 pub(super) enum SearchExtent {
     /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
-    /// A search in both directions for a safe amount. With friction, squeeze and loads as given, the sufficient amounts may have a far end: a last
-    /// sufficient amount and its insufficient neighbour. If this pair is given here, the search tries these two amounts to find the far end of the
-    /// safe amounts.
+    /// A search in both directions for a safe amount. The value is the far end with friction, squeeze and loads as given, if there is one: the last
+    /// sufficient amount and its insufficient neighbour. The search tries both to find the far end of the safe amounts.
     Everywhere(Option<[f64; 2]>),
     /// A search among a few easier amounts only, such as more squeeze or less load.
     Towards,
@@ -41,7 +43,7 @@ pub(super) struct TrialRecord<'q> {
     pub(super) grasp: &'q Grasp<3>,
     pub(super) need: &'q CheckedNeed,
     safety: SafetyDeviations,
-    /// The first amount of the search.
+    /// The amount with which the search begins, if forces can balance the loads with it.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
     /// Results of quick trials, which omit the enumeration of many contact states.
