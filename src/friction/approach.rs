@@ -1,9 +1,11 @@
-//! The sequence of methods for many contacts, or for a few if facets have failed: sweeps, the central path, anchored Newton steps, and a final
-//! polish.
+//! The sequence of methods for many contacts. It is also used for a few contacts if the problem with polygons of facets in place of the cones has
+//! given no solution.
 //!
-//! [`Sweeps`](super::sweeps) find the magnitude of the forces, the [`central_path`] the states of most contacts, and [anchored](super::alart_curnier)
-//! Newton steps continue from the forces at the end of the path. The forces whose largest residual over all contacts is smallest are kept. If a start
-//! fails, the next start makes more sweeps or begins the central path farther inside the cones.
+//! One run of the sequence is a start. [`Sweeps`](super::sweeps), which solve one contact after another, find the magnitude of the forces. The
+//! [`central_path`] finds the states of most contacts. Newton steps continue from the forces at the end of the path, and a proximal term holds them
+//! near given forces, the [anchor](super::alart_curnier). Newton steps without this term come last. The forces whose largest residual over all
+//! contacts is smallest are kept. If a start fails, the next start makes another number of sweeps and begins the central path nearer to the cones or
+//! farther inside.
 
 use super::alart_curnier::Anchored;
 use super::blocks::Blocks;

@@ -37,8 +37,8 @@ impl Workspace {
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d in the path. It is the covering vector of the settings, multiplied by the factors that balance the rows. By
-    /// default every entry is 1 in the balanced problem, except for the rounding of the balancing factors to powers of two.
+    /// Stores the covering vector d in the path. It is the covering vector of the settings, multiplied by the scale factors of the rows. Without one
+    /// in the settings every entry is 1, changed by the rounding of the scale factors to powers of two.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {

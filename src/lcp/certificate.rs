@@ -32,7 +32,7 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
     }
     let in_units_of = |factors: &[f64]| vector_of(lcp.len(), &|i| rates[i] * factors[i]);
     let mut direction = in_units_of(&path.scaling.column);
-    // A Farkas vector has an entry for each row, so it is converted with the factors that balance the rows.
+    // A Farkas vector has an entry for each row, so it is converted to the caller's units with the scale factors of the rows.
     let y = in_units_of(&path.scaling.row);
     if let Some(infeasible) = lcp.farkas_proof(&y) {
         return Some(infeasible.after(path.pivots));

@@ -1,10 +1,14 @@
 //! The condensed tableau and its pivot.
 //!
-//! Every basis of w = q + M z + d z₀ gives a *dictionary*
+//! Lemke's method solves w = q + M z + d z₀ with a covering vector d and a covering variable z₀. Rows and columns are balanced: scaled by powers of
+//! two, so that nonzero entries of M lie near 1. Every basis gives a *dictionary*
 //!
 //! ```text
 //! basic = x + Σ over the nonbasic variables v of D_v · v.
 //! ```
+//!
+//! Entry r of x is the value of the basic variable of row r while all nonbasic variables are zero. Entry r of D_v is its change per unit of v. Ties
+//! between rows are broken as if q were q + ε p, with a fixed vector p and ε → 0+.
 //!
 //! Only the columns D_v of nonbasic slacks v = w_i are stored. A slack w_i enters the equations exactly like −q_i, so all other columns follow
 //! from these. The column of a nonbasic z_e is the effect of adding column e of M to q,
@@ -46,7 +50,7 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis of the balanced problem, whose rows and columns are scaled by powers of two. The memory of its vectors is reused.
+/// The dictionary of one basis of a balanced problem. The memory of its vectors is reused.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
@@ -60,17 +64,17 @@ pub(super) struct Dictionary {
     columns: Vec<f64>,
     /// Value of the basic variable of each row.
     pub(super) x: Vec<f64>,
-    /// The column of p, which breaks ties: the effect on the basic variables of adding the perturbation p to q.
+    /// For each row, the change of its basic variable per unit of ε if ε p is added to q. It breaks ties between rows.
     pub(super) p: Vec<f64>,
     /// For each row, the size of the terms from which its value in `x` was computed. [`Self::sum_terms`] sets it to the sum of their magnitudes. Each
     /// later pivot raises this size to the magnitude of the term that the pivot adds, if that is larger.
     pub(super) level: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
-    /// The balanced covering vector d, the coefficients of the covering variable z₀.
+    /// The covering vector d in balanced rows.
     pub(super) d: Vec<f64>,
-    /// The column of the balanced M, or d, from which equation (1) of the file header computes the column of the entering variable. A last entry, n,
-    /// is zero: it is read for rows whose basic variable is no slack.
+    /// The column of the balanced M, or d, from which equation (1) of the file header computes the column of the entering variable. An additional
+    /// entry with the index n is zero; it is read for rows whose basic variable is no slack.
     entering: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
@@ -83,7 +87,7 @@ pub(super) struct Dictionary {
 }
 
 impl Dictionary {
-    /// Resets to the slack basis, with right-hand side q, perturbation p and covering vector d.
+    /// Resets to the slack basis, in which every slack w_i is basic, with right-hand side q, perturbation p and covering vector d.
     pub(super) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
         let n = q.len();
         self.n = n;
@@ -133,7 +137,8 @@ impl Dictionary {
         }
     }
 
-    /// The largest magnitude of an entry of the column in `entering`, from which the entering column of the dictionary is computed.
+    /// The largest magnitude of an entry of `entering`: of the column of the balanced M, or of d, that was last used in equation (1) of the file
+    /// header.
     pub(super) fn entering_size(&self) -> f64 {
         largest(&self.entering)
     }
@@ -146,8 +151,8 @@ impl Dictionary {
         self.eliminate(effect);
     }
 
-    /// Computes into y the dictionary's column that belongs to the column in `entering`. By equation (1) of the file header, y is `next` minus the
-    /// stored columns, each times its entry of `c`. [`Self::spread`] must have been called.
+    /// Computes into y the right-hand side of equation (1) of the file header, as [`Self::spread`] has prepared it: the first term, in `next`, minus
+    /// the sum of the stored columns D_{w_i}, each times its factor M_ie in `c`.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
@@ -204,8 +209,8 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Prepares equation (1) of the file header for the column in `entering`. Stores the first term of the equation in `next`, and the factors of the
-    /// stored columns in `c`.
+    /// Prepares equation (1) of the file header with the column in `entering` as column e of M. Stores the first term of the equation in `next`, and
+    /// the factors M_ie of the stored columns D_{w_i} in `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];

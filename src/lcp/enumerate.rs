@@ -165,10 +165,12 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, by linear programming on balanced data. Returns its z_α. `None` if the
-    /// linear program has no solution. If the piece is empty, a point may also be returned, so the caller must check the residuals of the point.
+    /// The z_α of a point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } for a singular block M_αα. A linear program finds the point with
+    /// the least violation of these conditions. If the piece is empty, this point violates a condition, so that the caller must check its residuals.
+    /// `None` if rounding prevents the solution of the program.
     ///
-    /// Here the scaling is not rounded to powers of two, so that the point chosen on a face does not depend on units.
+    /// If the piece has many points, the point found depends on the scaling of rows and columns. Here their scale factors are not rounded to powers
+    /// of two, so that the point does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
         let Self { lcp, scaling, .. } = self;
         let n = lcp.len();

@@ -35,7 +35,8 @@ struct ExclusionTest<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
-    /// The matrix M with balanced rows and columns; the right-hand side `q` is balanced by the same factors.
+    /// The matrix M, its rows and columns scaled such that nonzero entries lie near 1. The right-hand side `q` is multiplied by the same factors of
+    /// rows.
     m: DMatrix<f64>,
     q: DVector<f64>,
 }
@@ -99,7 +100,7 @@ impl ExclusionTest<'_> {
     }
 
     /// Whether the vector v, as computed or [`cleaned`], proves that no solution belongs to the basis. The entries of `v` are multipliers of the
-    /// balanced rows, and are first converted to multipliers of the given rows.
+    /// scaled rows, and are first converted to multipliers of the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);

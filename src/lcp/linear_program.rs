@@ -66,8 +66,9 @@ impl Lcp {
 /// constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The program for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. `None` if it cannot be solved. In its solution, x
-/// holds the z_α. The dual y has one entry per row of M, of either sign in the rows α, where (M z + q)_i = 0.
+/// The least violation of the conditions of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. M is scaled such that its nonzero entries lie
+/// near 1. `None` if the program cannot be solved. In its solution, x holds the z_α. The dual y has one entry per row of M, of either sign in the
+/// rows α, where (M z + q)_i = 0.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],

@@ -169,7 +169,8 @@ impl fmt::Display for Certificate {
 /// problem has solutions for arbitrarily large steps along this direction, none of which solves the original problem (Cottle, Pang & Stone,
 /// section 4.4).
 ///
-/// The covering vector d is given by the settings; by default it is the vector of ones on the balanced problem.
+/// The covering vector d is given by the settings. By default it is the vector of ones after rows and columns of M have been scaled such that its
+/// nonzero entries lie near 1.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -1,4 +1,5 @@
-//! Lemke's path through the dictionaries of one problem: each pivot leads from one dictionary to the next.
+//! Lemke's path through the dictionaries of one problem: each pivot leads from one dictionary to the next. The path is computed in a balanced
+//! problem, whose rows and columns are scaled by powers of two, so that nonzero entries of M lie near 1.
 
 use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};
@@ -11,11 +12,11 @@ use crate::prelude::*;
 pub(super) struct LemkePath {
     pub(super) scaling: Scaling,
     pub(super) dictionary: Dictionary,
-    /// Balanced right-hand side q.
+    /// Right-hand side q in balanced rows.
     pub(super) q: Vec<f64>,
-    /// Balanced perturbation p of the right-hand side q, which breaks ties.
+    /// Perturbation p in balanced rows. Ties between rows are broken as if the right-hand side were q + ε p with ε → 0+.
     pub(super) p: Vec<f64>,
-    /// Balanced covering vector d, the coefficients of z₀.
+    /// Covering vector d in balanced rows: the coefficients of the covering variable z₀.
     pub(super) d: Vec<f64>,
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
@@ -34,8 +35,8 @@ pub(super) struct LemkePath {
 }
 
 impl LemkePath {
-    /// Computes the factors that balance M, and balances q and the perturbation p with them. A dictionary must be computed afterwards, for example by
-    /// [`Self::start_from_slacks`].
+    /// Computes the factors that balance the rows and columns of M, and multiplies q by the factors of the rows. Sets the perturbation p to generic
+    /// numbers in balanced rows. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
@@ -60,7 +61,8 @@ impl LemkePath {
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
-    /// Sets the dictionary to the slack basis with the current balanced q, p and d.
+    /// Sets the dictionary to the slack basis, in which every slack w_i is basic, with the right-hand side, perturbation and covering vector of this
+    /// path.
     pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;

@@ -6,14 +6,16 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::numerics::{matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
-/// Solves M_αα z_α = −q_α by pivoted LU of the balanced block, with refinement. `None` if the block is singular to working precision.
+/// Solves M_αα z_α = −q_α by pivoted LU, with refinement, after rows and columns of the block are scaled (see [`Scaling`]). `None` if the block is
+/// singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let size = alpha.len();
     let block = matrix_of(size, size, &|i, j| lcp.m[(alpha[i], alpha[j])]);
     solve_block(block, &vector_of(size, &|i| -lcp.q[alpha[i]]))
 }
 
-/// Solves a square system by pivoted LU of the balanced matrix, with refinement. `None` if the matrix is singular to working precision.
+/// Solves a square system by pivoted LU, with refinement, after rows and columns are scaled (see [`Scaling`]). `None` if the matrix is singular to
+/// working precision.
 pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     if size == 0 {

@@ -109,7 +109,8 @@ pub(super) fn doubtful_row_breaks(
 }
 
 /// The shortest step of the entering variable: min x_i / −u_i over the rows with u_i < `least`. x_i is the value of the basic variable, where
-/// negative x_i count as 0, and u_i its change per unit step.
+/// negative x_i count as 0, and u_i its change per unit step. `least` is zero or negative: a u_i between `least` and zero may be noise, so that its
+/// row does not count.
 ///
 /// The loop has no branches, since half of them would be mispredicted.
 struct ShortestStep<'a> {

@@ -118,8 +118,8 @@ impl LemkePath {
     /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows whose basic value is below −`noise` times the size of its terms.
     /// Returns whether there are such rows.
     ///
-    /// In the dictionary, the column of z₀ then has one balanced unit in these rows and 0 in the others. d becomes the covering vector that has this
-    /// column.
+    /// In the dictionary, the column of z₀ then has an entry near 1 in each of these rows and 0 in the others. d becomes the covering vector that has
+    /// this column.
     pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;

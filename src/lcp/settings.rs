@@ -32,8 +32,8 @@ pub struct Settings {
     /// nonnegative, and positive where q is negative; otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
     /// Another d gives another path. It may end in another solution and, for matrices without a guarantee, in a ray although the path of the default
-    /// d finds a solution. `None` means the vector of ones on the balanced problem, which makes the path independent of the units of rows, columns
-    /// and q.
+    /// d finds a solution. `None` means the vector of ones after rows and columns have been scaled such that nonzero entries of M lie near 1. This
+    /// makes the path independent of the units of rows, columns and q.
     pub covering: Option<DVector<f64>>,
     /// Limit on the number of pivots. A solve that reaches a given limit ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
@@ -46,7 +46,7 @@ pub struct Settings {
     pub max_pivots: Option<usize>,
     /// Relative size from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default 1e-11).
     /// The coefficient must exceed this fraction of the terms of its own row, or of the largest entry of the column. That entry counts as at least 1
-    /// in balanced units.
+    /// in the units in which nonzero entries of M lie near 1.
     ///
     /// The tolerance guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
     /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned

@@ -57,8 +57,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first: these cannot be balanced
-/// against the others, and could make the system appear singular.
+/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first. No scaling of rows and
+/// columns brings these entries near 1 together with the others, so that the system could appear singular.
 fn without_single_entries(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {

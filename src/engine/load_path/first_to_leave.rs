@@ -20,8 +20,8 @@ use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::search::{FoundBy, SearchSolution};
 
-/// The contact (or drive) that stops sticking first, and forces and twist at this onset. `factor` is the load factor or, while a load turns, the
-/// angle in rad.
+/// The contact that stops sticking first, and forces and twist at this onset. It may also be a drive of a joint or tendon that reaches its force
+/// limit: its index follows the indices of the contacts. `factor` is the load factor or, while a load turns, the angle in rad.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,

@@ -70,7 +70,8 @@ impl Node {
     }
 
     /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists, the object
-    /// moves at the rate `pushed`. Returns an error if forces cannot balance.
+    /// moves at the twist rate `pushed`, because contacts that touch without force push it. Returns an error if forces cannot balance the load or its
+    /// rate.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,

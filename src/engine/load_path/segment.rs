@@ -87,8 +87,9 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the solution nearest to `pushed`. Thus `pushed` says how contacts that touch without
-    /// force push the object. Returns an error if forces cannot balance the load or its rate.
+    /// the twist is the solution nearest to `near`, and its rate the solution nearest to the twist rate `pushed`. `pushed` is the solution of a rate
+    /// problem in which contacts that touch without force may push the object along such a motion. Returns an error if forces cannot balance the load
+    /// or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],

@@ -207,7 +207,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// The event at which the object snaps over and comes to rest at a load factor larger by `step`, at most 1. `None` if it does not come to rest.
+    /// The event at which the object snaps over and comes to rest under a slightly larger load. The load factor grows by `step`, but not beyond 1.
+    /// `None` if the object does not come to rest.
     fn snaps_within(&mut self, step: f64, run: &ProgramRun<'g>) -> Option<Event<3>> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);

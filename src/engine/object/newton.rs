@@ -32,8 +32,8 @@ pub(crate) struct Imbalance {
 }
 
 impl Imbalance {
-    /// The imbalance of contact forces and a load. Its `size` is `beside` plus the sum of the norms of the contact forces; the norm of the load is
-    /// not included.
+    /// The imbalance of contact forces and a load. Its `size` is the sum of the norms of the contact forces plus `beside`, N, such as the norm of the
+    /// load, which is not included otherwise.
     pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
@@ -77,10 +77,10 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from the twist `twist`, until the imbalance is at most the fraction `settled` of a sum of norms. The sum contains the norms of
-/// contact forces and load, and `beside`, N. Thus an imbalance of `settled * beside` is accepted even without forces. Returns the twist, the number
-/// of steps, and the remaining imbalance; `None` if the iteration does not converge. `contacts` is reused memory: every contact starts open, and the
-/// list holds the responses at the final twist.
+/// Newton's method from the twist `twist`, until the imbalance is at most the fraction `settled` of the sum of the norms of contact forces and load
+/// and of `beside`, N. With `beside` the caller sets the imbalance `settled * beside` that is accepted even if all forces are zero, because it may be
+/// rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list `contacts` is
+/// overwritten: it finally holds the responses at the returned twist. Every contact starts open.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
 /// shorter step reduces it enough, the whole step is taken.
@@ -123,7 +123,7 @@ pub(crate) fn newton(
 }
 
 /// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its `size` is the sum of the
-/// norms of contact forces and load, plus `beside`, N.
+/// norms of contact forces and load, plus `beside`, N (see [`newton`]).
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

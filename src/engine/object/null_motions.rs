@@ -7,7 +7,7 @@
 //! A n = 0             the motion n stretches no spring: free
 //! A n ≠ 0, T n = 0    forces change along n but stay in balance: neutral
 //! B z = 0             no spring balances a load that does work along the motion z
-//! B z ≠ 0, Tᵀz = 0    no motion changes the work of the springs along z: if offsets and load do work along z, there is no solution
+//! B z ≠ 0, Tᵀz = 0    no motion changes the work of the springs along z: without balance along z there is no solution
 //! ```
 
 use super::band_piece::{BandPiece, StiffnessFactor};
@@ -77,8 +77,8 @@ impl NullMotions {
         Some(found)
     }
 
-    /// The sum of the left null vectors in `without_response`, each weighted by the work that offsets and load do along it. `None` if all these
-    /// weights are zero. `x` holds the scaled stretch `right·a` of each spring due to the contact offsets a at zero twist.
+    /// The sum of the left null vectors in `without_response`, each weighted by the work that the load and the spring forces `x` do along it. `None`
+    /// if all these weights are zero. `x` holds the scaled force `right·a` of each spring that the contact offsets a cause at zero twist.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -87,9 +87,10 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether no spring forces can balance the load under the given contact offsets. This is so if offsets and load do more work along a left null
-    /// vector in `without_response` than rounding explains. `x` holds the scaled stretch of each spring due to the offsets of the contacts at zero
-    /// twist. `growth` is the factor by which the LU factors amplify rounding.
+    /// Whether no spring forces can balance the load under the given contact offsets. `x` holds the scaled force of each spring that the offsets
+    /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces `x`. If
+    /// the load and these forces together do more work along z than rounding explains, they cannot be in balance. `growth` is the factor by which the
+    /// LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());

@@ -50,8 +50,7 @@ pub(crate) struct Problem<'g> {
     /// Flag: true if the round cone limits friction forces in space, so that the polygon only serves to propose contact states. If false, the polygon
     /// limits friction forces.
     pub(crate) round: bool,
-    /// Memory of the grasp for the factorised elastic trial, in which all contacts stick; the trial is stored once it is computed. `None` in the rate
-    /// problem.
+    /// Where the grasp stores the factors of the elastic trial, in which all contacts stick, once they are computed. `None` in the rate problem.
     pub(crate) trial: Option<&'g CachedValue>,
     /// Contact states of a similar grasp, from which a search with many coordinates starts. Empty in the rate problem, and if no such states are
     /// given.
@@ -105,7 +104,7 @@ impl Engine {
 
 impl<'g> Problem<'g> {
     /// The static problem without accumulated slip: every contact has its full law, not a law of rates. If `round` is true, the round cone limits
-    /// friction in space, otherwise the polygon. The problem has no memory for the factorised elastic trial.
+    /// friction in space, otherwise the polygon. `trial` is `None`, so that the elastic trial is factorised anew where it is needed.
     pub(crate) fn at_rest(
         sites: &'g [Site],
         polygon: Arc<Polygon>,

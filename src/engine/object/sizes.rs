@@ -40,7 +40,7 @@ pub(crate) fn largest_force(
 }
 
 impl Problem<'_> {
-    /// [`largest_force`] for the load and offsets of this problem, and for these contact forces and this twist, N.
+    /// The largest of the norms of the load of this problem and of the contact forces `forces`, N, but at least the lower bound of [`largest_force`].
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)

@@ -185,8 +185,8 @@ impl AugmentedLagrangian {
                 let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // Line search: the step is shortened, at most twelve times, while the energy still rises along it at its end. A rate of rise is
-                // accepted up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent.
+                // Line search: the step is shortened, at most twelve times, while the convex function that the round minimises still rises at its
+                // end. A rate of rise along the step is accepted up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;

@@ -22,7 +22,8 @@ struct Count {
     held: usize,
 }
 
-/// A random whole number of magnitude up to `most`. Whole numbers make the geometry symmetric, so that limit loads occur often.
+/// A random whole number of magnitude up to `most`. With whole numbers as data, loads often lie exactly on the limit of what the contacts can
+/// balance.
 fn whole(draw: &mut Draw, most: f64) -> f64 {
     (draw.normal() * most).round().clamp(-most, most)
 }

@@ -238,8 +238,8 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Law, LocalLaw, Polygon, PolygonCone, PolygonFit};
 
-    /// A line that misses the apex by a friction ε leaves the cone where `√(μ² - a²) (1 - s) = ε`. F_n and the friction a F_n along the first tangent
-    /// vanish at s = 1.
+    /// Along the line F_n = 1 - s and F_t = (a (1 - s), ε), with the step s and a < μ. At s = 1 the line misses the apex of the cone by ε. It leaves
+    /// the cone where |F_t| = μ F_n, at `√(μ² - a²) (1 - s) = ε`.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);

@@ -33,7 +33,7 @@ impl Grasp<3> {
     /// This grasp with commands of its links such that each link with a given tension has this tension without load; an error if the grasp cannot
     /// hold it.
     fn installed(self) -> Result<Self, Error> {
-        // With a squeeze of zero the tension is zero, and the link keeps a command of zero.
+        // If the squeeze was multiplied by zero, so was the tension. A link without tension keeps the command that it has.
         let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();

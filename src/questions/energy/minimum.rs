@@ -127,7 +127,8 @@ pub struct MinimumContact<const C: usize> {
     /// The same force on the object along the coordinate axes, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force_world: SVector<f64, C>,
-    /// Displacement u_c of the body's undeformed core at the contact, along the coordinate axes, m.
+    /// Displacement u_c of the body's core at the contact, along the coordinate axes, m. The core is the rigid body without the deformation at its
+    /// contacts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
     /// Gap between the two surfaces of the contact, m; never negative.

@@ -129,15 +129,15 @@ pub enum Holding<const C: usize> {
         /// The proof.
         #[cfg_attr(feature = "serde", serde(flatten))]
         none: NoEquilibrium<C>,
-        /// The loss of the base load as this load grows from zero together with the commands, where the proof names no motion. Its factor is a
-        /// multiple of the base load and the commands.
+        /// The loss of equilibrium as the base load grows from zero together with the commands, if the proof names no motion. Its load factor is the
+        /// fraction of the base load and of the commands that acts at the loss.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         at_rest: Option<Box<Lost<C>>>,
     },
     /// The grasp loses the base load as the base load grows from zero together with the commands. A load path shows this loss; it is no proof as in
     /// [`Self::NoRest`].
     LostAtRest {
-        /// The loss; its factor is a multiple of the base load and the commands.
+        /// The loss of equilibrium. Its load factor is the fraction of the base load and of the commands that acts at the loss.
         at_rest: Box<Lost<C>>,
     },
     /// The path could not be followed up to the whole load, because of rounding or limits of the search.

@@ -17,7 +17,7 @@ use crate::prelude::*;
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
-    /// Relative standard deviations of the observed slips (given or estimated) and of the known sums.
+    /// Relative standard deviations of the observed slips (given or estimated), and of sums of unknowns that are known from other measurements.
     pub(super) scatter: Scatter,
     pub(super) iterations: usize,
     pub(super) end: FitEnd,

@@ -70,7 +70,7 @@ mod tests {
     use crate::numerics::Draw;
 
     /// For normally distributed numbers the scale is their standard deviation, wherever the loss becomes linear. The mean square of the clamped
-    /// numbers is as predicted.
+    /// numbers equals [`Huber::mean_square`].
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();

@@ -171,8 +171,9 @@ impl Unknown {
         }
     }
 
-    /// Puts a value of the unknown into the contacts of a layout. A carried force also adds its load to `base`. A factor on the squeeze of all
-    /// contacts is not put in here; the caller applies it.
+    /// Puts a value of the unknown into the contacts of a layout. A carried force, with which a contact presses before the load grows, becomes a
+    /// command. The equal load that balances it is added to `base`, so that the object does not move. A factor on the squeeze of all contacts is not
+    /// put in here; the caller applies it.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {

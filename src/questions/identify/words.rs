@@ -79,7 +79,8 @@ impl fmt::Display for Identified {
 }
 
 impl Identified {
-    /// Whether assignments of slips to unknowns that fit equally well disagree on this unknown.
+    /// Whether the estimate of this unknown depends on the assignment. An assignment says on which unknowns each slip depends, because it says which
+    /// contact slips first; several assignments may fit equally well.
     fn depends_on_assignment(&self, unknown: usize) -> bool {
         self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
     }

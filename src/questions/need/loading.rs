@@ -108,7 +108,7 @@ impl Loading {
             }
             Loads::Turn(turn) => {
                 let turn = self.multiplied_turn(turn);
-                // With fewer angles the proved range of amounts would be wider than necessary.
+                // The load at each angle may exclude amounts with which forces cannot balance it. With fewer angles fewer amounts would be excluded.
                 let parts = 8_u32;
                 list = (0..=parts)
                     .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts)))

@@ -96,7 +96,8 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         })
     }
 
-    /// The contact whose margin vanishes at first slip and whose gradient this is, counted from 0. `None` if there is no load factor.
+    /// The index, from 0, of the contact that slips first. If several contacts slip together, it is the contact for whose margin the derivatives are
+    /// given (see [`Self::is_one_sided`]). `None` if screening has no load factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {

@@ -35,7 +35,7 @@ impl CoarsePath {
 
     /// Makes on the second path the step that the first path has made between the states `from` and `to`. `at_once` is the end of that step made at
     /// once. The second path moves to `at_once` if it finds no step of its own, or only a step to a distant state. It also moves to `at_once` if it
-    /// nearly agrees with the first path. `beside` is memory for the second path's own step.
+    /// nearly agrees with the first path. `beside` is overwritten with the end of the second path's own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,

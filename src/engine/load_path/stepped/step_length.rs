@@ -66,7 +66,8 @@ impl<'g> SteppedFollower<'g> {
         Ok(Advance::Reached(self.accept_step(run, &twice)))
     }
 
-    /// The error of a step in contact forces, divided by the allowed error: the largest such ratio over all contacts.
+    /// The largest ratio, over all contacts, of the error that a step makes in the contact force to the error that this step may make. The error is
+    /// estimated by the difference between the step in two halves and the step made at once. If the ratio exceeds 1, the step is too long.
     fn part_of_what_is_allowed(&self, twice: &DoubledStepSizes) -> f64 {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;

@@ -36,13 +36,15 @@ impl Frame {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
 
-    /// The coefficient of friction of a contact in this answer; `given` is its coefficient in the page's grasp.
+    /// The coefficient of friction of a contact in this answer. `given` is its coefficient in the page's grasp, returned if this answer has no grasp
+    /// of its own.
     pub(super) fn friction(&self, contact: usize, given: f64) -> f64 {
         let own = self.grasp.as_ref().and_then(|grasp| grasp.contacts().get(contact));
         own.map_or(given, |contact| contact.friction)
     }
 
-    /// Ratio of radius to height of the drawn friction cone of a contact in this answer; `given` is the coefficient of friction in the page's grasp.
+    /// Ratio of radius to height of the drawn friction cone of a contact: the coefficient of friction, but at most [`STEEPEST_CONE`]. `given` is the
+    /// coefficient in the page's grasp, used if this answer has no grasp of its own.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST_CONE)
     }

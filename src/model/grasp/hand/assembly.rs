@@ -220,8 +220,9 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive, the spring of a joint or tendon. A drive that saturates is added as two springs in series. `command` is the index of the command
-    /// that stretches the spring, with the stretch in m per unit of this command. `pushes` is false for a drive that only pulls.
+    /// Adds a drive, the spring of a joint or tendon. A drive that yields at a constant force ([`Limit::Saturates`]) is added as two springs in
+    /// series, whose laws are those of frictionless contacts. `command` is the index of the command that stretches the spring, with the stretch in m
+    /// per unit of this command. `pushes` is false for a drive that only pulls.
     fn drive(
         &mut self,
         owner: DriveOwner,
@@ -245,9 +246,11 @@ impl Assembly {
             None => self.drives.push(drive),
             Some(Limit::Slips(_)) => self.drives.push(Drive { role: DriveLaw::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
-                // A saturating drive becomes two springs in series, with one more coordinate between them. The first spring carries the upper bound
-                // minus the drive's force, the second spring the force minus the lower bound, and neither spring can pull. Both bounds also act as
-                // constant forces, so that both springs together exert the drive's force.
+                // This drive becomes two springs in series, each twice as stiff, with a coordinate b between them. Neither spring can pull, which
+                // bounds the drive's force f. The upper spring, between b and the joint, carries upper bound - f; the lower spring, between the
+                // command and b, carries f - lower bound. Constant forces add the bounds: upper bound on the joint, lower bound - upper bound on b.
+                // The joint thus gets f, and b is in balance. If f reaches a bound, the spring that then has no force opens, as a contact does, and
+                // the drive yields at constant force.
                 let mut between = Vector::zeros();
                 between[self.object() + self.used] = 1.0;
                 self.used += 1;
