@@ -47,7 +47,7 @@ impl LcpPoint {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic variable is zero: a z_i exactly, a w_i up to
+    /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic z_i is exactly zero, or a basic w_i up to
     /// rounding.
     pub(super) fn settle_slacks(&mut self, basis: &Basis) -> bool {
         let mut degenerate = false;

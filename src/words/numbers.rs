@@ -111,7 +111,7 @@ impl Words {
         trimmed(&text).to_owned()
     }
 
-    /// Numbers as text, in parentheses. Components that are so small beside the largest that they are due to rounding are written as zero.
+    /// Numbers as text, in parentheses. Components that are so small compared with the largest that they may be rounding are written as zero.
     #[must_use]
     pub fn numbers(self, components: &[f64]) -> String {
         let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));

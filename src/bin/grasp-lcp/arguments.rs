@@ -52,14 +52,14 @@ pub(crate) enum Command {
     Scene,
     /// Answers every question of a scene.
     Ask(SceneArguments),
-    /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.
+    /// Does the grasp hold the load? The load grows from zero while the base load stays constant; the answer is a sentence.
     ///
     /// Without a load on the command line, the scene's own questions `hold` are answered. If the scene has none, the answer is whether the grasp
     /// holds the load of the scene's question `need`, or else whether it is in equilibrium without a load.
     Hold {
         #[command(flatten)]
         load: LoadArguments,
-        /// A constant force, N, that acts at the same point before the load and beside it.
+        /// A constant force, N, that acts before the load and then together with it, at the same point (--at).
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         /// Factor on the load; the base load keeps its size.
@@ -88,10 +88,10 @@ pub(crate) enum Command {
     Improve {
         #[command(flatten)]
         load: LoadArguments,
-        /// A constant force, N, that acts at the same point before the load and beside it.
+        /// A constant force, N, that acts before the load and then together with it, at the same point (--at).
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// A force of any direction beside the load, N; a load factor of 1 means a force of this size.
+        /// A force of any direction in addition to the load, N; a load factor of 1 means a force of this size.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         any_force: Option<f64>,
         /// Contacts may press with up to this force, N; if left out, the finger commands of the scene do not change.
@@ -114,7 +114,7 @@ pub(crate) enum Command {
     Compare {
         #[command(flatten)]
         load: LoadArguments,
-        /// A constant force, N, that acts at the same point before the load and beside it.
+        /// A constant force, N, that acts before the load and then together with it, at the same point (--at).
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         #[command(flatten)]
@@ -142,7 +142,7 @@ pub(crate) enum Command {
         /// The centre of mass, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
-        /// A force of constant direction beside the weight, N, at the same point.
+        /// A constant force, N, at the centre of mass, which does not turn while the weight does.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         /// The axis about which the grasp is tilted, by the right-hand rule; in the plane 0,0,1 (anticlockwise, also if left out) or 0,0,-1.
@@ -167,7 +167,7 @@ pub(crate) enum Command {
     },
     /// Does the grasp survive a repeated load, or does the object walk out?
     ///
-    /// Each force is applied and removed in turn, cycle after cycle, beside the constant load. The answer holds for any number of cycles.
+    /// Each force is applied and removed in turn, cycle after cycle, while the constant load acts. The answer holds for any number of cycles.
     Shake {
         #[command(flatten)]
         shakes: Shakes,
@@ -306,10 +306,10 @@ pub(crate) struct NeedArguments {
     pub(crate) quantity: Option<SoughtQuantity>,
     #[command(flatten)]
     pub(crate) load: LoadArguments,
-    /// A constant force beside the load, N, at the same point. It does not depend on the sought quantity.
+    /// A constant force, N, in addition to the load and at the same point (--at). It does not depend on the sought quantity.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
-    /// A force of this size and any direction beside the load, N.
+    /// A force of this size, N, and of any direction, in addition to the load.
     #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     pub(crate) any_force: Option<f64>,
     /// For an arm: the direction in which the force is moved outwards.

@@ -157,8 +157,8 @@ fn is_of_kind(question: &Question<3>, asked: &Command) -> bool {
 }
 
 impl OptionVectors {
-    /// The sum of `--force`, the pull of `--mass` and `--moment`, as a wrench about the origin; `None` if none of them is given. If another option
-    /// gives a force at the point `--at` (`beside`), `--at` is allowed without `--force` and `--mass`; otherwise it is an error.
+    /// The sum of `--force`, the pull of `--mass` and `--moment`, as a wrench about the origin; `None` if none of them is given. `beside` is true if
+    /// another option gives a force at the point `--at`: then `--at` is allowed without `--force` and `--mass`, otherwise it is an error.
     pub(crate) fn wrench(self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
         if force.is_none() && mass.is_none() && at.is_some() && !beside {

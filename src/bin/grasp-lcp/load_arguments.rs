@@ -26,7 +26,7 @@ pub(crate) struct LoadArguments {
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
     /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the masses of the scene's bodies are
-    /// accelerated. For `need`, one number is the size of accelerations to and fro along every axis in turn, beside the weight.
+    /// accelerated. For `need`, one number is the size of accelerations to and fro along every axis in turn; the weight acts as well.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) acceleration: Option<Numbers>,
     /// A point on the axis about which the arm turns, m; the origin if left out.

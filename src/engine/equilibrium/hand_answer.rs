@@ -84,7 +84,8 @@ pub enum DriveState {
     Absent,
 }
 
-/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives: a saturating drive consists of two.
+/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives. A drive that yields at a constant force is
+/// modelled by two.
 struct CombinedDrives {
     carried: f64,
     state: DriveState,

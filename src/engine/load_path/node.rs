@@ -45,7 +45,7 @@ pub(super) struct Node {
     /// For each contact: true if it has infinite friction and carries a tangential force. Such a contact loses this force at once when its normal
     /// force vanishes.
     pub(super) holds: Vec<bool>,
-    /// Whether some contact starts to slide from the apex of its cone: it has a direction of sliding, but no friction force yet.
+    /// Whether some contact starts to slide from the apex of its cone, so that it has a direction of sliding, but no friction force yet.
     pub(super) starts_at_apex: bool,
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,

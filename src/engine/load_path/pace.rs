@@ -8,7 +8,7 @@ const ERROR_ORDER: f64 = 8.0;
 /// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, the expected error of the
 /// next step is then a sixth of the allowed error. So few steps are refused, and the sum of the errors of many steps stays small.
 const CAUTION: f64 = 0.8;
-/// Least ratio of the length of a step to the length of the step before. The error estimate is only valid for small changes of the length.
+/// A step is at least this fraction as long as the step before it. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
 /// The data of the step control along an arc that pass from step to step: the length of the next step, its kind (explicit or implicit), and counters.

@@ -148,7 +148,8 @@ impl SnapCount {
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
-/// Whether the motion `moved` is small: no body turns, and no contact point moves, by more than the limits of small motions for rotations and slips.
+/// Whether the motion `moved` is small. Then no body turns by more than the limit of small motions for rotations, and no contact point moves by more
+/// than the limit for slips.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
         grasp.each_moves(moved).iter().all(|body| body.twist.parts().1.size() <= small.rotation);

@@ -102,7 +102,7 @@ pub(crate) struct StoredSolution {
 }
 
 impl StoredSolution {
-    /// Converts a solution to lists of numbers; `list` is memory that its twist reuses.
+    /// Converts a solution to lists of numbers; the twist is written into `list`, whose allocation is reused.
     pub(crate) fn of(found: SearchSolution, list: Vec<f64>) -> Self {
         Self {
             states: found.states,

@@ -137,7 +137,7 @@ pub(super) struct PolarLayout {
     pub(super) legend: f64,
     /// Length of the samples of curves in the legend.
     pub(super) sample: f64,
-    /// Least angle between two directions, rad, at which two texts fit beside each other.
+    /// Two texts at the rim are too close to each other if the angle between their directions, rad, is smaller than this.
     pub(super) beside: f64,
 }
 

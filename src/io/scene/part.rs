@@ -239,8 +239,8 @@ impl Setup<3> {
         Ok((self.with_part_from(Path::new("")).map_err(|error| error.to_string())?, true))
     }
 
-    /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known: the points of pads are found once
-    /// the mesh is read.
+    /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known already. The points of pads are
+    /// found only when the mesh is read.
     fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {

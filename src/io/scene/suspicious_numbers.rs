@@ -45,8 +45,8 @@ impl Setup<3> {
         let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
         let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
-        // Contacts of steel have 1e8 to 1e9 N/m; 1e11 N/m is implausible. So is a contact ten million times as stiff as the softest one, which
-        // carries no force beside it.
+        // Contacts of steel have 1e8 to 1e9 N/m; 1e11 N/m is implausible. So is a contact ten million times as stiff as the softest one, because the
+        // softest contact then carries no noticeable share of the load.
         let is_stiff = |i: &usize| stiffness(*i).is_finite() && stiffness(*i) >= 1e11_f64.min(1e7 * softest);
         // The largest hydraulic presses exert less than 1e9 N.
         let is_strong = |i: &usize| force(*i) >= 1e9;
@@ -244,7 +244,7 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }
 
-/// Whether a point lies inside a closed line in the plane: a ray from it along x crosses the line an odd number of times.
+/// Whether a point lies inside a closed line in the plane, because a ray from it along x crosses the line an odd number of times.
 fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
     let sides = outline.iter().zip(outline.iter().cycle().skip(1));
     let crossed = sides.filter(|(a, b)| {

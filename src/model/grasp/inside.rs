@@ -94,8 +94,8 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// Converts all coordinates to the user's units, in the same order: of the object, of joints and other bodies, and of saturating drives (springs
-    /// of joints and tendons with a limited force).
+    /// Converts all coordinates to the user's units, in the same order: of the object, of joints and other bodies, and of drives that yield at a
+    /// constant force, between their two springs.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }

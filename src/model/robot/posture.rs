@@ -54,7 +54,8 @@ impl Robot {
         Ok(self)
     }
 
-    /// This robot with motors that saturate at the efforts of the file. A joint without an effort has no limit.
+    /// This robot with motors that yield at the efforts of the file: the torque, N m, or force, N, stays at this limit ([`Limit::Saturates`]). A
+    /// joint without an effort has no limit.
     pub fn limited_by_effort(mut self) -> Self {
         for joint in &mut self.joints {
             joint.limit = (joint.effort > 0.0).then_some(Limit::Saturates(joint.effort));

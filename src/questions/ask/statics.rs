@@ -55,7 +55,7 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.force_closure(&self.0.settings).map(outside)
     }
 
-    /// Whether the contacts hold the object without any friction: whether normal forces alone could balance any load, and so resist every motion to
+    /// Whether the contacts hold the object without any friction, because normal forces alone could balance any load and so resist every motion to
     /// first order.
     ///
     /// # Errors

@@ -140,9 +140,8 @@ impl Difference {
 }
 
 impl<const C: usize> MinimumEnergy<C> {
-    /// Whether the object is in equilibrium at the minimum of energy: the multipliers of friction constraints exert no resultant force or moment on
-    /// it. It is true also if [`MinimumEnergy::imbalance`] is only rounding, at most 1e-12 of the largest force (moments divided by the size of the
-    /// grasp).
+    /// Whether the object is in equilibrium at the minimum of energy, because the multipliers of friction constraints exert no resultant force or
+    /// moment on it. [`MinimumEnergy::imbalance`] may be rounding, at most 1e-12 of the largest force (moments divided by the size of the grasp).
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced

@@ -240,7 +240,7 @@ fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), 
 }
 
 impl<const C: usize> WayOut<C> {
-    /// Whether the object falls: it moves within 26° of the negative last axis, which is down, and no contact slides.
+    /// Whether the motion is called a fall, because its direction is within 26° of the negative last axis, which is down, and no contact slides.
     pub(super) fn falls(&self, slide: &[WholeContact], words: Words) -> bool {
         let (Self::LiftsOff { direction } | Self::SlidesOut { direction }) = self else { return false };
         // A unit direction with a last component below -0.9 is within 26° of the vertical and is called a fall.

@@ -270,8 +270,8 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     answer
 }
 
-/// Whether two fits agree on an unknown: slips determine it in both, and the estimates differ by at most a tenth of the standard error; or slips
-/// determine it in neither.
+/// Whether two fits agree on an unknown. They do if slips determine it in both fits and the estimates differ by at most a tenth of the standard
+/// error, or if slips determine it in neither fit.
 pub(super) fn is_alike(one: &Estimate, other: &Estimate) -> bool {
     let error = one.standard_error.unwrap_or(INDISTINCT * one.value);
     one.is_fixed == other.is_fixed && (!one.is_fixed || (one.value - other.value).abs() <= 0.1 * error)

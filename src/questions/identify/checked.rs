@@ -101,7 +101,7 @@ impl KnownSum {
 }
 
 impl Unknown {
-    /// Whether one contact cannot have both unknowns: two of one kind, or a squeeze and a carried force.
+    /// Whether one contact cannot have both unknowns, because they are of one kind, or a squeeze and a carried force.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))

@@ -195,7 +195,7 @@ pub enum Amount {
         /// Number of amounts that were tried.
         #[cfg_attr(feature = "serde", serde(default))]
         tried: usize,
-        /// Whether a proof excludes all amounts from `from` to `to`: for each of these amounts contact forces cannot balance the loads.
+        /// Whether a proof excludes all amounts from `from` to `to`. It shows that contact forces cannot balance the loads with any of these amounts.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
         /// Whether this proof is about the load at rest alone, which acts before any of the other loads.

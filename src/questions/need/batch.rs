@@ -105,8 +105,8 @@ struct BatchNeed {
 }
 
 impl BatchNeed {
-    /// Whether the answer follows from the greatest multiple of the load that the grasp bears: the answer is this multiple, or for a squeeze its
-    /// inverse. For a squeeze this requires that nothing but commands and the load acts, and that no contact has a clearance.
+    /// Whether the answer is the greatest multiple of the load that the grasp bears or, for a squeeze, the inverse of this multiple. For a squeeze
+    /// this requires that nothing but commands and the load acts, and that no contact has a clearance.
     fn is_proportional<const C: usize>(&self, contacts: &[Contact<C>], base: &Wrench<C>) -> bool {
         let held = |contact: &Contact<C>| {
             contact.clearance == 0.0 && contact.force.is_none() && contact.suction == 0.0

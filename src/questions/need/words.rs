@@ -93,8 +93,8 @@ impl Needed {
             return Ok(());
         };
         let (words, is_least, aim) = (Words::of(f), self.quantity.is_least(), self.aim());
-        // This condition recognises a single amount that proofs leave: no amounts were tried next to it, and the far end of its interval is the
-        // amount itself.
+        // This condition recognises a single sufficient amount, all others being excluded by proofs: no amounts were tried next to it, and the
+        // interval of sufficient amounts begins and ends with it.
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }
@@ -282,7 +282,7 @@ impl Needed {
         write!(f, " {to} {}", self.short(Words::of(f), end.sufficient, &end.presses))
     }
 
-    /// Whether an arm is bounded only by small motions: a longer arm is held, too, but moves the object too far.
+    /// Whether an arm is bounded only by the limit of small motions, so that with a longer arm the object is held, too, but moves too far.
     fn ends_small_motions(&self, demand: Demand, is_too_far: bool) -> bool {
         is_too_far && self.quantity == Quantity::Arm && demand == Demand::Held
     }

@@ -103,8 +103,8 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle: the length of its path of slip exceeds rounding and the errors of jumps (motions under
-    /// constant load).
+    /// Whether a contact or drive slides in the cycle. It does if the length of its path of slip exceeds rounding and the errors of jumps (motions
+    /// under constant load).
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * self.record.jump_motion
     }

@@ -173,8 +173,8 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: the grasp comes to rest, or the object moves to and fro for ever; `None` if it is not known. Motions up to that
-    /// behaviour may be [too large](Self::too_far).
+    /// Whether the object stays, because the grasp comes to rest or the object moves to and fro for ever; `None` if it is not known. Motions before
+    /// that may be [too large](Self::too_far).
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {

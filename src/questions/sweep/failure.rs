@@ -26,7 +26,7 @@ use crate::numerics::{Harmonic, normal_tail};
 use crate::prelude::*;
 
 /// Adds to `events` the possible failures of one contact under a load: a failure is that the contact force leaves the friction cone. For failures
-/// whose probability is below `rare`, the correlation with other failures is neglected. `margin` is scratch memory.
+/// whose probability is below `rare`, the correlation with other failures is neglected. `margin` is overwritten with intermediate results.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,

@@ -31,10 +31,11 @@ pub(crate) enum DriveLaw {
     /// The drive slips when its force reaches a bound. The drive is modelled by a contact whose normal force is the bound and whose friction
     /// coefficient is one.
     Slips,
-    /// The upper half of a drive whose force saturates at an upper and a lower bound. Two springs in series model such a drive. This half is a
-    /// frictionless contact whose normal force is the upper bound minus the drive's force.
+    /// The upper half of a drive that yields at an upper and a lower bound of its force, where its force stays constant. Two springs in series model
+    /// such a drive. This half is a frictionless contact whose normal force is the upper bound minus the drive's force: it opens at the upper bound.
     EndsAbove,
-    /// The lower half of a saturating drive: a frictionless contact whose normal force is the drive's force minus the lower bound.
+    /// The lower half of such a drive: a frictionless contact whose normal force is the drive's force minus the lower bound. It opens at the lower
+    /// bound.
     EndsBelow,
 }
 
@@ -116,8 +117,8 @@ impl Drive {
         stretch
     }
 
-    /// Torque of the drive's joint (N m or N), or tension of its tendon (N), for a force of the drive, N. `None` for the lower half of a saturating
-    /// drive, since the upper half returns the value.
+    /// Torque of the drive's joint (N m or N), or tension of its tendon (N), for a force of the drive, N. `None` for the lower half of a drive with
+    /// two halves, since the upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             DriveLaw::EndsBelow => None,
@@ -132,8 +133,8 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units: 2 for each half of a saturating drive, since
-    /// both halves are in series, else 1.
+    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units. It is 2 for each half of a drive with two
+    /// halves, which are in series, else 1.
     fn halves(&self) -> f64 {
         if matches!(self.role, DriveLaw::EndsAbove | DriveLaw::EndsBelow) { 2.0 } else { 1.0 }
     }
@@ -178,12 +179,13 @@ impl Drive {
         force / self.stiffness
     }
 
-    /// Whether the drive never pushes. This is so for the drive of a tendon that only pulls, and for the lower half of such a drive if it saturates.
+    /// Whether the drive never pushes. This is so for the drive of a tendon that only pulls or, if its force has an upper bound, for the lower half
+    /// of this drive.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
     }
 
-    /// Energy stored in the drive's spring, J, at a force of the drive, N. The upper half of a saturating drive returns the energy of both halves.
+    /// Energy stored in the drive's spring, J, at a force of the drive, N. The upper half of a drive with two halves returns the energy of both.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
