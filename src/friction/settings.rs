@@ -19,8 +19,8 @@ pub struct Settings {
     /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored Newton steps, which a proximal term holds near
     /// an anchor (default 30).
     pub steps: usize,
-    /// Largest number of starts for many contacts, or if facets have failed (default and maximum 4). Each start makes Gauss–Seidel sweeps, follows
-    /// the central path and makes anchored Newton steps.
+    /// Largest number of starts for many contacts, or if polygons of facets have given no solution (default and maximum 4). Each start makes
+    /// Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.
     pub starts: usize,
     /// Largest number of rounds of anchored Newton steps in each of the `starts` (default 30). Rounds take most of the time if no solution is found.
     pub rounds: usize,

@@ -159,7 +159,7 @@ fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// The error of a rotation about the origin by an angle, `y' = (-y₂, y₁)` from (1, 0), and its estimate.
+    /// The error of one step, and its estimate. The step turns the point (1, 0) about the origin by `angle`, as a solution of `y' = (-y₂, y₁)`.
     fn turn(angle: f64) -> (f64, f64) {
         let rate = |y: &[f64], out: &mut [f64]| {
             (out[0], out[1]) = (-y[1], 1.0 + y[0]);

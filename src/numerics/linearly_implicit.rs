@@ -75,7 +75,8 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
 mod tests {
     use super::*;
 
-    /// A body that turns towards a direction, `θ' = -c sin θ`, `x' = cos θ`: for any c, `tan(θ/2) = tan(θ₀/2) exp(-ct)`.
+    /// A body moves by x' = cos θ at the angle θ from a direction, and turns towards it by θ' = -c sin θ. For any c the angle at the time t obeys
+    /// `tan(θ/2) = tan(θ₀/2) exp(-ct)`, with θ₀ at t = 0.
     #[test]
     fn what_relaxes_fast_has_relaxed() {
         for (c, start) in [(1.0, 1.0), (1e3, 1e-6), (1e8, 1e-8)] {
@@ -96,7 +97,7 @@ mod tests {
             let [angle, way] = there.map_or([f64::NAN; 2], |there| [there.change[0], there.change[1]]);
             let end = 2.0 * ((0.5 * start).tan() * f64::exp(-0.5 * c)).atan();
             assert!((start + angle - end).abs() < 1e-9, "{c:e}: {} {end}", start + angle);
-            // x = ∫ -cos θ dθ / (c sin θ).
+            // The exact distance is x = ∫ -cos θ dθ / (c sin θ) from θ₀ to the final angle.
             let exact = (start.sin() / end.sin()).ln() / c;
             assert!(!exact.is_finite() || (way - exact).abs() < 1e-9, "{c:e}: {way} {exact}");
         }

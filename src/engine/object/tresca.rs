@@ -219,8 +219,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is reduced, at most eight times, while the energy still rises at its end. A rate of rise up to this fraction
-                // of the rate of descent at the start of the step is tolerated.
+                // Line search: the step is shortened, at most eight times, while the energy of the file header still rises along it at its end. A
+                // rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;

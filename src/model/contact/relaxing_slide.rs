@@ -115,7 +115,8 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// Reference solution: the differential equation integrated by a million steps of the midpoint rule, from the friction limit r = 1.
+    /// The direction at τ = 1 as a reference: the first equation of the file header, integrated by a million steps of the midpoint rule from the
+    /// direction `start`. The radius r of the cone is 1 at τ = 0.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);

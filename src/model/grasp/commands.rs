@@ -15,9 +15,9 @@ pub(crate) enum CommandAxes {
 }
 
 impl<const C: usize> Contact<C> {
-    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). A positive normal component pushes into
-    /// the object; a positive tangential component drags the object along the tangent. See [`Self::command_world`] for a command along the coordinate
-    /// axes.
+    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal, tangential…). The core is the finger without the
+    /// deformation at its contact. A positive normal component pushes into the object; a positive tangential component drags the object along the
+    /// tangent. See [`Self::command_world`] for a command along the coordinate axes.
     #[doc(alias = "commanded displacement", alias = "reference displacement")]
     pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
         self.command = SVector::from(u_f.into());
@@ -25,7 +25,7 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of [`Self::command`]. The command is converted to the
+    /// Commanded displacement of the finger's core, as in [`Self::command`], but along the **coordinate axes**, m. The command is converted to the
     /// contact frame when the grasp is made, so normal and tangent may be set later.
     ///
     /// ```
@@ -115,8 +115,9 @@ impl<const C: usize> Contact<C> {
         pub fn clearance(mut self, gap0: f64) { self.clearance = gap0; }
     }
 
-    /// Commanded displacement of the finger's core in the contact frame, m. Its components are NaN if the command is along the coordinate axes and
-    /// the contact has no valid frame; [`Grasp::new`](crate::ask::Grasp::new) refuses such a contact.
+    /// Commanded displacement of the finger's core, the finger without the deformation at its contact, in the contact frame, m. Its components are
+    /// NaN if the command is along the coordinate axes and the contact has no valid frame; [`Grasp::new`](crate::ask::Grasp::new) refuses such a
+    /// contact.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
         let mut command = match self.command_axes {

@@ -222,7 +222,7 @@ fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
     jacobian[(row, unknown)].abs() > INDISTINCT * jacobian.row(row).amax()
 }
 
-/// Whether each slip (and known sum) depends on the same unknowns at both points.
+/// Whether each slip, and each sum of unknowns that is known from another measurement, depends on the same unknowns at both points.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
     (0..one.jacobian.nrows()).all(|row| depends_alike(one, other, row))
 }

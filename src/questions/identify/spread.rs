@@ -1,5 +1,6 @@
 //! Standard errors and confidence intervals of the unknowns, from a fit to observed slips. An unknown is a number of the grasp, such as a coefficient
-//! of friction. A slip is a load or angle at which a contact, or the object, was observed to slip.
+//! of friction. A slip is a load or angle at which a contact, or the object, was observed to slip. A known sum is a sum of unknowns that is known
+//! from another measurement.
 
 use nalgebra::DMatrix;
 

@@ -113,7 +113,7 @@ pub enum Repeats<const C: usize> {
         leg: usize,
         /// The load at which the object is lost, N and N m.
         load: Wrench<C>,
-        /// The loss; its factor is the fraction of the leg at which the object is lost.
+        /// The loss of equilibrium. Its load factor is the fraction of the leg that is done when the object is lost.
         lost: Box<Lost<C>>,
     },
     /// The grasp does not hold even the base load.

@@ -108,8 +108,8 @@ mod tests {
     use super::shortest_to_length;
     use crate::numerics::generic;
 
-    /// At the end of the shortest x the motion has the required length, and none of 4 000 other x of this size, in all directions, gives a longer
-    /// motion.
+    /// With the computed shortest force x, the motion `a + B x` has the required length. None of 4 000 other forces of the same size, in all
+    /// directions, gives a longer motion.
     #[test]
     fn no_other_direction_goes_farther() {
         let mut drawn = 0;
@@ -118,7 +118,7 @@ mod tests {
             2.0 * generic(drawn) - 2.0
         };
         for round in 0..300 {
-            // Some maps B are singular. Some starts a are zero, or perpendicular to the direction in which a force causes the largest motion.
+            // Some maps B are singular. Some motions a under the base load are zero, or perpendicular to the largest motion that a unit force causes.
             let mut b = SMatrix::<f64, 3, 3>::from_fn(|_, _| number());
             let mut a = Vector3::from_fn(|_, _| 0.5 * number());
             match round % 4 {

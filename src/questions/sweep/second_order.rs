@@ -67,8 +67,9 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of the facet (1/2, -1) of a cone, then its first-order value. In the polynomials `changes` the errors are in units of
-    /// three standard deviations.
+    /// The failure probability of a facet whose margin is F_n/2 - F_t, then its value to first order. `changes` are polynomials of the change of the
+    /// force in the errors of the data, in units of three standard deviations. `friction` is the standard deviation of the logarithm of the
+    /// coefficient of friction.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();
@@ -76,14 +77,16 @@ mod tests {
         (margin.fails(), normal_tail(margin.reliability()))
     }
 
-    /// `∫ φ(z) P(z) dz` by the midpoint rule: the total probability of failure, if P(z) is the probability given that the error of one datum is z.
+    /// The total probability of failure, if it is P(z), computed by `given`, once the error of one datum is z standard deviations. It is `∫ φ(z) P(z)
+    /// dz` with the normal density φ, by the midpoint rule.
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;
         (0..steps).map(|k| width * normal_density(at(k)) * given(at(k))).sum()
     }
 
-    /// The normal force is linear in a datum, and friction multiplies it: the margin vanishes where `exp(0.2 z_f) (10 + 1.5 z) / 2 = 2`.
+    /// Let z be the error of a datum and z_f that of friction, in standard deviations. The normal force is 10 + 1.5 z, the coefficient of friction
+    /// exp(0.2 z_f) / 2, and the friction force 2. The margin is zero where `exp(0.2 z_f) (10 + 1.5 z) / 2 = 2`.
     #[test]
     fn friction_curves_a_margin() {
         let mut change = Effect::default();
@@ -95,7 +98,8 @@ mod tests {
         assert!(first_order < 0.9 * exact, "{first_order}");
     }
 
-    /// The friction force is linear in one datum and quadratic in another: the margin vanishes where `z₁ + c z₂² = 3`.
+    /// The friction force is 2 + z₁ + c z₂², linear in the error z₁ of one datum and quadratic in the error z₂ of another, in standard deviations;
+    /// its limit is 5. The margin is zero where `z₁ + c z₂² = 3`.
     #[test]
     fn a_datum_curves_a_margin() {
         for curved in [-0.1, 0.05, 0.1] {

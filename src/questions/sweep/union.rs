@@ -92,7 +92,8 @@ mod tests {
     use super::*;
     use crate::numerics::normal_density;
 
-    /// One failure of a contact for each reliability; every two of them have the correlation ρ: their margins are `β - √ρ z₀ - √(1 - ρ) zᵢ`.
+    /// A failure for each reliability βᵢ, with the margin `βᵢ - √ρ z₀ - √(1 - ρ) zᵢ`. All z are independent standard normal variables, so that every
+    /// two margins have the correlation ρ (`rho`).
     fn alike(reliabilities: &[f64], rho: f64) -> Failures {
         let mut all = Failures::default();
         for (i, reliability) in reliabilities.iter().enumerate() {
@@ -111,8 +112,8 @@ mod tests {
         all
     }
 
-    /// The exact probability that any of the failures of [`alike`] happens. Given z₀ their margins are independent, so it is the integral
-    /// `1 - ∫ φ(z) Π Φ((βᵢ - √ρ z) / √(1 - ρ)) dz`.
+    /// The exact probability that any of the failures of [`alike`] happens. For a given value z of z₀ their margins are independent. The probability
+    /// is therefore `1 - ∫ φ(z) Π Φ((βᵢ - √ρ z) / √(1 - ρ)) dz`, with the normal density φ and distribution function Φ.
     fn exact(reliabilities: &[f64], rho: f64) -> f64 {
         let (steps, width) = (8000, 2e-3);
         let none = |z: f64| -> f64 {
