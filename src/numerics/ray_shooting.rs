@@ -55,7 +55,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
         let least = BEYOND_PLANE * change.amax();
         let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
-            // If several vertices tie, the one with the largest pivot is chosen.
+            // Among vertices with the same ratio, the vertex with the largest pivot `change` leaves the simplex.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };

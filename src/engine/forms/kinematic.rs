@@ -30,7 +30,7 @@ struct GapOrSlip {
     z_unit: f64,
 }
 
-/// The complementary pairs of these contacts in the kinematic form, as two lists: the meaning of each pair, and its jump (a gap or slip).
+/// The complementary pairs of the contacts `contacts` in the kinematic form, as two lists: the meaning of each pair, and its gap or slip.
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {

@@ -55,7 +55,7 @@ pub(crate) struct CycleRecord {
     pub(crate) largest_gap: Vec<f64>,
     /// The number of jumps in the cycle: motions under constant load from one equilibrium to another.
     pub(crate) jumps: usize,
-    /// The largest displacement at a contact point, m, in one of these jumps.
+    /// The largest displacement at a contact point, m, in a jump (a motion under constant load) of the cycle.
     pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
     /// Successive lists of the states of all contacts and drives in the cycle, each with the index (within the cycle) of the leg on which these

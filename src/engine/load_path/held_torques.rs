@@ -41,12 +41,12 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_torques_to(torques)
     }
 
-    /// This leg, along which the torques that hold joints also change by `change`, see [`Self::torques_by`].
+    /// This leg with one more change: along it the torques that hold joints change by `change`, see [`Self::torques_by`].
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::By(change.into_iter().list()), ..self }
     }
 
-    /// This leg, at whose end the torques that hold joints are also `torques`, see [`Self::torques_by`].
+    /// This leg with one more change: at its end the torques that hold joints are `torques`, see [`Self::torques_by`].
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }

@@ -119,20 +119,20 @@ impl<const C: usize> Leg<C> {
     }
 
     setters! {
-        /// This leg, along which the load also changes by `change`.
+        /// This leg with one more change: along it the load changes by `change`.
         pub fn and_load_by(mut self, change: Wrench<C>) {
             self.load = LegLoad::Straight(LegGoal::By(change));
         }
 
-        /// This leg, at whose end the load is also `load`.
+        /// This leg with one more change: the load becomes `load` at its end.
         pub fn and_load_to(mut self, load: Wrench<C>) { self.load = LegLoad::Straight(LegGoal::To(load)); }
 
-        /// This leg, along which the finger commands also change by `change`: one displacement for each contact, each in its contact frame, m.
+        /// This leg with one more change: along it the finger commands change by `change`, one displacement for each contact in its contact frame, m.
         pub fn and_commands_by(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) {
             self.commands = LegGoal::By(vectors(change));
         }
 
-        /// This leg, at whose end the finger commands are also `commands`: one displacement for each contact, each in its contact frame, m.
+        /// This leg with one more change: at its end the finger commands are `commands`, one displacement for each contact in its contact frame, m.
         pub fn and_commands_to(mut self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) {
             self.commands = LegGoal::To(vectors(commands));
         }
@@ -167,12 +167,12 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_joints_to(commands)
     }
 
-    /// This leg, along which the joint commands also change by `change`, rad or m.
+    /// This leg with one more change: along it the joint commands change by `change`, rad or m.
     pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { joints: LegGoal::By(change.into_iter().list()), ..self }
     }
 
-    /// This leg, at whose end the joint commands are also `commands`, rad or m.
+    /// This leg with one more change: at its end the joint commands are `commands`, rad or m.
     pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
         Self { joints: LegGoal::To(commands.into_iter().list()), ..self }
     }

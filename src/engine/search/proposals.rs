@@ -64,8 +64,8 @@ pub(super) fn propose_dense(
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone one run of Lemke's method is enough: branch and bound comes next, and ends more searches than another run. Otherwise the
-    // search tries all contact states next, at the cost of one d × d system for each combination. Bases of the complementarity problem are never
-    // enumerated.
+    // search tries all contact states next, each combination at the cost of one linear system for the twist, so that bases of the complementarity
+    // problem need not be enumerated.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The limit `affordable` of the number of pivots is passed to the solver if the caller set it, or if it is lower than the solver's default limit.

@@ -149,7 +149,7 @@ impl BalanceEquation {
         // At most forty generators are added for each row of the equation.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // A distance below this fraction of the elastic trial state is taken as zero.
+            // The distance of the nearest point from f⁰, relative to f⁰, is taken as zero below this limit.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
@@ -170,7 +170,7 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // A distance below this fraction of the elastic trial state is too close to rounding to prove a contradiction.
+                // Below the limit 1e-10, relative to f⁰, the distance is too close to rounding to prove a contradiction.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }

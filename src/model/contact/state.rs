@@ -63,7 +63,7 @@ impl<R> Mode<R> {
 }
 
 impl State {
-    /// Direction and slip per force of a slide on the round cone; `None` in any other state.
+    /// For a slide on the round cone its direction, and its slip per unit of friction force; `None` in any other state.
     pub(crate) fn slide(&self) -> Option<&Slide> {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }

@@ -93,8 +93,8 @@ face_of_struct! {
     PatchPoint { offset, share }
 }
 
-/// Points across a line contact of half width 1, in ascending order: position, and share of the load. Each quadrature node of `layers`, given by its
-/// distance from the middle, becomes two points, one on either side.
+/// Points across a line contact of half width 1, in ascending order: position, and fraction of the load. Each quadrature node of `layers`, given by
+/// its distance from the middle, becomes two points, one on either side.
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
     let mut all = Vec::with_capacity(2 * layers.len());
     for layer in layers.iter().rev() {
@@ -298,7 +298,7 @@ impl<const C: usize> SoftFingertip<C> {
     }
 
     /// The points, in the order of [`Self::contacts`]. Each has its coordinates relative to the centre along the axes of the contact frame, m,
-    /// and its share w_i of the stiffness. The normal coordinate is zero.
+    /// and its fraction w_i of the stiffness. The normal coordinate is zero.
     #[must_use]
     pub fn points(&self) -> impl ExactSizeIterator<Item = (SVector<f64, C>, f64)> {
         self.points.iter().map(|place| (place.offset, place.share))
@@ -328,7 +328,7 @@ impl<const C: usize> SoftFingertip<C> {
         self.mean(|at| at[axis] * at[axis])
     }
 
-    /// Mean of a function of the position over all points, weighted by their shares of the stiffness.
+    /// Mean of a function of the position over all points, weighted by their fractions of the stiffness.
     fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
         self.points.iter().map(|place| place.share * f(&place.offset)).sum()
     }

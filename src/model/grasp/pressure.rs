@@ -32,7 +32,7 @@ pub enum Pressure {
 pub(super) struct Layer {
     /// Distance from the centre, in units of the radius.
     pub(super) distance: f64,
-    /// Share of the normal load at this distance; the shares of all nodes sum to one.
+    /// Fraction of the normal load that acts at this distance; the fractions of all nodes sum to one.
     pub(super) share: f64,
 }
 
@@ -127,7 +127,7 @@ mod tests {
         layers_carry_the_moments_of_their_band(Space::Planar);
     }
 
-    /// Thin bands lose digits to cancellation. Their nodes must still lie in their bands, in order, with positive shares.
+    /// Thin bands lose digits to cancellation. Their nodes must still lie in their bands, in order, and carry positive fractions of the load.
     #[test]
     fn layers_lie_in_their_bands() {
         for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {

@@ -101,7 +101,7 @@ pub(crate) fn map(
     }
 }
 
-/// The end of the load path in each of these directions; `None` if the paths take too long.
+/// For each direction in `ways` the end of a load path, along which the load grows in this direction; `None` if the paths take too long.
 fn load_paths(
     grasp: &Grasp,
     watch: MapProgress,
