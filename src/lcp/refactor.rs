@@ -126,8 +126,8 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the row or variable if the balancing factors were exact. Since the factors are rounded to powers of two, this unit lies
-            // between 1/√2 and √2.
+            // With exact balancing factors this entry would be 1. Since the factors are rounded to powers of two, it is corrected by the rounding of
+            // the factor of this row or variable, and lies between 1/√2 and √2.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),

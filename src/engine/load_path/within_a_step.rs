@@ -96,8 +96,8 @@ impl BoundedCubic {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// A fraction of the step at which the margin is certainly below `-nothing`; one half if this is not decided. `None` if the margin is nowhere
-    /// below `-nothing`.
+    /// A fraction of the step at which the margin is certainly negative by more than `nothing`, the error of margins; one half if this is not
+    /// decided. `None` if the margin is nowhere negative by more than `nothing`.
     pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // At most two hundred pieces of the cubic are examined; then the step is taken as too long.

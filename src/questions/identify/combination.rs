@@ -85,7 +85,7 @@ impl FreeCombination {
 enum Law {
     /// A product of powers of the unknowns, for changes of any size.
     Powers,
-    /// The sum of the unknowns, if their relative changes are proportional to the powers.
+    /// The sum of the unknowns. No predicted slip changes if the relative changes of the unknowns are proportional to `powers`, which keeps this sum.
     Sum,
     /// Some other function of the unknowns, known only by its first derivatives.
     Nearby,

@@ -165,7 +165,8 @@ struct Narrowing {
     at_first: (f64, Option<f64>),
     /// Index in `sides` of the end that the last step moved. `None` before the first step, and after some steps of a slow search.
     kept: Option<usize>,
-    /// First the least distance of the next trial from both ends, relative to the larger amount; then the value to which this distance is reset.
+    /// The next trial keeps at least a distance from both ends of the bracket. The first entry is this distance, as a fraction of the larger amount;
+    /// the second is the value to which it is reset when the other end has moved.
     push: [f64; 2],
     /// The widths of the bracket after the last three steps.
     widths: [f64; 3],
@@ -286,8 +287,8 @@ impl Narrowing {
         let last = self.predicted.filter(|at| is_near(*at, from) || is_near(*at, to));
         let new = (tries.rest_ends)(from, to);
         let next = new.or(last);
-        // The difference between this prediction and the last one exceeds the error of this prediction. While the difference is large, the trial is
-        // on the sufficient side of the prediction, afterwards on the insufficient side.
+        // The difference `off` of this prediction from the previous prediction exceeds the error of this prediction. The trial is moved away from the
+        // prediction by `off`: to the sufficient side while `off` is large, afterwards to the insufficient side.
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
