@@ -48,7 +48,7 @@ impl Trigonometric {
             + self.second[1] * sin2
     }
 
-    /// Value, slope and second derivative of the polynomial at φ = 0.
+    /// Value, first and second derivative of the polynomial at φ = 0.
     pub(crate) fn at_the_beginning(&self) -> [f64; 3] {
         let ([a, b], [a2, b2]) = (self.first, self.second);
         [self.constant + a + a2, b + 2.0 * b2, -a - 4.0 * a2]

@@ -207,8 +207,9 @@ fn from_scratch<'g>(
                 // If the forces found are nearly the forces at the end, the search is repeated at load factors nearer to the end. Only the forces of
                 // another equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If the forces found do not differ from the forces at the end, the equilibrium found may be the one that ends here: rounding may let
-                // this equilibrium exist a little further. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
+                // If the forces found do not differ from the forces at the end, the equilibrium found may be the equilibrium of the path, which
+                // rounding lets exist a little beyond its end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium
+                // found.
                 return if is_another {
                     Beyond::Snap
                 } else {

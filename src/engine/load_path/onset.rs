@@ -50,8 +50,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: the load factor of the event, or the load factor from which nothing resists the
-    /// load. Infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
+    /// The load factor up to which all contacts that touch stick. It is the load factor of the event, or the load factor from which nothing resists
+    /// the load. Infinite for [`Self::Never`]. `None` without a sticking equilibrium to start from, or if the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {

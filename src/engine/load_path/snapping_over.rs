@@ -47,7 +47,7 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
 pub(super) struct StateAfterSnap<'g> {
-    /// The static problem with the slips after the motion. Its load is exactly what the contact forces balance, and nearly the load of the leg.
+    /// The static problem with the slips after the motion. Its load is exactly in balance with the contact forces, and nearly the load of the leg.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,

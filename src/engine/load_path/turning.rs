@@ -128,8 +128,8 @@ impl<'g> PiecewiseFollower<'g> {
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether close events may now be treated as one event. This requires that the path has advanced since the last such treatment, or that there
-    /// was none on this leg.
+    /// Whether close events may now be treated as one event. This requires that the path has advanced since events were last treated in this way, or
+    /// that none were on this leg.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }

@@ -29,8 +29,8 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The least spring force of all contacts is at most that of the first contact. If the spring force of the first contact is below the largest
-    // force, the others need not be evaluated.
+    // The least spring force of all contacts is at most the spring force of the first contact. If the latter is below the largest force, the other
+    // contacts need not be evaluated.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));

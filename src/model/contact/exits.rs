@@ -214,8 +214,8 @@ impl LocalLaw<'_> {
     }
 }
 
-/// Newton's method for a root of a concave function. It starts at `at`, where the function is negative, and descends. `value` returns value and
-/// slope. `None` if no step leads down.
+/// Newton's method for a root of a concave function. It starts at `at`, where the function is negative, and goes towards smaller arguments. `value`
+/// returns the function and its derivative. `None` if not even the first step leads to a smaller argument.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
     // Upper bound of the number of Newton steps. Near the apex the margin μF_n - |F_t| is curved over distances of the order of rounding; farther

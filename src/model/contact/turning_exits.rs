@@ -232,8 +232,8 @@ fn linear_exit(
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 
-/// Rounding error of a root of a function of the load's angle. The values of the function have the error `slack`; `slope` is its slope at the root,
-/// and `size` an upper bound of its curvature.
+/// Rounding error of a root of a function of the load's angle. The values of the function have the error `slack`; `slope` is its derivative at the
+/// root, and `size` an upper bound of the magnitude of its second derivative.
 fn uncertainty(slack: f64, slope: f64, size: f64) -> f64 {
     (slack / slope.abs()).min((2.0 * slack / size).sqrt())
 }

@@ -23,8 +23,8 @@ pub(super) struct SurfaceLocation {
     pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of `normal` along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the direction.
     pub(super) bends: Vec<f64>,
-    /// Linear limits of a step, one for each edge or end of the part, as pairs (row, room). A step with the components s, m, in the directions
-    /// `along` stays on the part if `row·s <= room` for every pair.
+    /// Linear limits of a step, one for each edge or end of the segment or triangle. A limit is a pair (a, b): a step with the components s, m, in
+    /// the directions `along` stays on the segment or triangle if `a·s <= b` for every pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 

@@ -266,8 +266,8 @@ const LAST_STEP: f64 = 1e-3;
 /// directions in which the load is lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
-/// Upper limit of the number of directions near which the weakest direction is sought: those in which a smaller part is carried than in their
-/// neighbours. With fewer, the weakest direction is missed if two directions carry nearly the same part.
+/// The weakest direction is sought near directions in which a smaller part of the load is carried than in their neighbours. This is the upper limit
+/// of their number. With fewer, the weakest direction is missed if nearly the same part is carried in two directions.
 const MOST_MINIMA: usize = 3;
 
 /// At most this many pairs of neighbouring directions with different numbers of jumps are searched, the weakest pairs first. If fewer, narrow cones

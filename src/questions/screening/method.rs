@@ -159,7 +159,7 @@ mod tests {
         off
     }
 
-    /// The contact forces that a load causes by the given method, and those that the commands cause.
+    /// The contact forces that a load causes, and the contact forces that the commands cause, both computed by the given method.
     fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64; 6]) -> [Forces<3, f64>; 2] {
         let (mut ready, [mut loaded, mut squeezed]) =
             (StickingSprings::none(method), [Forces::<3, f64>::none(); 2]);
