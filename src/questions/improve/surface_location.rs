@@ -23,8 +23,8 @@ pub(super) struct SurfaceLocation {
     pub(super) along: Vec<SVector<f64, 3>>,
     /// Change of `normal` along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the direction.
     pub(super) bends: Vec<f64>,
-    /// Linear limits of a step, one for each edge or end of the segment or triangle. A limit is a pair (a, b): a step with the components s, m, in
-    /// the directions `along` stays on the segment or triangle if `a·s <= b` for every pair.
+    /// Linear limits of a step, one for each edge or end of the part of the surface (a segment, a triangle or the whole surface). A limit is a pair
+    /// (a, b): a step with the components s, m, in the directions `along` stays on the part if `a·s <= b` for every pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
