@@ -66,15 +66,15 @@ pub(super) trait Equations<const C: usize> {
 /// Limits of Newton's method with line search ([`descend`]).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct IterationLimits {
-    /// Largest number of Newton steps.
+    /// Upper limit of the number of Newton steps.
     pub(super) steps: usize,
     /// Norm of the residuals at which the iteration has converged.
     pub(super) enough: f64,
     /// Norm of the residuals, relative to the norm of their terms, at which the iteration has also converged.
     pub(super) rounding: f64,
-    /// Shortest fraction of a Newton step that the line search tries.
+    /// The line search tries no smaller fraction of a Newton step than this.
     pub(super) shortest: f64,
-    /// Largest number of times that a full Newton step is taken although the line search has found no shorter step that reduces the residuals enough.
+    /// If the line search finds no shorter step that reduces the residuals enough, a full Newton step is taken, but at most this number of times.
     pub(super) leaps: usize,
 }
 

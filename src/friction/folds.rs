@@ -15,7 +15,7 @@ use crate::numerics::vector_of;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Largest number of Newton corrections per step. If at most half of them were needed, the next step is longer.
+/// Upper limit of the number of Newton corrections per step. If at most half of this number was needed, the next step is longer.
 const MOST_FOLD_CORRECTIONS: usize = 6;
 
 /// Follows the central path around its folds. Returns the forces at the end of the path, or at the point of the path where steps become too short or

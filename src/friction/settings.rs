@@ -2,7 +2,8 @@
 
 use crate::lcp::{self, BreakdownCause};
 
-/// Largest number of facets. More facets would change forces by less than 1e-3, and give complementarity problems of thousands of rows.
+/// Upper limit of the number of facets of a cone. More facets would change forces by less than 1e-3, and give complementarity problems of thousands
+/// of rows.
 pub(super) const MOST_CONE_FACETS: usize = 128;
 
 /// Limits and tolerances of a solve. [`Settings::default`] suits almost every problem.

@@ -2,7 +2,7 @@
 
 use super::tolerances::PARTIAL_PIVOT;
 
-/// Largest number of unknowns of [`solved`].
+/// Upper limit of the number of unknowns that [`solved`] can find.
 pub(crate) const MOST_UNKNOWNS: usize = 7;
 
 /// One equation: the coefficients of its unknowns, then zeros, and the right-hand side in the last place.

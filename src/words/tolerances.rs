@@ -7,5 +7,5 @@
 /// show.
 pub(crate) const ALIKE_IN_WORDS: f64 = 1e-6;
 
-/// Longest list of names that is written in full. A longer list would bury the number that the sentence reports.
+/// A list of names is written in full if it has at most this number of names. A longer list would bury the number that the sentence reports.
 pub(crate) const MOST_NAMES: usize = 8;

@@ -6,7 +6,7 @@ use grasp_lcp::words::Unit;
 
 use crate::failure::Failure;
 
-/// Largest size of a number, in SI units; no length, force or mass of a real object is larger.
+/// A number of larger magnitude, in SI units, is refused: no length, force or mass of a real object is larger.
 const LARGEST_NUMBER: f64 = 1e50;
 
 /// Numbers separated by commas.

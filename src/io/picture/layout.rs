@@ -13,7 +13,7 @@ pub(super) struct MarkLayout {
     pub(super) shortest_load: f64,
     /// Radius of the arc of a moment in the plane.
     pub(super) moment_arc: f64,
-    /// Largest number of fingertips whose names are written.
+    /// The names of fingertips are written only if there are at most this number of fingertips.
     pub(super) most_named: usize,
 }
 
@@ -99,7 +99,7 @@ pub(super) struct ChartLayout {
     pub(super) plaque: f64,
     /// Line height of the note below a chart.
     pub(super) note_line: f64,
-    /// Largest number of series whose legend is inside the chart; otherwise names are written beside the chart.
+    /// With at most this number of series the legend is inside the chart, with more series it is beside the chart.
     pub(super) most_inside: usize,
     /// Largest number of letters of a name beside the chart.
     pub(super) longest_beside: usize,

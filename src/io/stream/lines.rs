@@ -13,7 +13,7 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// Largest number of lines in a block.
+/// A block is full with this number of lines.
 const LINES_OF_A_BLOCK: usize = 64;
 /// Size at which a block is full, bytes.
 pub const BLOCK_BYTES: usize = 1 << 16;

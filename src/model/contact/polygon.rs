@@ -56,7 +56,7 @@ pub struct PolygonCone {
 }
 
 impl PolygonCone {
-    /// Largest number of facets; with more facets, neighbouring facets would differ by little more than rounding.
+    /// Upper limit of the number of facets. With more facets, neighbouring facets would differ by little more than rounding.
     pub const MOST_FACETS: usize = 4096;
 
     /// A polygonal cone with this number of facets.

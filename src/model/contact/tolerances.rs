@@ -5,8 +5,8 @@
 /// linear solve have rounding errors of this order. Symmetric grasps reach several edges at once, and these must count as one event.
 pub(crate) const ZERO_SLACK: f64 = 5e-14;
 
-/// Largest allowance for the rounding error of a condition, relative to the terms of the condition. The allowance grows with the condition number of
-/// the linear system, up to this bound.
+/// A condition counts as satisfied if it is violated by no more than an allowance for rounding, relative to the terms of the condition. The allowance
+/// grows with the condition number of the linear system, up to this bound.
 ///
 /// With a smaller bound, true answers of ill-conditioned systems are refused. With a larger bound, violated conditions count as satisfied.
 pub(crate) const MOST_SLACK: f64 = 1e-10;

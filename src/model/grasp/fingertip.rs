@@ -275,7 +275,7 @@ impl SoftFingertip<3> {
 }
 
 impl<const C: usize> SoftFingertip<C> {
-    /// Largest number of points; more would resolve details that the fingertip model does not represent.
+    /// Upper limit of the number of points. More points would resolve details that the fingertip model does not represent.
     pub const MOST_POINTS: usize = 4096;
 
     /// The point contacts that replace `contact`.

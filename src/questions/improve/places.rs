@@ -22,8 +22,8 @@ pub(super) struct SurfacePoint {
     /// Change of the unit normal along each direction of `along` per metre in that direction, 1/m; positive if the normal tilts towards the
     /// direction, as on a convex shape.
     pub(super) bends: Vec<f64>,
-    /// Linear limits of a step from the point, one for each edge or end of its segment or triangle of the shape. A limit is a pair (a, b): a step
-    /// with the components s, m, in the directions `along` stays on the segment or triangle if `a·s <= b` for every pair.
+    /// Linear limits of a step from the point, one for each edge or end of its part of the shape (a segment, a triangle or the whole shape). A limit
+    /// is a pair (a, b): a step with the components s, m, in the directions `along` stays on the part if `a·s <= b` for every pair.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 

@@ -71,7 +71,7 @@ pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 /// changes, so narrower brackets would cost most of the trials.
 pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
-/// Largest ratio of a tried amount to the first amount, or of the first amount to a tried one.
+/// Upper limit of the ratio of a tried amount to the first amount of the search, and of the first amount to a tried one.
 ///
 /// If the load is sought, load paths are followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
