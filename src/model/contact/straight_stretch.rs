@@ -107,7 +107,7 @@ impl LocalLaw<'_> {
     }
 
     /// State and force of a contact that slides along `direction` with the normal force `normal` and the friction limit r, N. The slip reduces the
-    /// stiffness of the spring across the slip to the fraction `holds`.
+    /// stiffness of the spring across the slip to the fraction `holds`, taken as at least [`SOLVED_ROUNDING`] and at most 1.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();

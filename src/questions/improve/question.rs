@@ -26,9 +26,11 @@ pub struct Improve<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
     /// A load that grows.
+    // It grows from zero in proportion to the load factor. If `any_force` is given, it is the constant load that acts together with that force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) load: Option<Wrench<C>>,
     /// Loads that grow, one at a time.
+    // Each load is a case of its own and grows from zero in proportion to the load factor.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(crate) loads: Vec<Wrench<C>>,
     /// The size, N, of a force of any direction that acts at `at` in addition to the constant `load`. At load factor 1 the force has this size.
