@@ -1,4 +1,4 @@
-//! Grasps whose data are uncertain: samples of them, and the load up to which their contacts stick with a reserve.
+//! Grasps whose data are uncertain: random samples of the data, and the load up to which the probability that a contact slides stays below a limit.
 
 use super::grasp::Grasp;
 use crate::error::Error;

@@ -351,8 +351,8 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
     Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
-/// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless its signs at the two ends differ by more
-/// than rounding.
+/// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless it is at least zero at the sufficient end, at
+/// most zero at the other, and not zero at both. A negative value within rounding counts as zero at the sufficient end.
 fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);

@@ -63,7 +63,7 @@ impl Needed {
         }
     }
 
-    /// The demand that the amount meets, as words: "it holds", or only "holds" after "TAKES … and".
+    /// The demand that the amount meets, as words: "it holds", or "holds" if the amount is a greatest one, whose sentence is "TAKES 5 N and holds".
     fn aim(&self) -> &'static str {
         match self.demand {
             Demand::Sticks => "nothing slides",

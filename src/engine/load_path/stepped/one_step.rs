@@ -142,7 +142,7 @@ fn equilibrium_after(
         to.forces.push(answer.force);
         to.states.push(answer.state);
     }
-    // A contact that is kept closed and has limited friction cannot pull.
+    // The law of a contact may forbid that it opens, and then lets it pull. With limited friction `μ F_n` has no meaning for a pull, and the step fails.
     let least = -SOLVED_ROUNDING * to.largest_force();
     let pulls = |(i, force): (usize, &SVector<f64, 3>)| {
         force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()
