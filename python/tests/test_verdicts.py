@@ -78,7 +78,14 @@ def test_bad_rows_stop_nothing() -> None:
     friction = np.full((4, 3), 0.6)
     friction[1, 2], friction[2, 0] = np.nan, -1
     given = SPRINGS | {"friction": friction}
-    assert hold_batch(points, normals, [0, 0, -1.0], **given).status.tolist() == [0, VerdictStatus.NOT_A_NUMBER, VerdictStatus.MALFORMED, 0]
+    verdicts = hold_batch(points, normals, [0, 0, -1.0], **given)
+    assert verdicts.status.tolist() == [0, VerdictStatus.NOT_A_NUMBER, VerdictStatus.MALFORMED, 0]
+    assert repr(verdicts) == "<Verdicts (4,): 2 sticks, 1 not_a_number, 1 malformed>" and verdicts.answered.tolist() == [
+        True,
+        False,
+        False,
+        True,
+    ]
     amounts = need_batch(points, normals, [0, 0, -1.0], **given)
     assert amounts.status.tolist() == [0, AmountStatus.NOT_A_NUMBER, AmountStatus.MALFORMED, 0]
     assert hold_batch(np.zeros((0, 3, 3)), normals[0], [0, 0, -1.0], **SPRINGS).holds.shape == (0,)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from enum import IntEnum, unique
 from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
@@ -18,6 +18,7 @@ Soft = Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None
 """Pads as in scenes: one for all contacts, or a list with one or None a contact."""
 
 
+@unique
 class OnsetStatus(IntEnum):
     """Outcome of one row of :func:`onsets`."""
 
@@ -41,6 +42,7 @@ class OnsetStatus(IntEnum):
     """A number of the row is out of range, or its direction is zero. The error of :class:`Grasp` for this row names the number."""
 
 
+@unique
 class SolveStatus(IntEnum):
     """Outcome of one row of :func:`solve_batch`."""
 
@@ -54,6 +56,7 @@ class SolveStatus(IntEnum):
     """A number of the row is out of range. The error of :class:`Grasp` for this row names the number."""
 
 
+@unique
 class ContactState(IntEnum):
     """State of a contact in :attr:`Equilibria.states`."""
 

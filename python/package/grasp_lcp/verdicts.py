@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from enum import IntEnum, unique
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .grasp import Settings
 
 
+@unique
 class VerdictStatus(IntEnum):
     """Conclusion of one row of :func:`hold_batch`; see :attr:`Verdict.holding`."""
 
@@ -36,14 +37,15 @@ class VerdictStatus(IntEnum):
     """The load at rest is lost while it grows from zero."""
     UNDECIDED = 6
     """The load could not be followed; :attr:`Verdicts.doubt` says why."""
-    TURNS_OVER = 7
-    """Nothing resists a rotation along which the load drives the object on. Rows of wrenches have no point of action and are not checked."""
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8
     """A number of the row is out of range; :class:`Grasp` names the number."""
+    TURNS_OVER = 9
+    """Nothing resists a rotation along which the load drives the object on. Rows of wrenches have no point of action and are not checked."""
 
 
+@unique
 class LossMotion(IntEnum):
     """Motion by which an object is lost; the sentence of :meth:`Grasp.hold` begins with its words."""
 
@@ -59,6 +61,7 @@ class LossMotion(IntEnum):
     """The load is not lost up to where it was followed."""
 
 
+@unique
 class Doubt(IntEnum):
     """Reason for a verdict that is undecided."""
 
@@ -71,6 +74,7 @@ class Doubt(IntEnum):
     """The row is decided."""
 
 
+@unique
 class AmountStatus(IntEnum):
     """Conclusion of one row of :func:`need_batch`."""
 
@@ -127,7 +131,8 @@ class Verdicts(Counted[VerdictStatus]):
     @property
     def answered(self) -> NDArray[np.bool_]:
         """Rows that are decided."""
-        return self.status < VerdictStatus.UNDECIDED
+        open_rows = [VerdictStatus.UNDECIDED, VerdictStatus.NOT_A_NUMBER, VerdictStatus.MALFORMED]
+        return np.isin(self.status, open_rows, invert=True)
 
 
 def hold_batch(
