@@ -18,6 +18,8 @@ def test_a_pinch_holds_twice_its_friction() -> None:
     lost = grasp.hold([0, -10])
     assert (lost.outcome, lost.holds, lost.state) == ("lost", False, None)
     assert lost.says.startswith("SLIPS OUT at 8 N of 10 N")
+    # A verdict is true where it says that the load is held.
+    assert grasp.hold([0, -7]) and not lost
 
 
 def test_what_a_pinch_needs() -> None:
