@@ -73,6 +73,20 @@ def test_amounts_are_those_of_single_grasps() -> None:
                 assert found.amount[row] == pytest.approx(one.amount, rel=1e-7)
 
 
+def test_loads_are_written_as_for_a_single_grasp() -> None:
+    given = {"series_stiffness": 1e4, "friction": 0.5, "pressed_with": 8.0}
+    jaws = ([[-0.04, 0.0], [0.04, 0.0]], [[1, 0], [-1, 0]])
+    loads = [{"mass": 0.5}, {"force": [0, -5], "at": [0.01, 0]}, [0, -20]]
+    found = hold_batch(*jaws, loads, **given)
+    single = [Grasp.planar(*jaws, **given).hold(load) for load in loads]
+    assert found.holds.tolist() == [verdict.holds for verdict in single] == [True, True, False]
+    assert found.first_slip == pytest.approx([verdict.first_slip for verdict in single])
+    assert onsets(*jaws, loads[1], **given).factor == pytest.approx(single[1].first_slip)
+    assert need_batch(*jaws, loads[0], **given).amount == pytest.approx(0.5 * 9.80665 / 8, rel=1e-3)
+    with pytest.raises(ValueError, match=r"load\[1\].*wait"):
+        hold_batch(*jaws, [[0, -1], {"wait": 1}], **given)
+
+
 def test_bad_rows_stop_nothing() -> None:
     points, normals = jars(4)
     friction = np.full((4, 3), 0.6)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _grasp_lcp
 from ._columns import dumped
 from ._views import Array
-from .batch import Counted, Soft, asked
+from .batch import Counted, Loads, Soft, asked
 
 if TYPE_CHECKING:
     from .grasp import Settings
@@ -113,7 +113,9 @@ class Verdicts(Counted[VerdictStatus]):
     status: NDArray[np.uint8]
     """The :class:`VerdictStatus` of each row."""
     first_slip: Array
-    """Multiple of the load at first slip; ``inf`` if nothing slips up to where the load was followed, NaN if none of the load is held."""
+    """Multiple of the load at first slip; ``inf`` if no contact stops sticking up to where the load was followed, NaN if none of the load is held.
+
+    It is ``inf`` also where contacts slide from the beginning; the status of such a row that holds is ``SLIDES``."""
     held_to: Array
     """Largest multiple of the load that is held; at most 1 unless loads are followed ``beyond`` their full size."""
     gross_slip: Array
@@ -138,8 +140,8 @@ class Verdicts(Counted[VerdictStatus]):
 def hold_batch(
     points: ArrayLike,
     normals: ArrayLike,
-    load: ArrayLike,
-    base: ArrayLike | None = None,
+    load: Loads,
+    base: Loads | None = None,
     *,
     friction: ArrayLike = 0.0,
     series_stiffness: ArrayLike | None = None,
@@ -185,8 +187,8 @@ def hold_batch(
 def need_batch(
     points: ArrayLike,
     normals: ArrayLike,
-    load: ArrayLike,
-    base: ArrayLike | None = None,
+    load: Loads,
+    base: Loads | None = None,
     *,
     quantity: Literal["squeeze", "load"] = "squeeze",
     sticks: bool = False,
