@@ -155,6 +155,7 @@ def test_what_slips_tell_of_a_pinch() -> None:
     assert mu.interval[0] < mu.value < mu.interval[1]
     assert (found.outcome, mu.is_fixed, found.not_fixed) == ("converged", True, ())
     assert str(found).startswith("friction 0.29")
+    assert grasp.identify("friction", loads) == found
     told = grasp.identify(["friction"], loads, scatter=0.02, base=[0, 0])
     assert told.misfit is not None and told.scatter is None
 

@@ -113,7 +113,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "joint_change: 1 given, must be 0, one a joint and one a tendon",
     ),
-    (lambda: pinch().identify("friction", [0, -4]), ValueError, "unknowns[0]: 'f' given, must be friction, carried, squeeze or stiffness"),
+    (lambda: pinch().identify("luck", [0, -4]), ValueError, "unknowns[0]: 'luck' given, must be friction, carried, squeeze or stiffness"),
     (lambda: pinch().identify([3], [0, -4]), TypeError, "unknowns[0]: int given, must be a text or a mapping with a quantity"),
     (lambda: pinch().identify(["friction"], [[0, -4], [0, np.nan]]), ValueError, "loads[1, 1] is nan, must be finite"),
     (

@@ -596,7 +596,7 @@ class Grasp:
 
     def identify(
         self,
-        unknowns: Sequence[str | Mapping[str, Any]],
+        unknowns: str | Mapping[str, Any] | Sequence[str | Mapping[str, Any]],
         loads: ArrayLike | Sequence[Load] | Mapping[str, Any] | None = None,
         *,
         slip: str | Sequence[str] = "gross",
@@ -613,8 +613,8 @@ class Grasp:
     ) -> Identified:
         """Estimates friction, loads of supports, squeeze or stiffness from observed slips, with standard errors.
 
-        :param unknowns: each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``, the numbers or
-            names of its ``contacts``, and optionally ``layout``, ``name`` and ``start``.
+        :param unknowns: one or several, each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``,
+            the numbers or names of its ``contacts``, and optionally ``layout``, ``name`` and ``start``.
         :param loads: the load at each slip, shape (k, c) or (k, d), N and N m.
         :param slip: ``"gross"`` or ``"first"``, one for all slips or one each.
         :param base: a load that acted in addition.
@@ -629,6 +629,8 @@ class Grasp:
         :param outliers: slips whose residual exceeds this number of standard deviations get less weight; 2 by default.
         :param iterations: the largest number of steps; 100 by default.
         """
+        if isinstance(unknowns, (str, Mapping)):
+            unknowns = [unknowns]
         slips = self._slips(loads, turns)
         words = [slip] * len(slips) if isinstance(slip, str) else listed("slip", slip, "a word, or one for each slip")
         columns: dict[str, list[Any]] = {"slip": words}
