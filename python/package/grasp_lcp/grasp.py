@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _grasp_lcp, drake, mujoco
 from ._bodies import bodies_in_scene
-from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, one_of, plain, with_arrays, wrench_json
+from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, one_of, plain, scene_text, wrench_json
 from ._drawing import draw_into
 from ._hands import scene_of_hand
 from ._mesh import scene_of_mesh
@@ -417,7 +417,7 @@ class Grasp:
         fingers; a finger whose joints have a stiffness may have ``pressed_with`` at its contact instead. Pads in space are ``{"rectangle":
         {"sides": [a, b]}}``, with sides along the first and second tangent: y and z for a normal along x, unless ``tangent`` is given.
         """
-        return cls._of(_grasp_lcp.Grasp.of_json(json.dumps(scene, default=with_arrays), True))
+        return cls._of(_grasp_lcp.Grasp.of_json(scene_text(scene), True))
 
     def to_json(self) -> str:
         """The scene of this grasp in JSON. Reading it back gives the same bits of every number."""
@@ -1010,7 +1010,7 @@ _KINDS: dict[str, type[Answer]] = {
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
     """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary."""
     is_text = isinstance(scene, str)
-    text = scene if isinstance(scene, str) else json.dumps(scene, default=with_arrays)
+    text = scene if isinstance(scene, str) else scene_text(scene)
     told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text, not is_text)))
     return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
 
