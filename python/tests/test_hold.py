@@ -1,11 +1,12 @@
 """Does it hold, and how much does it need, against closed forms."""
 
 import math
+from typing import Any
 
 import pytest
 from grasps import pinch
 
-from grasp_lcp import Grasp, Verdict, answers
+from grasp_lcp import Grasp, Verdict, answers, warnings
 
 
 def test_a_pinch_holds_twice_its_friction() -> None:
@@ -62,7 +63,7 @@ def test_friction_of_one_contact_by_its_name() -> None:
 
 def test_a_scene_asks() -> None:
     jaw = {"series_stiffness": [1000, 800], "friction": 0.5, "pressed_with": 8}
-    scene = {
+    scene: dict[str, Any] = {
         "format": "grasp-lcp/1",
         "planar": {
             "contacts": [{"point": [-1, 0], "normal": [1, 0], **jaw}, {"point": [1, 0], "normal": [-1, 0], **jaw}],
@@ -71,6 +72,10 @@ def test_a_scene_asks() -> None:
     }
     (verdict,) = answers(scene)
     assert isinstance(verdict, Verdict) and verdict.holds
+    assert warnings(scene) == []
+    scene["planar"]["questions"] = [{"hold": {"load": {"mass": 500}}}]
+    (warning,) = warnings(scene)
+    assert warning.endswith("masses are in kg; is this in g?")
 
 
 def test_a_block_walks_while_it_is_rocked() -> None:

@@ -1008,11 +1008,18 @@ _KINDS: dict[str, type[Answer]] = {
 
 
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
-    """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary."""
+    """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary; :func:`warnings` checks it."""
     is_text = isinstance(scene, str)
     text = scene if isinstance(scene, str) else scene_text(scene)
     told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text, not is_text)))
     return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
+
+
+def warnings(scene: str | Mapping[str, Any]) -> list[str]:
+    """Probable mistakes in a scene and in the loads of its questions, one sentence each; see :meth:`Grasp.warnings`."""
+    is_text = isinstance(scene, str)
+    text = scene if isinstance(scene, str) else scene_text(scene)
+    return _grasp_lcp.warnings_of_scene(text, not is_text)
 
 
 def wrench(force: ArrayLike, moment: ArrayLike | None = None, *, at: ArrayLike | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:
