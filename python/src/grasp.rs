@@ -364,6 +364,13 @@ pub(crate) fn answers_of_scene(py: Python<'_>, text: &str, made: bool) -> PyResu
     json(&py.detach(|| scene.answers()).map_err(refused)?)
 }
 
+/// Probable mistakes in a scene and in its questions, one sentence each.
+#[pyfunction]
+pub(crate) fn warnings_of_scene(text: &str, made: bool) -> PyResult<Vec<String>> {
+    let scene = read(text, made)?.with_files_from("").map_err(refused)?;
+    Ok(scene.warnings().map_err(refused)?.iter().map(ToString::to_string).collect())
+}
+
 /// Data of a grasp besides its contacts.
 struct GraspOptions<'py> {
     names: Vec<Option<String>>,

@@ -45,7 +45,7 @@ mod _grasp_lcp {
     #[pymodule_export]
     use super::gradients::onset_gradients_of_rows;
     #[pymodule_export]
-    use super::grasp::{Grasp, answers_of_scene};
+    use super::grasp::{Grasp, answers_of_scene, warnings_of_scene};
     #[pymodule_export]
     use super::lcp::solve_lcp;
     #[pymodule_export]

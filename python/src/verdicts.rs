@@ -150,7 +150,7 @@ fn number_of_kind(how: VerdictKind) -> u8 {
         VerdictKind::Lost => 3,
         VerdictKind::NoRest => 4,
         VerdictKind::LostAtRest => 5,
-        VerdictKind::TurnsOver => 7,
+        VerdictKind::TurnsOver => 9,
         _ => 6,
     }
 }

@@ -1,11 +1,12 @@
 """Does it hold, and how much does it need, against closed forms."""
 
 import math
+from typing import Any
 
 import pytest
 from grasps import pinch
 
-from grasp_lcp import Grasp, Verdict, answers
+from grasp_lcp import Grasp, Verdict, answers, warnings
 
 
 def test_a_pinch_holds_twice_its_friction() -> None:
@@ -18,6 +19,8 @@ def test_a_pinch_holds_twice_its_friction() -> None:
     lost = grasp.hold([0, -10])
     assert (lost.outcome, lost.holds, lost.state) == ("lost", False, None)
     assert lost.says.startswith("SLIPS OUT at 8 N of 10 N")
+    # A verdict is true where it says that the load is held.
+    assert grasp.hold([0, -7]) and not lost
 
 
 def test_what_a_pinch_needs() -> None:
@@ -60,7 +63,7 @@ def test_friction_of_one_contact_by_its_name() -> None:
 
 def test_a_scene_asks() -> None:
     jaw = {"series_stiffness": [1000, 800], "friction": 0.5, "pressed_with": 8}
-    scene = {
+    scene: dict[str, Any] = {
         "format": "grasp-lcp/1",
         "planar": {
             "contacts": [{"point": [-1, 0], "normal": [1, 0], **jaw}, {"point": [1, 0], "normal": [-1, 0], **jaw}],
@@ -69,6 +72,10 @@ def test_a_scene_asks() -> None:
     }
     (verdict,) = answers(scene)
     assert isinstance(verdict, Verdict) and verdict.holds
+    assert warnings(scene) == []
+    scene["planar"]["questions"] = [{"hold": {"load": {"mass": 500}}}]
+    (warning,) = warnings(scene)
+    assert warning.endswith("masses are in kg; is this in g?")
 
 
 def test_a_block_walks_while_it_is_rocked() -> None:
@@ -153,6 +160,7 @@ def test_what_slips_tell_of_a_pinch() -> None:
     assert mu.interval[0] < mu.value < mu.interval[1]
     assert (found.outcome, mu.is_fixed, found.not_fixed) == ("converged", True, ())
     assert str(found).startswith("friction 0.29")
+    assert grasp.identify("friction", loads) == found
     told = grasp.identify(["friction"], loads, scatter=0.02, base=[0, 0])
     assert told.misfit is not None and told.scatter is None
 

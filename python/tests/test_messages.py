@@ -13,6 +13,11 @@ POINTS, NORMALS = [[-1, 0], [1, 0]], [[1, 0], [-1, 0]]
 IN_SPACE = ([[-1, 0, 0], [1, 0, 0]], [[1, 0, 0], [-1, 0, 0]])
 
 
+def scene(**given: Any) -> Grasp:
+    """The grasp of a scene with one contact."""
+    return Grasp.from_dict({"format": "grasp-lcp/1", "planar": {"contacts": [{"point": [0, 0], "normal": [1, 0], **given}]}})
+
+
 def planar(points: Any = POINTS, normals: Any = NORMALS, **others: Any) -> Grasp:
     return Grasp.planar(points, normals, **({"series_stiffness": 1e3} | others))
 
@@ -113,7 +118,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "joint_change: 1 given, must be 0, one a joint and one a tendon",
     ),
-    (lambda: pinch().identify("friction", [0, -4]), ValueError, "unknowns[0]: 'f' given, must be friction, carried, squeeze or stiffness"),
+    (lambda: pinch().identify("luck", [0, -4]), ValueError, "unknowns[0]: 'luck' given, must be friction, carried, squeeze or stiffness"),
     (lambda: pinch().identify([3], [0, -4]), TypeError, "unknowns[0]: int given, must be a text or a mapping with a quantity"),
     (lambda: pinch().identify(["friction"], [[0, -4], [0, np.nan]]), ValueError, "loads[1, 1] is nan, must be finite"),
     (
@@ -186,6 +191,13 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: pinch().need(3, [0, -1]), ValueError, "quantity: 3, must be one of squeeze, friction, load, arm, angle, force"),  # type: ignore[arg-type]
     # Scenes.
     (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: the text ends within an object: something is missing, perhaps a bracket"),
+    (lambda: scene(friction=np.nan), ValueError, "planar.contacts[0].friction: nan given, must be a finite number"),
+    (
+        lambda: scene(friction=np.inf),
+        ValueError,
+        'planar.contacts[0].friction: inf given, must be a finite number or a word: "infinite" friction, "rigid" stiffness',
+    ),
+    (lambda: scene(point=np.array([0, np.nan])), ValueError, "planar.contacts[0].point[1]: nan given, must be a finite number"),
     (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "missing field `planar` or `spatial`"),
     # Batches: what is wrong with all rows at once.
     (lambda: onsets([1, 2], NORMALS, [0, 1]), ValueError, "points: shape (2,) given, must be (..., n, 2) or (..., n, 3)"),

@@ -73,12 +73,33 @@ def test_amounts_are_those_of_single_grasps() -> None:
                 assert found.amount[row] == pytest.approx(one.amount, rel=1e-7)
 
 
+def test_loads_are_written_as_for_a_single_grasp() -> None:
+    given = {"series_stiffness": 1e4, "friction": 0.5, "pressed_with": 8.0}
+    jaws = ([[-0.04, 0.0], [0.04, 0.0]], [[1, 0], [-1, 0]])
+    loads = [{"mass": 0.5}, {"force": [0, -5], "at": [0.01, 0]}, [0, -20]]
+    found = hold_batch(*jaws, loads, **given)
+    single = [Grasp.planar(*jaws, **given).hold(load) for load in loads]
+    assert found.holds.tolist() == [verdict.holds for verdict in single] == [True, True, False]
+    assert found.first_slip == pytest.approx([verdict.first_slip for verdict in single])
+    assert onsets(*jaws, loads[1], **given).factor == pytest.approx(single[1].first_slip)
+    assert need_batch(*jaws, loads[0], **given).amount == pytest.approx(0.5 * 9.80665 / 8, rel=1e-3)
+    with pytest.raises(ValueError, match=r"load\[1\].*wait"):
+        hold_batch(*jaws, [[0, -1], {"wait": 1}], **given)
+
+
 def test_bad_rows_stop_nothing() -> None:
     points, normals = jars(4)
     friction = np.full((4, 3), 0.6)
     friction[1, 2], friction[2, 0] = np.nan, -1
     given = SPRINGS | {"friction": friction}
-    assert hold_batch(points, normals, [0, 0, -1.0], **given).status.tolist() == [0, VerdictStatus.NOT_A_NUMBER, VerdictStatus.MALFORMED, 0]
+    verdicts = hold_batch(points, normals, [0, 0, -1.0], **given)
+    assert verdicts.status.tolist() == [0, VerdictStatus.NOT_A_NUMBER, VerdictStatus.MALFORMED, 0]
+    assert repr(verdicts) == "<Verdicts (4,): 2 sticks, 1 not_a_number, 1 malformed>" and verdicts.answered.tolist() == [
+        True,
+        False,
+        False,
+        True,
+    ]
     amounts = need_batch(points, normals, [0, 0, -1.0], **given)
     assert amounts.status.tolist() == [0, AmountStatus.NOT_A_NUMBER, AmountStatus.MALFORMED, 0]
     assert hold_batch(np.zeros((0, 3, 3)), normals[0], [0, 0, -1.0], **SPRINGS).holds.shape == (0,)

@@ -39,7 +39,7 @@ from .answers import (
 from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
 from .equilibrium import Contact, Drive, Equilibrium, Pad
 from .gradients import OnsetGradients, onset_gradients
-from .grasp import Grasp, Leg, Settings, answers, wrench
+from .grasp import Grasp, Leg, Settings, answers, warnings, wrench
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 from .watch import Watch, Watched
 
@@ -99,6 +99,7 @@ __all__ = [
     "onset_gradients",
     "onsets",
     "solve_batch",
+    "warnings",
     "wrench",
 ]  # fmt: skip
 

@@ -219,7 +219,31 @@ def load_text(name: str, given: Mapping[str, Any]) -> str:
     return dumped(plain(name, given))
 
 
-def with_arrays(value: Any) -> Any:
+def scene_text(scene: Any) -> str:
+    """A scene as JSON text. Refuses NaN and infinities by the name of their field."""
+    try:
+        return json.dumps(scene, default=_with_arrays, allow_nan=False)
+    except ValueError:
+        _refuse_not_finite("", scene)
+        raise
+
+
+def _refuse_not_finite(where: str, value: Any) -> None:
+    """Raises the error for the first number that is not finite."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        for key, each in value.items():
+            _refuse_not_finite(f"{where}.{key}" if where else str(key), each)
+    elif isinstance(value, (list, tuple)):
+        for index, each in enumerate(value):
+            _refuse_not_finite(f"{where}[{index}]", each)
+    elif isinstance(value, float) and not np.isfinite(value):
+        words = ' or a word: "infinite" friction, "rigid" stiffness' if value > 0 else ""
+        raise ValueError(f"{where}: {value} given, must be a finite number{words}")
+
+
+def _with_arrays(value: Any) -> Any:
     """Converts arrays, numbers of numpy and mappings in a scene to types that ``json.dumps`` accepts."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()

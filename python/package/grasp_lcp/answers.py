@@ -221,9 +221,16 @@ class Verdict(Sentence):
         """Whether the grasp holds the whole load; None if undecided."""
         return None if self.outcome == "undecided" else self.outcome in ("sticks", "slides")
 
+    def __bool__(self) -> bool:
+        """As :attr:`holds`, and False if undecided, for ``if grasp.hold(load):``."""
+        return self.holds is True
+
     @property
     def first_slip(self) -> float | None:
-        """Multiple of the load at which the first contact stops sticking; None if all contacts stick up to where the load was followed."""
+        """Multiple of the load at which the first contact stops sticking; None if no contact does so up to where the load was followed.
+
+        It is None also where contacts slide from the beginning, or close and slide at once: the outcome is then not ``"sticks"``.
+        """
         found = self._tree.get("first_slip")
         return None if found is None else number(found["factor"])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from enum import IntEnum, unique
 from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
@@ -12,12 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _grasp_lcp
 from ._columns import columns, floats
-from ._views import Array
+from ._views import Array, Load
 
 Soft = Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None
 """Pads as in scenes: one for all contacts, or a list with one or None a contact."""
+Loads = Load | Sequence[Load]
+"""An array of loads, or a load or a list of loads of which some are mappings."""
 
 
+@unique
 class OnsetStatus(IntEnum):
     """Outcome of one row of :func:`onsets`."""
 
@@ -41,6 +44,7 @@ class OnsetStatus(IntEnum):
     """A number of the row is out of range, or its direction is zero. The error of :class:`Grasp` for this row names the number."""
 
 
+@unique
 class SolveStatus(IntEnum):
     """Outcome of one row of :func:`solve_batch`."""
 
@@ -54,6 +58,7 @@ class SolveStatus(IntEnum):
     """A number of the row is out of range. The error of :class:`Grasp` for this row names the number."""
 
 
+@unique
 class ContactState(IntEnum):
     """State of a contact in :attr:`Equilibria.states`."""
 
@@ -142,8 +147,13 @@ def _axes(points: ArrayLike) -> int:
     return int(found.shape[-1])
 
 
-def _loads(name: str, given: ArrayLike, axes: int) -> Array:
-    found = floats(name, given)
+def _loads(name: str, given: Loads, axes: int) -> Array:
+    each: Any = given
+    if isinstance(each, Mapping):
+        each = _grasp_lcp.load_numbers(name, each, axes)
+    elif isinstance(each, Sequence) and any(isinstance(load, Mapping) for load in each):
+        each = [_grasp_lcp.load_numbers(f"{name}[{k}]", load, axes) for k, load in enumerate(each)]
+    found = floats(name, each)
     coordinates = 3 * (axes - 1)
     if found.ndim and found.shape[-1] == axes:
         return np.concatenate([found, np.zeros((*found.shape[:-1], coordinates - axes))], axis=-1)
@@ -182,8 +192,8 @@ def _paired(grasps: tuple[int, ...], made: dict[str, Any], loads: Array) -> tupl
 def asked(
     points: ArrayLike,
     normals: ArrayLike,
-    direction: ArrayLike,
-    base: ArrayLike | None,
+    direction: Loads,
+    base: Loads | None,
     friction: ArrayLike,
     hold: str | Sequence[str],
     soft: Soft = None,
@@ -208,8 +218,8 @@ def asked(
 def onsets(
     points: ArrayLike,
     normals: ArrayLike,
-    direction: ArrayLike,
-    base: ArrayLike | None = None,
+    direction: Loads,
+    base: Loads | None = None,
     *,
     friction: ArrayLike = 0.0,
     series_stiffness: ArrayLike | None = None,
@@ -235,12 +245,12 @@ def onsets(
     reports this in its status and does not affect other rows.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
-    :param direction: load per unit of the factor, N and N m, shape (..., c) or (..., d).
+    :param direction: load per unit of the factor, N and N m, shape (..., c) or (..., d); or a mapping or a list of them, as for a single grasp.
     :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
     :param soft: pads in place of the points, as in :meth:`Grasp.spatial`, the same for all grasps. A pad stops sticking where its first point does.
-    :param complete: let the method of :meth:`Grasp.onset` answer rows that screening does not decide, in some 10 µs for each such row.
+    :param complete: let the method of :meth:`Grasp.onset` answer rows that screening does not decide, in some 10 to 200 µs each.
 
-    All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
+    All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front. A batch has no default stiffness.
     """
     shape, made, first, second, own = asked(
         points, normals, direction, base, friction, hold, soft, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
@@ -254,7 +264,7 @@ def onsets(
 def solve_batch(
     points: ArrayLike,
     normals: ArrayLike,
-    load: ArrayLike,
+    load: Loads,
     *,
     friction: ArrayLike = 0.0,
     series_stiffness: ArrayLike | None = None,

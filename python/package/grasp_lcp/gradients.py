@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _grasp_lcp
 from ._columns import HOLDS
 from ._views import Array
-from .batch import OnsetStatus, Soft, asked, onsets
+from .batch import Loads, OnsetStatus, Soft, asked, onsets
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +61,8 @@ class OnsetGradients:
 def onset_gradients(
     points: ArrayLike,
     normals: ArrayLike,
-    direction: ArrayLike,
-    base: ArrayLike | None = None,
+    direction: Loads,
+    base: Loads | None = None,
     *,
     friction: ArrayLike = 0.0,
     series_stiffness: ArrayLike | None = None,

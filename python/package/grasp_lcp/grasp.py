@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _grasp_lcp, drake, mujoco
 from ._bodies import bodies_in_scene
-from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, one_of, plain, with_arrays, wrench_json
+from ._columns import STIFFNESSES, as_written, columns, dumped, finite, floats, listed, one_each, one_of, plain, scene_text, wrench_json
 from ._drawing import draw_into
 from ._hands import scene_of_hand
 from ._mesh import scene_of_mesh
@@ -417,7 +417,7 @@ class Grasp:
         fingers; a finger whose joints have a stiffness may have ``pressed_with`` at its contact instead. Pads in space are ``{"rectangle":
         {"sides": [a, b]}}``, with sides along the first and second tangent: y and z for a normal along x, unless ``tangent`` is given.
         """
-        return cls._of(_grasp_lcp.Grasp.of_json(json.dumps(scene, default=with_arrays), True))
+        return cls._of(_grasp_lcp.Grasp.of_json(scene_text(scene), True))
 
     def to_json(self) -> str:
         """The scene of this grasp in JSON. Reading it back gives the same bits of every number."""
@@ -596,7 +596,7 @@ class Grasp:
 
     def identify(
         self,
-        unknowns: Sequence[str | Mapping[str, Any]],
+        unknowns: str | Mapping[str, Any] | Sequence[str | Mapping[str, Any]],
         loads: ArrayLike | Sequence[Load] | Mapping[str, Any] | None = None,
         *,
         slip: str | Sequence[str] = "gross",
@@ -613,8 +613,8 @@ class Grasp:
     ) -> Identified:
         """Estimates friction, loads of supports, squeeze or stiffness from observed slips, with standard errors.
 
-        :param unknowns: each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``, the numbers or
-            names of its ``contacts``, and optionally ``layout``, ``name`` and ``start``.
+        :param unknowns: one or several, each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``,
+            the numbers or names of its ``contacts``, and optionally ``layout``, ``name`` and ``start``.
         :param loads: the load at each slip, shape (k, c) or (k, d), N and N m.
         :param slip: ``"gross"`` or ``"first"``, one for all slips or one each.
         :param base: a load that acted in addition.
@@ -629,6 +629,8 @@ class Grasp:
         :param outliers: slips whose residual exceeds this number of standard deviations get less weight; 2 by default.
         :param iterations: the largest number of steps; 100 by default.
         """
+        if isinstance(unknowns, (str, Mapping)):
+            unknowns = [unknowns]
         slips = self._slips(loads, turns)
         words = [slip] * len(slips) if isinstance(slip, str) else listed("slip", slip, "a word, or one for each slip")
         columns: dict[str, list[Any]] = {"slip": words}
@@ -1006,11 +1008,18 @@ _KINDS: dict[str, type[Answer]] = {
 
 
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
-    """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary."""
+    """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary; :func:`warnings` checks it."""
     is_text = isinstance(scene, str)
-    text = scene if isinstance(scene, str) else json.dumps(scene, default=with_arrays)
+    text = scene if isinstance(scene, str) else scene_text(scene)
     told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text, not is_text)))
     return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
+
+
+def warnings(scene: str | Mapping[str, Any]) -> list[str]:
+    """Probable mistakes in a scene and in the loads of its questions, one sentence each; see :meth:`Grasp.warnings`."""
+    is_text = isinstance(scene, str)
+    text = scene if isinstance(scene, str) else scene_text(scene)
+    return _grasp_lcp.warnings_of_scene(text, not is_text)
 
 
 def wrench(force: ArrayLike, moment: ArrayLike | None = None, *, at: ArrayLike | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:

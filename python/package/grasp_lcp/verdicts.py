@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from enum import IntEnum, unique
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
@@ -13,12 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from . import _grasp_lcp
 from ._columns import dumped
 from ._views import Array
-from .batch import Counted, Soft, asked
+from .batch import Counted, Loads, Soft, asked
 
 if TYPE_CHECKING:
     from .grasp import Settings
 
 
+@unique
 class VerdictStatus(IntEnum):
     """Conclusion of one row of :func:`hold_batch`; see :attr:`Verdict.holding`."""
 
@@ -36,14 +37,15 @@ class VerdictStatus(IntEnum):
     """The load at rest is lost while it grows from zero."""
     UNDECIDED = 6
     """The load could not be followed; :attr:`Verdicts.doubt` says why."""
-    TURNS_OVER = 7
-    """Nothing resists a rotation along which the load drives the object on. Rows of wrenches have no point of action and are not checked."""
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8
     """A number of the row is out of range; :class:`Grasp` names the number."""
+    TURNS_OVER = 9
+    """Nothing resists a rotation along which the load drives the object on. Rows of wrenches have no point of action and are not checked."""
 
 
+@unique
 class LossMotion(IntEnum):
     """Motion by which an object is lost; the sentence of :meth:`Grasp.hold` begins with its words."""
 
@@ -59,6 +61,7 @@ class LossMotion(IntEnum):
     """The load is not lost up to where it was followed."""
 
 
+@unique
 class Doubt(IntEnum):
     """Reason for a verdict that is undecided."""
 
@@ -71,6 +74,7 @@ class Doubt(IntEnum):
     """The row is decided."""
 
 
+@unique
 class AmountStatus(IntEnum):
     """Conclusion of one row of :func:`need_batch`."""
 
@@ -109,7 +113,9 @@ class Verdicts(Counted[VerdictStatus]):
     status: NDArray[np.uint8]
     """The :class:`VerdictStatus` of each row."""
     first_slip: Array
-    """Multiple of the load at first slip; ``inf`` if nothing slips up to where the load was followed, NaN if none of the load is held."""
+    """Multiple of the load at first slip; ``inf`` if no contact stops sticking up to where the load was followed, NaN if none of the load is held.
+
+    It is ``inf`` also where contacts slide from the beginning; the status of such a row that holds is ``SLIDES``."""
     held_to: Array
     """Largest multiple of the load that is held; at most 1 unless loads are followed ``beyond`` their full size."""
     gross_slip: Array
@@ -127,14 +133,15 @@ class Verdicts(Counted[VerdictStatus]):
     @property
     def answered(self) -> NDArray[np.bool_]:
         """Rows that are decided."""
-        return self.status < VerdictStatus.UNDECIDED
+        open_rows = [VerdictStatus.UNDECIDED, VerdictStatus.NOT_A_NUMBER, VerdictStatus.MALFORMED]
+        return np.isin(self.status, open_rows, invert=True)
 
 
 def hold_batch(
     points: ArrayLike,
     normals: ArrayLike,
-    load: ArrayLike,
-    base: ArrayLike | None = None,
+    load: Loads,
+    base: Loads | None = None,
     *,
     friction: ArrayLike = 0.0,
     series_stiffness: ArrayLike | None = None,
@@ -180,8 +187,8 @@ def hold_batch(
 def need_batch(
     points: ArrayLike,
     normals: ArrayLike,
-    load: ArrayLike,
-    base: ArrayLike | None = None,
+    load: Loads,
+    base: Loads | None = None,
     *,
     quantity: Literal["squeeze", "load"] = "squeeze",
     sticks: bool = False,
