@@ -1,5 +1,6 @@
-//! A verdict warns before the forces that small motions leave out buckle what they hold.
+//! Forces that the theory of small motions leaves out buckle what they hold. A verdict warns before, and tells the load at which they do.
 
+use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Link, Wrench};
 
@@ -28,18 +29,41 @@ fn pushed(force: f64) -> Verdict<2> {
     grasp.hold(Wrench::force_at([-force, 0.0], [2.0 * LENGTH, 0.0])).unwrap()
 }
 
-/// The linear model holds any force, so the verdict must warn. The knee turns both links by w/L. The springs resist with 2k w, the compressed links take 2P w/L: they buckle at `P = k L`.
+/// The linear model holds any force. The knee turns both links by w/L. The springs resist with 2k w, the compressed links take 2P w/L: they buckle at
+/// `P = k L`.
 #[test]
-fn compressed_links_in_line_are_warned_about() {
+fn compressed_links_in_line_buckle() {
     let critical = SIDEWAYS * LENGTH;
     assert_eq!(pushed(0.45 * critical).left_out, None);
-    for part in [0.55, 0.9, 1.1, 5.0] {
+    for part in [0.45, 0.55, 0.9, 1.1, 5.0] {
         let verdict = pushed(part * critical);
-        let taken = -verdict.left_out.unwrap();
-        assert!((taken - part).abs() < 1e-5 * part, "{taken} {part}");
-        assert_eq!(verdict.to_string().contains("so that nothing stays"), part > 1.0, "{verdict}");
+        if let Some(left) = verdict.left_out {
+            assert!((left + part).abs() < 1e-5 * part && part < 1.0, "{left} {part}");
+        }
+        let lost = verdict.lost.as_ref().unwrap();
+        assert_eq!(lost.too_far, Some(TooFar::Buckles), "{verdict}");
+        assert!((lost.factor * part - 1.0).abs() < 1e-5, "{verdict}");
+        assert_eq!(verdict.holds(), Some(part < 1.0), "{verdict}");
+        assert_eq!(verdict.to_string().starts_with("BUCKLES at 100 N of"), part > 1.0, "{verdict}");
     }
-    assert_eq!(pushed(5.0 * critical).holds(), Some(true));
+}
+
+/// Between two fingers at ±a that press with N, a bar resists turning with `2 k a²`, and the forces take `2 N a`: it buckles at rest beyond `N = k a`.
+#[test]
+fn a_bar_pressed_too_hard_buckles_at_rest() {
+    let (stiffness, half) = (2e3, 0.05);
+    let bar = |squeeze: f64| {
+        let finger = |x: f64| Contact::new([x, 0.0], [-x.signum(), 0.0]).series_stiffness(1e5, stiffness);
+        let grasp = Grasp::new([-half, half].map(|x| finger(x).friction(0.5).pressed_with(squeeze))).unwrap();
+        let verdict = grasp.hold(Wrench::force_at([0.0, -1.0], [0.0, 0.0])).unwrap();
+        (verdict.holds(), verdict.to_string())
+    };
+    let critical = stiffness * half;
+    for part in [0.9, 0.999, 1.001, 2.0] {
+        let (holds, sentence) = bar(part * critical);
+        assert_eq!(holds, Some(part < 1.0), "{sentence}");
+        assert_eq!(sentence.starts_with("BUCKLES at rest already"), part > 1.0, "{sentence}");
+    }
 }
 
 /// A tall weight on two soft feet at ±a: they resist tilting with 2 k a², and the weight at the height h takes W h of it.
@@ -52,7 +76,7 @@ fn a_tall_weight_on_soft_feet() {
     let critical = 2.0 * stiffness * half * half / height;
     for part in [0.4, 0.6, 1.5] {
         let verdict = grasp.hold(Wrench::force_at([0.0, -part * critical], [0.0, height])).unwrap();
-        let taken = (part > 0.5).then_some(part);
+        let taken = (part > 0.5 && part < 1.0).then_some(part);
         assert!(
             verdict.left_out.map(|left| -left).zip(taken).is_none_or(|(is, must)| (is - must).abs() < 1e-8),
             "{verdict}"

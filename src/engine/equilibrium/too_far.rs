@@ -18,7 +18,7 @@ use crate::search::{SearchSolution, SmallMotions};
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words, printable};
 
-/// The motion that is farthest beyond [`SmallMotions`].
+/// The motion that is farthest beyond [`SmallMotions`], or the loss of stability that a theory of small motions does not see.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -61,6 +61,8 @@ pub enum TooFar {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
+    /// The grasp buckles: as the forces turn with the parts on which they act, they take more in some motion than the springs resist.
+    Buckles,
 }
 
 /// Writes the name of the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
@@ -70,6 +72,7 @@ impl fmt::Display for TooFar {
             Self::Turns { body, .. } => body.as_ref().map_or("it".into(), |body| printable(body)),
             Self::JointTurns { joint, .. } => joint.text().into(),
             Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
+            Self::Buckles => "it".into(),
         };
         write!(f, "{name} {}", self.verb_phrase(Words::of(f)))
     }
@@ -93,6 +96,7 @@ impl TooFar {
             }
             Self::Slips { limit, .. } => format!("slips by more than {}", words.length(*limit)),
             Self::Opens { limit, .. } => format!("opens by more than {}", words.length(*limit)),
+            Self::Buckles => "buckles".to_owned(),
         }
     }
 }

@@ -6,7 +6,7 @@ use core::mem::{Discriminant, discriminant};
 use nalgebra::SVector;
 
 use crate::contact::{Polygon, State};
-use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proof};
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proof, TooFar};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
@@ -120,7 +120,7 @@ impl Engine {
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
-        let state = is_on.then(|| path.state()).flatten();
+        let mut state = is_on.then(|| path.state()).flatten();
         if matches!(extent, VerdictScope::Measured | VerdictScope::Decided)
             && path.end_of_small_motions().is_some()
         {
@@ -139,8 +139,16 @@ impl Engine {
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (largest_factor - 1.0) }
         };
-        let too_far = end_before_loss(&path);
-        let end = too_far.map_or(path.place(), |far| (far.leg, far.fraction));
+        let mut too_far = end_before_loss(&path).cloned();
+        let place = too_far.as_ref().map_or(path.place(), |far| (far.leg, far.fraction));
+        if extent != VerdictScope::Brief
+            && let Some(buckles) = self.buckling(&path, place, &|place| ramp.load_at(reached(place)))
+        {
+            state = state.filter(|_| buckles.leg > 0);
+            too_far = Some(buckles);
+        }
+        let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
+        let end = too_far.as_ref().map_or(place, |far| (far.leg, far.fraction));
         let held_to = reached(end);
         // Motions may cease to be small in a jump at the first slip. The load factors of the first slip and of the end of small motions then differ
         // by rounding.
@@ -156,7 +164,7 @@ impl Engine {
             None if too_far.is_some() => Holding::Lost,
             None => self.holding_of_end(&path, &ramp.base, settings, extent),
         };
-        let went_too_far = too_far.map(|far| {
+        let went_too_far = too_far.as_ref().map(|far| {
             let state = path.state_at(far.leg, far.fraction);
             self.gone_too_far(held_to, &far.what, state, everything_slides)
         });
@@ -208,10 +216,40 @@ impl Engine {
         let by_the_load =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
-        verdict.left_out = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
+        let by_all = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
+        // A grasp that buckles before the whole load acts is not said to be near to it as well.
+        verdict.left_out = by_all.filter(|_| state.is_some() || !buckles);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
+    }
+
+    /// The place on the path from which on the grasp [has buckled](Self::has_buckled), to nine digits. `None` if it has not at the place `end`.
+    /// `load` is the load at a place.
+    fn buckling(
+        &self,
+        path: &LoadPath<'_, 3>,
+        end: (usize, f64),
+        load: &dyn Fn((usize, f64)) -> Wrench<3>,
+    ) -> Option<EndOfSmallMotions> {
+        let has_buckled = |place: (usize, f64)| {
+            path.state_at(place.0, place.1).is_some_and(|state| self.has_buckled(&state, &load(place)))
+        };
+        if !has_buckled(end) {
+            return None;
+        }
+        let (leg, mut from, mut to) = match end {
+            (1, _) if has_buckled((0, 1.0)) => (0, 0.0, 1.0),
+            (leg, fraction) => (leg, 0.0, fraction),
+        };
+        if has_buckled((leg, from)) {
+            to = from;
+        }
+        while to - from > NEGLIGIBLE * to {
+            let middle = 0.5 * (from + to);
+            *(if has_buckled((leg, middle)) { &mut to } else { &mut from }) = middle;
+        }
+        Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
     }
 
     /// The [`Holding`] of a path that ended before the whole load was applied with small motions.

@@ -52,8 +52,33 @@ impl Engine {
     /// `None` if the size of the fraction is below a half, if nothing resists some motion, and if the grasp has so many coordinates that it is solved
     /// with band matrices. Struts between two points are treated as if they were infinitely long.
     pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
-        let size = size_of(self.sites());
-        if uses_band(size) {
+        let stiffness = self.both_stiffnesses(there, load)?;
+        let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
+        if !self.is_stable(&stiffness, stable) || self.is_stable(&stiffness, unstable) {
+            return None;
+        }
+        // Thirty bisections give nine digits, of which two are printed.
+        for _ in 0..30 {
+            let middle = 0.5 * (stable + unstable);
+            *(if self.is_stable(&stiffness, middle) { &mut stable } else { &mut unstable }) = middle;
+        }
+        Some(-1.0 / unstable)
+    }
+
+    /// Whether the grasp has buckled in this equilibrium: `K + K_g` is not positive definite, although K is. `false` if the points of action of some
+    /// load are not known.
+    pub(super) fn has_buckled(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> bool {
+        let is_known = |load: &Wrench<3>| load.points_of_action().stiffness().is_some();
+        self.loads_of_bodies(load).iter().all(is_known)
+            && self
+                .both_stiffnesses(there, load)
+                .is_some_and(|stiffness| !self.is_stable(&stiffness, 1.0) && self.is_stable(&stiffness, 0.0))
+    }
+
+    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g of the forces; `None` where the grasp is solved with band
+    /// matrices.
+    fn both_stiffnesses(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<(Square, Square)> {
+        if uses_band(size_of(self.sites())) {
             return None;
         }
         let is_open = |i: usize| {
@@ -61,26 +86,17 @@ impl Engine {
         };
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
-        let (elastic, geometric) =
-            (tangent_stiffness(self.sites(), springs), self.geometric_stiffness(there, load));
-        let count = size.count();
-        let is_stable = |times: f64| {
-            let mut sum = PositiveBand::zeros(count, count - 1);
-            for j in 0..count {
-                (j..count).for_each(|i| sum.add(i, j, elastic[(i, j)] + times * geometric[(i, j)]));
-            }
-            sum.factor().is_some()
-        };
-        let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
-        if !is_stable(stable) || is_stable(unstable) {
-            return None;
+        Some((tangent_stiffness(self.sites(), springs), self.geometric_stiffness(there, load)))
+    }
+
+    /// Whether `K + t K_g` is positive definite for t = `times`.
+    fn is_stable(&self, (elastic, geometric): &(Square, Square), times: f64) -> bool {
+        let count = size_of(self.sites()).count();
+        let mut sum = PositiveBand::zeros(count, count - 1);
+        for j in 0..count {
+            (j..count).for_each(|i| sum.add(i, j, elastic[(i, j)] + times * geometric[(i, j)]));
         }
-        // Thirty bisections give nine digits, of which two are printed.
-        for _ in 0..30 {
-            let middle = 0.5 * (stable + unstable);
-            *(if is_stable(middle) { &mut stable } else { &mut unstable }) = middle;
-        }
-        Some(-1.0 / unstable)
+        sum.factor().is_some()
     }
 
     /// The geometric stiffness of contact forces in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with

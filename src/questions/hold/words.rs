@@ -145,6 +145,17 @@ impl<const C: usize> Verdict<C> {
     ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
+        if *far == TooFar::Buckles {
+            let at = if lost.factor <= NEGLIGIBLE {
+                "rest already".to_owned()
+            } else {
+                self.part(lost.factor, words)
+            };
+            return write!(
+                f,
+                "BUCKLES at {at}: as the forces turn with the parts they act on, they take all that resists"
+            );
+        }
         if lost.factor <= NEGLIGIBLE {
             return write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}");
         }
