@@ -44,7 +44,7 @@ fn compressed_links_in_line_buckle() {
         assert_eq!(lost.too_far, Some(TooFar::Buckles), "{verdict}");
         assert!((lost.factor * part - 1.0).abs() < 1e-5, "{verdict}");
         assert_eq!(verdict.holds(), Some(part < 1.0), "{verdict}");
-        assert_eq!(verdict.to_string().starts_with("BUCKLES at 100 N of"), part > 1.0, "{verdict}");
+        assert_eq!(verdict.to_string().starts_with("BUCKLES at "), part > 1.0, "{verdict}");
     }
 }
 
