@@ -97,9 +97,9 @@ fn the_load_at_rest_is_named() -> Tested {
 /// A pinch that a moment turns by more than a small angle is not reported as held: `M = 2 k_t a² θ`.
 #[test]
 fn large_motions_are_labelled() -> Tested {
-    let jaw = |x: f64| jaws::jaw::<2>(x, [1.0, 1.0], 0.5).pressed_with(10.0);
+    let jaw = |x: f64| jaws::jaw::<2>(x, [20.0, 20.0], 0.5).pressed_with(10.0);
     let verdict = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(Wrench::new([0.0, 0.0], 5.0))?;
-    assert!((5.0 * verdict.held_to - 0.2).abs() < 1e-12, "{verdict}");
+    assert!((5.0 * verdict.held_to - 4.0).abs() < 1e-12, "{verdict}");
     let lost = verdict.lost.as_ref().expect("turns");
     assert!(matches!(lost.too_far, Some(TooFar::Turns { .. })), "{verdict}");
     assert!(verdict.to_string().starts_with("GOES TOO FAR"), "{verdict}");
