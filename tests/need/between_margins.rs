@@ -45,3 +45,15 @@ fn equilibria_that_rounding_tells_apart() -> Tested {
 fn loose_at_rest() -> Tested {
     is_met(amounts::planar, amounts::friction, &[427, 751])
 }
+
+/// With the answer the load is lost 1e-12 beyond the whole load, at a normal force that vanishes.
+#[test]
+fn lost_just_beyond_the_whole_load() -> Tested {
+    is_met(amounts::spatial, amounts::at_rest, &[208])
+}
+
+/// With the answer of 0.187 times the squeeze the object snaps over 1e-11 before the whole load. Smaller squeezes hold, too.
+#[test]
+fn snaps_over_just_before_the_whole_load() -> Tested {
+    is_met(amounts::spatial, amounts::squeeze, &[280])
+}
