@@ -40,6 +40,13 @@ fn equilibria_that_rounding_tells_apart() -> Tested {
     is_met(amounts::spatial, amounts::at_rest, &[31])
 }
 
+/// Smaller forces have no equilibrium at rest or carry too little, and larger ones turn the object too far: the best force suffices, of scene 298 only
+/// within 0.7 %.
+#[test]
+fn between_too_little_and_too_far() -> Tested {
+    is_met(amounts::planar, amounts::force, &[298, 689, 968])
+}
+
 /// Without a load at rest two fingers squeeze the object out, until it lies loose where it touches both. It lies there whatever the friction is.
 #[test]
 fn loose_at_rest() -> Tested {

@@ -383,7 +383,7 @@ pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof:
     let mut none = Amount::None { from, to, best: to, tried, is_proved, at_rest, otherwise: String::new() };
     let mut most = f64::NEG_INFINITY;
     for (amount, trial) in vain {
-        let carried = trial.carried().unwrap_or(f64::NEG_INFINITY);
+        let carried = trial.nearness().unwrap_or(f64::NEG_INFINITY);
         match trial {
             Trial::Unknown(doubt) if !is_proved => return Amount::Undecided { at: amount, doubt },
             Trial::Insufficient { says: otherwise, .. } if carried > most => {
