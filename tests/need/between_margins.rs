@@ -47,6 +47,19 @@ fn between_too_little_and_too_far() -> Tested {
     is_met(amounts::planar, amounts::force, &[298, 689, 968])
 }
 
+/// Forces of 5.5 to 7.1 times the one given move a contact too far at rest. Both 4 and 16 times it suffice.
+#[test]
+fn fails_far_from_the_given_force() -> Tested {
+    is_met(amounts::planar, amounts::force, &[895])
+}
+
+/// Amounts of a fifth of the bound suffice, with other contact states. In scene 714 they lie where the carried part of the load jumps.
+#[test]
+fn windows_below_the_bound() -> Tested {
+    is_met(amounts::planar, amounts::force, &[393])?;
+    is_met(amounts::planar, amounts::friction, &[555, 714])
+}
+
 /// Without a load at rest two fingers squeeze the object out, until it lies loose where it touches both. It lies there whatever the friction is.
 #[test]
 fn loose_at_rest() -> Tested {

@@ -209,9 +209,14 @@ impl FoundAmounts<'_, '_> {
 
     /// Tries further amounts between those tried before, see [`between_known`]. Returns whether one of them has another verdict than its neighbours.
     /// No amount is tried without a scan, or if all easier amounts are known to be sufficient.
-    fn changes_between(&self, plan: &SearchPlan, is_claimed: &dyn Fn(f64) -> bool) -> Result<bool, Error> {
+    fn changes_between(
+        &self,
+        plan: &SearchPlan,
+        near: f64,
+        is_claimed: &dyn Fn(f64) -> bool,
+    ) -> Result<bool, Error> {
         let is_asked = !plan.is_monotone && self.scan > 0;
-        if is_asked { between_known(&self.known(), is_claimed, self.tries) } else { Ok(false) }
+        if is_asked { between_known(&self.known(), is_claimed, (plan, near), self.tries) } else { Ok(false) }
     }
 
     /// The answer if all amounts that were tried in the harder direction (less squeeze, more load) are sufficient. The last of these amounts is `to`.
@@ -219,7 +224,9 @@ impl FoundAmounts<'_, '_> {
         let seek = || BoundScan::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
         let end = until.as_ref().map(|edge| edge.sufficient);
-        if self.changes_between(plan, &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))? {
+        if self
+            .changes_between(plan, plan.begin(), &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))?
+        {
             until = seek()?;
         }
         let tried = (!plan.is_monotone).then(|| self.tried.amounts(self.demand));
@@ -243,7 +250,7 @@ impl FoundAmounts<'_, '_> {
         let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
         let around = || BoundScan::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
         let found = around()?;
-        if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
+        if self.changes_between(plan, sufficient, &|_| true)? { around() } else { Ok(found) }
     }
 
     /// The bracket at the harder end (less squeeze, more load) of the hardest interval of sufficient amounts that is not [narrow](NARROW). `None` if

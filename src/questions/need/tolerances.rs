@@ -91,7 +91,7 @@ pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Of the [`BETWEEN`] amounts at most this many are tried where a margin would vanish.
+/// Of the [`BETWEEN`] amounts at most this many are tried where a margin would vanish or the whole load might be carried.
 ///
 /// With one, a margin that falls less and less steeply hides insufficient amounts. With more, too few are left for other contact states.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
