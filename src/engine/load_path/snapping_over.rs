@@ -214,7 +214,8 @@ impl<'g> PiecewiseFollower<'g> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
         let goal = self.segment.course.at(beyond);
-        let rests = self.rests_again(beyond)?;
+        // Just before the end of a leg the rest of it would move the object by rounding only, so the object moves under the larger load.
+        let rests = self.rests_again(self.factor + step)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
         jump.leg.pace.steps = self.pace.steps + 1;

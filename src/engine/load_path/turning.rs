@@ -182,8 +182,9 @@ impl<'g> PiecewiseFollower<'g> {
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        if let Some(way) = last.reduce(f64::min).filter(|way| *way < rest) {
-            return Some(way);
+        // If the force vanishes a little beyond the end of the leg, the step ends there: a shorter one could end where rounding takes it as zero.
+        if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
+            return Some(way.min(rest));
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
         // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.

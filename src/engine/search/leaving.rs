@@ -109,15 +109,10 @@ fn pivoted(
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
-        // The factor 20 allows each run of Lemke's method 20 times the usual number of multiplications, if the caller sets no limit on pivots. That
-        // takes some seconds; every other method would then take minutes.
-        let proposed = propose_dense(
-            problem,
-            settings,
-            (Some(form), MOST_WORK.saturating_mul(20)),
-            kinematic_states,
-            log,
-        );
+        // Each run of Lemke's method may take 20 times the usual number of multiplications, if the caller sets no limit on pivots. That takes some
+        // seconds; every other method would then take minutes. A quick search may stay undecided and stops earlier.
+        let work = MOST_WORK.saturating_mul(if settings.is_quick { 5 } else { 20 });
+        let proposed = propose_dense(problem, settings, (Some(form), work), kinematic_states, log);
         let Some(mut states) = proposed else {
             among = with_neighbours(problem, &among);
             if among.len() > most {

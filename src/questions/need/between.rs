@@ -2,7 +2,7 @@
 //! not meet the demand with them.
 
 use super::search::{SearchPlan, TrialFunctions};
-use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NEAR_DOUBLINGS};
+use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NARROW, NEAR_DOUBLINGS};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::{increasing, moved};
@@ -43,7 +43,7 @@ fn where_most_is_carried(
     tries: TrialFunctions<'_>,
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
-    let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
+    let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.nearness()?)));
     let (amounts, carried): (Vec<f64>, Vec<f64>) = known.unzip();
     let in_order: Vec<_> = moved(increasing(&amounts), &|i| (amounts[i], carried[i]));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
@@ -67,7 +67,7 @@ fn where_most_is_carried(
                 if trial.is_sufficient() {
                     return Ok(Some((inner[k], trial)));
                 }
-                parts[k] = Some(trial.carried().unwrap_or(f64::NEG_INFINITY));
+                parts[k] = Some(trial.nearness().unwrap_or(f64::NEG_INFINITY));
                 vain.push((inner[k], trial));
             }
         }
@@ -81,7 +81,9 @@ fn where_most_is_carried(
         let rising = one + (one - at_low) / (inner[0] - low) * gap;
         let falling = other + (other - at_high) / (high - inner[1]) * gap;
         let most = before.max(beyond).max(rising.min(falling));
-        if high - low <= LAST_DIGITS * high || slope.is_finite() && most < 1.0 {
+        // Below 0 the measure is not the carried part, and narrow intervals are not sought.
+        let is_known = if one.min(other) < 0.0 { high <= low * (1.0 + NARROW) } else { most < 1.0 };
+        if high - low <= LAST_DIGITS * high || slope.is_finite() && is_known {
             break;
         }
         if one < other {

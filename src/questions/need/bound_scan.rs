@@ -8,7 +8,8 @@ use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
 use super::threshold::{Threshold, where_it_vanishes};
 use super::tolerances::{
-    BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, NEAR_THE_START, TOWARDS_ZERO, WHERE_MARGINS_VANISH,
+    BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, FAR_FROM_START, NEAR_THE_START, TOWARDS_ZERO,
+    WHERE_MARGINS_VANISH,
 };
 use super::trial::Trial;
 use crate::error::Error;
@@ -30,11 +31,13 @@ pub(super) struct BoundScan {
 
 impl SearchPlan {
     /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it. If `coarse`, there is one more amount, 16 times as
-    /// large or small as `from`. Amounts outside the range of the plan are not tried.
+    /// large or small as `from`. Amounts outside the range of the plan are not tried. On the harder side a near end of the range is the last amount.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
+        let to_the_end = self.end(up).filter(|_| up != self.is_least).map(|end| (end / from).max(from / end));
+        let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
         // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
         // a larger ratio than 4 they would be farther apart.
-        let fine = (1..=count).map(|k| 4.0_f64.powf((k as f64 / count as f64).powi(3)));
+        let fine = (1..=count).map(|k| most.powf((k as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         let coarse = (coarse && count > 0).then_some(16.0);
         let parts = fine.chain(coarse).map(|part| if up { from * part } else { from / part });
@@ -71,7 +74,7 @@ impl BoundScan {
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
             let is_beyond = up == plan.is_least;
-            let mut amounts = plan.scanned(bound.sufficient, up, count, far && is_beyond);
+            let mut amounts = plan.scanned(bound.sufficient, up, count, far || !is_beyond);
             let begin = plan.begin();
             let is_far_behind = if up {
                 begin > FAR_BEHIND * bound.sufficient
@@ -183,20 +186,23 @@ impl BoundScan {
 }
 
 /// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
-/// Such an amount lies beyond the amount at which a margin is [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with
-/// different contact states at rest. If contact states at rest change with the amount, the carried part of the load may jump. The pair of amounts
-/// with the largest ratio comes first. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
+/// Such an amount lies where the whole load [might be carried](where_all_might_be_carried), beyond the amount at which a margin is
+/// [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with different contact states at rest. If contact states at rest
+/// change with the amount, the carried part of the load may jump. Amounts near `near` come first, then the pair with the largest ratio. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
+    (plan, near): (&SearchPlan, f64),
     tries: TrialFunctions<'_>,
 ) -> Result<bool, Error> {
     let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
     let mut is_new = false;
     for count in 0..BETWEEN {
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let vanishes = where_a_margin_vanishes(&list).filter(|_| count < WHERE_MARGINS_VANISH);
-        let next = vanishes.map(|at| (at, true)).or_else(|| states_differ(&list, tries));
+        let carries = || where_all_might_be_carried(&list, plan).map(|at| (at, false));
+        let vanishes = || where_a_margin_vanishes(&list).map(|at| (at, true));
+        let guess = if count < WHERE_MARGINS_VANISH { carries().or_else(vanishes) } else { None };
+        let next = guess.or_else(|| states_differ(&list, near, tries));
         let Some((at, was_sufficient)) = next else { break };
         let now = (tries.short)(at)?;
         is_new |= now.carried().is_some() && now.is_sufficient() != was_sufficient;
@@ -205,17 +211,36 @@ pub(super) fn between_known(
     Ok(is_new)
 }
 
+/// An amount between two neighbouring insufficient amounts, a little beyond the bound that is estimated from the one with which more of the load is
+/// carried. Of several such amounts the one where most is carried.
+fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Option<f64> {
+    let beyond = |here: &(f64, Trial), next: &(f64, Trial)| {
+        let fail = !here.1.is_sufficient() && !next.1.is_sufficient();
+        let carried =
+            here.1.carried().filter(|carried| fail && next.1.carried().is_some_and(|c| c < *carried))?;
+        let guess = plan.guessed(here.0, &here.1)?;
+        let is_between = (guess - here.0) * (guess - next.0) < 0.0;
+        is_between.then(|| (carried, guess + BEYOND_A_MARGIN * (next.0 - guess)))
+    };
+    let both_ways = list.windows(2).flat_map(|pair| [beyond(&pair[0], &pair[1]), beyond(&pair[1], &pair[0])]);
+    both_ways.flatten().max_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, at)| at)
+}
+
 /// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether
-/// they suffice.
-fn states_differ(list: &[(f64, Trial)], tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
+/// they suffice. Amounts within a ratio of [`FAR_FROM_START`] to `near` come first.
+fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &&[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
         let are_decided = trial.carried().is_some() && next.carried().is_some();
         let is_same = are_decided && trial.is_sufficient() == next.is_sufficient();
         is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
     };
-    let ratio = |pair: &&[(f64, Trial)]| pair[1].0 / pair[0].0;
-    let widest = list.windows(2).filter(differ).max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    let is_near = |at: f64| at <= near * FAR_FROM_START && at * FAR_FROM_START >= near;
+    let order = |pair: &&[(f64, Trial)]| (pair.iter().all(|(at, _)| is_near(*at)), pair[1].0 / pair[0].0);
+    let widest = list.windows(2).filter(differ).max_by(|a, b| {
+        let ((one_is_near, one), (other_is_near, other)) = (order(a), order(b));
+        one_is_near.cmp(&other_is_near).then(one.total_cmp(&other))
+    })?;
     Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }
 

@@ -212,11 +212,16 @@ impl FoundAmounts<'_, '_> {
         Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
-    /// Tries further amounts between the amounts tried before, see [`between_known`]. Returns whether one of them has another verdict than its
-    /// neighbours. Nothing is tried if no scan is made, or if every amount easier than a sufficient one is known to be sufficient.
-    fn changes_between(&self, plan: &SearchPlan, is_claimed: &dyn Fn(f64) -> bool) -> Result<bool, Error> {
+    /// Tries further amounts between the amounts tried before, those near `near` first; see [`between_known`]. Returns whether one of them has another
+    /// verdict than its neighbours. Nothing is tried if no scan is made, or if every amount easier than a sufficient one is known to be sufficient.
+    fn changes_between(
+        &self,
+        plan: &SearchPlan,
+        near: f64,
+        is_claimed: &dyn Fn(f64) -> bool,
+    ) -> Result<bool, Error> {
         let is_asked = !plan.is_monotone && self.scan > 0;
-        if is_asked { between_known(&self.known(), is_claimed, self.tries) } else { Ok(false) }
+        if is_asked { between_known(&self.known(), is_claimed, (plan, near), self.tries) } else { Ok(false) }
     }
 
     /// The answer if all amounts that were tried in the harder direction (less squeeze, more load) are sufficient. The last of these amounts is `to`.
@@ -224,7 +229,9 @@ impl FoundAmounts<'_, '_> {
         let seek = || BoundScan::far_end(to, self.scan, plan, &self.known(), self.tries);
         let mut until = seek()?;
         let end = until.as_ref().map(|edge| edge.sufficient);
-        if self.changes_between(plan, &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))? {
+        if self
+            .changes_between(plan, plan.begin(), &|at| end.is_none_or(|end| (at - to) * (at - end) <= 0.0))?
+        {
             until = seek()?;
         }
         let tried = (!plan.is_monotone).then(|| self.tried.amounts(self.demand));
@@ -248,7 +255,7 @@ impl FoundAmounts<'_, '_> {
         let is_far = is_squeeze || matches!(self.tried.need.sought, Sought::Force { .. });
         let around = || BoundScan::of(bound, self.scan, is_far, plan, &self.known(), self.tries);
         let found = around()?;
-        if self.changes_between(plan, &|_| true)? { around() } else { Ok(found) }
+        if self.changes_between(plan, sufficient, &|_| true)? { around() } else { Ok(found) }
     }
 
     /// The bracket at the harder end (less squeeze, more load) of an interval of sufficient amounts that is not [narrow](NARROW). Among several such
@@ -388,7 +395,7 @@ pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof:
     let mut none = Amount::None { from, to, best: to, tried, is_proved, at_rest, otherwise: String::new() };
     let mut most = f64::NEG_INFINITY;
     for (amount, trial) in vain {
-        let carried = trial.carried().unwrap_or(f64::NEG_INFINITY);
+        let carried = trial.nearness().unwrap_or(f64::NEG_INFINITY);
         match trial {
             Trial::Unknown(doubt) if !is_proved => return Amount::Undecided { at: amount, doubt },
             Trial::Insufficient { says: otherwise, .. } if carried > most => {

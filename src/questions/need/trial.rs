@@ -75,6 +75,19 @@ impl Trial {
         }
     }
 
+    /// A number by which insufficient amounts are compared: the carried multiple of the load. If the object moves too far already at rest, the number
+    /// is between -1 and 0, and larger the nearer it is to small motions.
+    pub(super) fn nearness(&self) -> Option<f64> {
+        match self {
+            Self::Insufficient { carried, other, is_too_far: true, .. }
+                if *carried <= 0.0 && *other < 0.0 =>
+            {
+                Some(other / (1.0 - other))
+            }
+            _ => self.carried(),
+        }
+    }
+
     /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure is zero at
     /// the bound, unless it jumps at the bound. `None` if a measure is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {

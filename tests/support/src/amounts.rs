@@ -231,7 +231,8 @@ pub fn checked<const C: usize>(
             claim(tried(scene, sufficient * (1.0 + off))? == Some(true), "what does fails", *sufficient);
             claim(tried(scene, insufficient * (1.0 - off))? != Some(true), "less does, too", *insufficient);
             if let Some(end) = until {
-                claim(tried(scene, end.sufficient)? == Some(true), "far end fails", end.sufficient);
+                let inwards = if end.sufficient > end.insufficient { 1.0 + off } else { 1.0 - off };
+                claim(tried(scene, end.sufficient * inwards)? == Some(true), "far end fails", end.sufficient);
             }
             *sufficient
         }
@@ -253,9 +254,11 @@ pub fn checked<const C: usize>(
                 });
                 claim(!(is_beyond && holds == Some(true)) || is_told, "less would do", amount);
             }
-            Amount::Any { to, until, .. } => {
-                let far =
-                    until.as_ref().map_or(if is_least { f64::INFINITY } else { 0.0 }, |end| end.sufficient);
+            // Without an end nothing is claimed of amounts beyond those tried.
+            Amount::Any { to, until, tried, .. } => {
+                let last = tried.as_ref().map(|tried| if is_least { tried.to } else { tried.from });
+                let open = last.unwrap_or(if is_least { f64::INFINITY } else { 0.0 });
+                let far = until.as_ref().map_or(open, |end| end.sufficient);
                 let is_inside = (amount - to) * (amount - far) < 0.0;
                 claim(!is_inside || holds != Some(false), "one fails", amount);
             }
