@@ -141,6 +141,14 @@ fn what_has_almost_no_force_opens() {
     followed(&of_a_seed(IN_SPACE[0], 901, 589)).unwrap();
 }
 
+/// A finger closes and slides, and right after it another begins to slide, within the straight step from the apex of the cone of the first.
+#[test]
+fn what_slides_right_after_a_contact_closes_is_seen() {
+    for (seed, number) in [(923, 675), (928, 3500)] {
+        followed(&of_a_seed(IN_SPACE[0], seed, number)).unwrap();
+    }
+}
+
 /// Three fingers without force take up a load, stick and snap over until the end of the leg, under whose load the object rests.
 #[test]
 fn what_snaps_over_up_to_the_end_of_a_leg_goes_on() {
