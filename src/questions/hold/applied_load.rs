@@ -185,6 +185,7 @@ impl Engine {
             held_to,
             everything_slides,
             left_out: None,
+            swing: None,
             lost: went_too_far.or(lost),
             state: None,
         };
@@ -207,6 +208,7 @@ impl Engine {
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
         verdict.left_out = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
+        self.let_swing(&mut verdict, ramp, settings);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
