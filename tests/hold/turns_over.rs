@@ -1,7 +1,8 @@
 //! If no contact resists a rotation, the point of action of the load decides about stability. A part that is pinched above its centre of mass hangs.
-//! A part that is pinched below it turns over.
+//! A part that is pinched below it turns over. A load to the side swings what hangs by the angle whose tangent is the force over the weight.
 
 use grasp_lcp::hold::{Holding, Verdict};
+use grasp_lcp::load_path::Ramp;
 use grasp_lcp::nalgebra::{Isometry3, Vector3};
 use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -46,7 +47,53 @@ proptest! {
         // A sum acts like its parts: with a second weight as far below, the two balance.
         let both = weight + Wrench::force_at([0.0, 0.0, -20.0], [beside, 0.0, -height]);
         prop_assert_eq!(turns_over(&grasp.hold(both.transformed(&pose))?), height < -1e-6);
+        // A weight in front of the line swings the part until it is below.
+        let verdict = grasp.hold(Wrench::force_at([0.0, 0.0, -10.0], [0.0, 2e-3, height]).transformed(&pose))?;
+        prop_assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
+        let turns = verdict.swing.map(|swing| Vector3::from(swing.object.rotation()).norm());
+        prop_assert_eq!(turns.is_some(), height < -0.02, "{:?}", turns);
+        prop_assert!(turns.is_none_or(|turns| (turns * height + 2e-3).abs() < 1e-9), "{:?}", turns);
     }
+}
+
+/// A weight W and a force F to the side of it swing a lamp on a hinge and on a rope, and a crate on two ropes, by the angle F/W.
+#[test]
+fn what_hangs_swings_by_the_tangent() -> Tested {
+    use planar::{Grasp, Link, Wrench};
+    const ROPE: f64 = 0.7;
+    let rope = |x: f64| Link::cable([x, 0.0], [x, ROPE]).contacts();
+    let hinge = Link::hinge([0.0, 0.0]).contacts()?;
+    let [lamp, crate_] = [rope(0.0)?, [rope(-0.3)?, rope(0.3)?].concat()];
+    // The weight alone, beside the hinge, swings a lamp until it is below.
+    let aside = Wrench::force_at([0.0, -20.0], [0.01, -0.2]);
+    for load in [Ramp::load(aside, Wrench::ZERO), Ramp::load(Wrench::ZERO, aside)] {
+        let swing = Grasp::new(hinge.clone())?.hold(load)?.swing.expect("hangs");
+        assert!((swing.object.components()[2] + 0.05).abs() < 1e-12, "{swing:?}");
+    }
+    for (contacts, moves, turns) in [(hinge, 0.0, 1.0), (lamp, ROPE, 1.0), (crate_, ROPE, 0.0)] {
+        let grasp = Grasp::new(contacts)?;
+        for (part, height) in [(0.05, -0.2), (0.2, -0.2), (0.05, 0.2)] {
+            let weight = Wrench::force_at([0.0, -20.0], [0.0, height]);
+            let verdict =
+                grasp.hold(Ramp::load(weight, Wrench::force_at([20.0 * part, 0.0], [0.0, height])))?;
+            assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
+            // The weight of a lamp above its support falls over, and the crate does not turn.
+            let hangs = part < 0.1 && (height < 0.0 || turns == 0.0);
+            assert_eq!(verdict.swing.is_some(), hangs, "{verdict}");
+            assert_eq!(
+                verdict.to_string().starts_with("SWINGS until the load hangs: it "),
+                hangs,
+                "{verdict}"
+            );
+            let Some(swing) = &verdict.swing else { continue };
+            assert_eq!(verdict.to_string().contains("°"), turns != 0.0, "{verdict}");
+            let [x, y, angle] = [0, 1, 2].map(|k| swing.object.components()[k]);
+            for (is, must) in [(x, moves * part), (y, 0.0), (angle, turns * part)] {
+                assert!((is - must).abs() < 1e-9, "{is} {must}");
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A pencil stands on its tip at a point of friction: free to turn about it.

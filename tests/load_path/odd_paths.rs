@@ -23,20 +23,27 @@ fn is_decided<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
 /// Follows a program and checks Coulomb's law and balance of every state, to the accuracy of the steps. The error is a description of the fault.
 fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
     let mut path = odd.grasp.follow(odd.start, &odd.legs).unwrap();
-    path.run();
+    let events = path.run();
     if !is_decided(path.end()) {
         return Err(format!("undecided: {:?} at {:?}", path.end(), path.place()));
     }
     if matches!(path.end(), Some(PathEnd::NoStart(_))) {
         return Ok(());
     }
+    // An object that snaps over rests again under a slightly larger load; there is no state between both.
+    let snaps_before = |place: (usize, f64)| {
+        let before = events.iter().rev().find(|event| (event.leg, event.fraction) < place);
+        before.is_some_and(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps))
+    };
     let (last, end) = path.place();
     let mut told = Vec::new();
     for leg in 0..odd.legs.len().min(last + 1) {
         let most = if leg == last { end } else { 1.0 };
         for fraction in (0..=ASKED).map(|k| most * (k as f64 / ASKED as f64)) {
             let state = path.state_at(leg, fraction);
-            told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction}"))?));
+            if state.is_some() || !snaps_before((leg, fraction)) {
+                told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction}"))?));
+            }
         }
     }
     // Without normal forces, the remaining forces are rounding of earlier forces, or of relaxed springs.
@@ -118,9 +125,9 @@ fn what_slides_without_force_is_followed() {
 /// second-order terms matter, and it must be repeated.
 #[test]
 fn what_slides_away_is_on_its_cones() {
-    let mut random = Random(0xb ^ (0x12e << 32));
-    let pushed = (0..1864).map(|_| in_space(IN_SPACE[2], &mut random).unwrap()).last().unwrap();
-    followed(&pushed).unwrap();
+    for (seed, number) in [(0x12e, 1863), (912, 297)] {
+        followed(&of_a_seed(IN_SPACE[2], seed, number)).unwrap();
+    }
 }
 
 /// A path that was lost or undecided. The seeds come from `GRASP_LCP_SEED`.
@@ -139,6 +146,14 @@ fn what_rubs_without_force_opens() {
 #[test]
 fn what_has_almost_no_force_opens() {
     followed(&of_a_seed(IN_SPACE[0], 901, 589)).unwrap();
+}
+
+/// A finger closes and slides, and right after it another begins to slide, within the straight step from the apex of the cone of the first.
+#[test]
+fn what_slides_right_after_a_contact_closes_is_seen() {
+    for (seed, number) in [(923, 675), (928, 3500)] {
+        followed(&of_a_seed(IN_SPACE[0], seed, number)).unwrap();
+    }
 }
 
 /// Three fingers without force take up a load, stick and snap over until the end of the leg, under whose load the object rests.

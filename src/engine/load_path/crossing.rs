@@ -36,8 +36,19 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// Of the conditions violated at the end of a step, the index of the condition that becomes zero first. For this choice conditions are
-    /// interpolated linearly between the ends of the step. `None` if no condition is violated.
+    /// A straight step `end` from `point`, shortened if it begins at an apex and clearly violates a condition. `None` if the end of the shortened step
+    /// is not found.
+    pub(super) fn up_to_a_break(&self, point: &PathPoint, end: StepEnd) -> Option<StepEnd> {
+        if !self.node.starts_at_apex || !end.watches.iter().any(ConditionValue::is_broken) {
+            return Some(end);
+        }
+        let start = watch(&self.segment, &self.node.states, (self.factor, point));
+        let condition = Self::first_crossing(&start, &end)?;
+        self.locate(point, &start, end, condition)
+    }
+
+    /// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between
+    /// the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);

@@ -277,7 +277,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
     /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` for a place that it has not reached.
     /// If an event lies exactly at this place, the state is the equilibrium before the event. If directions of sliding turn, the integration step is
-    /// repeated up to this fraction with the same error bound. `None` if that fails because of rounding.
+    /// repeated up to this fraction with the same error bound. `None` if that fails because of rounding. `None` also between the load at which the
+    /// object snaps over and the slightly larger load at which it rests again.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)

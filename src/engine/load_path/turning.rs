@@ -59,6 +59,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         if let Some(length) = self.straight_length(&point)
             && let Some(end) = self.step(&point, (length, 0), Rule::Straight)
+            && let Some(end) = self.up_to_a_break(&point, end)
         {
             self.node.starts_at_apex = false;
             return self.finish_step(run, &point, &end);

@@ -195,6 +195,7 @@ impl Engine {
             held_to,
             everything_slides,
             left_out: None,
+            swing: None,
             lost: went_too_far.or(lost),
             state: None,
         };
@@ -219,6 +220,7 @@ impl Engine {
         let by_all = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
         // A grasp that buckles before the whole load acts is not said to be near to it as well.
         verdict.left_out = by_all.filter(|_| state.is_some() || !buckles);
+        self.let_swing(&mut verdict, ramp, settings);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))

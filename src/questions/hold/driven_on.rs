@@ -2,15 +2,21 @@
 //! although every contact sticks; a part that is pinched above its centre of mass hangs.
 //!
 //! Along a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability: see
-//! `left_out`.
+//! `left_out`. Where it is stable, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. For a weight W that hangs
+//! at the distance l below a hinge, and a force F to the side of it, this is the angle `F l / (W l)`.
 
 use nalgebra::{DMatrix, SVector};
 
-use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
-use crate::grasp::{Engine, Motion, Twist, Wrench};
+use super::left_out::forces_in;
+use super::verdict::Verdict;
+use crate::contact::State;
+use crate::equilibrium::{Equilibrium, StickingResponse};
+use crate::grasp::{Engine, Motion, Wrench};
+use crate::load_path::Ramp;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{mapped, symmetric_eigen};
+use crate::numerics::{Vector, largest, mapped, numbered, paired, symmetric_eigen, without};
 use crate::prelude::*;
+use crate::search::Settings;
 
 impl Engine {
     /// The motion that nothing resists and along which the forces of the equilibrium `there` and its `load` drive the bodies on: the potential of the
@@ -19,69 +25,90 @@ impl Engine {
     /// `None` if there is no such motion, if the point of action of a load is not known, or if a free motion moves a joint or shears a closed
     /// contact. In the last case the potential of the joint or contact would have to be included.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
-        let free = &there.free_motions;
+        let free = mapped(&there.local.free_motions, &|motion| motion.to());
+        let (least, motion) = self.free_stiffness(&free, &forces_in(there), load)?.pop()?;
+        (least < 0.0).then(|| self.motion_outside(&motion))
+    }
+
+    /// Enters the swing of an object that is lost at once, unless commands change, too. The proof of the loss is for arms that do not turn.
+    pub(super) fn let_swing(&self, verdict: &mut Verdict<3>, ramp: &Ramp<3>, settings: &Settings) {
+        let is_load_alone = ramp.command_change.is_none() && ramp.joint_change.is_none();
+        if verdict.held_to <= NEGLIGIBLE && verdict.holds() == Some(false) && is_load_alone {
+            verdict.swing = self.swing(&ramp.load_at(1.0), settings);
+        }
+        if let (Some(_), Some(lost)) = (&verdict.swing, &mut verdict.lost) {
+            lost.nothing_near = None;
+        }
+    }
+
+    /// The small motion from rest to where the object hangs under the whole `load`, which drives it along motions that nothing resists.
+    ///
+    /// `None` if the load does not drive it, if it hangs nowhere near, or if some contact does not stick under the rest of the load.
+    fn swing(&self, load: &Wrench<3>, settings: &Settings) -> Option<Motion<3>> {
+        let sticking = StickingResponse::new(self, settings);
+        let (free, whole) = (sticking.piece.free_motions(), self.load_alone(load, "load").ok()?);
+        let forces = sticking.forces(&self.offsets(), &without(whole.clone(), free)).ok()?;
+        let mut each = sticking.edges.iter().zip(forces.of.iter().zip(&forces.sizes));
+        let sticks = each.all(|(edges, (force, size))| edges.hold(force, *size));
+        if !sticks || sticking.states.iter().any(State::is_open) {
+            return None;
+        }
+        let forces = paired(self.sites(), &forces.of, &|(site, force)| site.frame * force);
+        let mut sway = Vector::zeros();
+        for (stiffness, motion) in self.free_stiffness(free, &forces, load)? {
+            let drive = motion.dot(&whole);
+            if stiffness > 0.0 {
+                sway += motion * (drive / stiffness);
+            } else if stiffness < 0.0 || drive.abs() > NEGLIGIBLE * whole.norm() {
+                return None;
+            }
+        }
+        let most = settings.small_motions.rotation;
+        let turns_little = self.each_moves(&sway).iter().all(|body| body.twist.parts().1.size() <= most);
+        let leans_little = |i: usize| {
+            self.rope(i).is_none_or(|length| self.sites()[i].map.tr_mul(&sway).norm() <= most * length)
+        };
+        let rounding = NEGLIGIBLE * sway.norm();
+        let seen = sway.map(|x| if x.abs() > rounding { x } else { 0.0 });
+        (sway.norm() > 0.0 && turns_little && (0..self.len()).all(leans_little))
+            .then(|| self.motion_outside(&seen))
+    }
+
+    /// The principal geometric stiffnesses of contact forces and `load` along the unit motions `free`, with their motions; the least is the last.
+    /// Stiffnesses that are rounding are zero. `None` where [`Self::driven_on`] is.
+    fn free_stiffness(
+        &self,
+        free: &[Vector],
+        forces: &[SVector<f64, 3>],
+        load: &Wrench<3>,
+    ) -> Option<Vec<(f64, Vector)>> {
+        let is_known = |load: &Wrench<3>| load.points_of_action().stiffness().is_some();
         if free.is_empty()
             || self.vacuum().is_some()
-            || free.iter().any(|motion| !self.turns_in_place(there, motion))
+            || !self.loads_of_bodies(load).iter().all(is_known)
+            || !free.iter().all(|motion| self.turns_in_place(forces, motion))
         {
             return None;
         }
-        let loads = self.loads_of_bodies(load);
-        let mut falls = DMatrix::zeros(free.len(), free.len());
-        let mut scale = 0.0;
-        for (body, load) in loads.iter().enumerate() {
-            load.points_of_action().stiffness()?;
-            let centre = self.bodies().map_or(self.origin(), |bodies| &bodies.places[body].centre);
-            let matrix = self.stiffness_of_arms(body, centre, there, load);
-            let turns: Vec<SVector<f64, 3>> = mapped(free, &|motion| turn_of(motion, body));
-            let forces = there.contacts.iter().map(|answer| answer.force_world.norm()).fold(0.0, f64::max);
-            for (k, l) in (0..free.len()).flat_map(|k| (0..free.len()).map(move |l| (k, l))) {
-                falls[(k, l)] += turns[k].dot(&(matrix * turns[l]));
-                scale += forces * self.length() * turns[k].norm() * turns[l].norm();
-            }
-        }
-        let (values, vectors) = symmetric_eigen(&falls);
-        // A decrease of the potential is rounding of arms and forces if it is below this fraction of the largest force times the size of the grasp.
-        (*values.last()? < -NEGLIGIBLE * scale).then(|| {
-            let parts = vectors.column(free.len() - 1);
-            combined(free, parts.as_slice())
-        })
+        let (all, count) = (self.geometric_stiffness(forces, load), free.len());
+        let (values, parts) =
+            symmetric_eigen(&DMatrix::from_fn(count, count, |k, l| free[k].dot(&(&all * &free[l]))));
+        // A change of the potential by less than this fraction is rounding of arms and forces.
+        let rounding = NEGLIGIBLE * largest(forces, &SVector::norm) / self.length();
+        let motion = |k: usize| (0..count).fold(Vector::zeros(), |sum, l| sum + &free[l] * parts[(l, k)]);
+        let of = |k: usize| (if values[k].abs() > rounding { values[k] } else { 0.0 }, motion(k));
+        Some(numbered(count, &of))
     }
 
-    /// Whether a motion moves no joint, and at no closed contact displaces the body relative to the finger.
-    fn turns_in_place(&self, there: &Equilibrium<3>, motion: &Motion<3>) -> bool {
-        let is_still = |i: usize, answer: &ContactAnswer<3>| {
-            let point = &self.contacts()[i].point;
-            let mut moves = SVector::zeros();
-            for body in 0..self.bodies().map_or(1, |bodies| bodies.places.len()) {
-                let sign = self.bodies().map_or(1.0, |bodies| bodies.sign(i, body));
-                moves += twist_of(motion, body).moves(point) * sign;
-            }
-            // Free motions have unit length, so a displacement below this is rounding.
-            matches!(answer.state, ContactState::Separated) || moves.norm() <= NEGLIGIBLE
+    /// Whether a motion of unit length moves no joint, and displaces the bodies relative to the fingers at no contact with a force, except that it
+    /// swings ropes and springs.
+    fn turns_in_place(&self, forces: &[SVector<f64, 3>], motion: &Vector) -> bool {
+        // A displacement below this is rounding.
+        let is_still = |i: usize| {
+            let site = &self.sites()[i];
+            site.map.tr_mul(motion).norm() <= NEGLIGIBLE * site.span_moved(&SVector::zeros(), 1.0)
         };
-        motion.joints.iter().all(|joint| *joint == 0.0)
-            && there.contacts.iter().enumerate().all(|(i, answer)| is_still(i, answer))
+        self.motion_outside(motion).joints.iter().all(|joint| *joint == 0.0)
+            && (0..self.len()).all(|i| forces[i].norm() == 0.0 || self.rope(i).is_some() || is_still(i))
     }
-}
-
-fn twist_of(motion: &Motion<3>, body: usize) -> &Twist<3> {
-    motion.bodies.get(body).map_or(&motion.object, |motion| &motion.twist)
-}
-
-fn turn_of(motion: &Motion<3>, body: usize) -> SVector<f64, 3> {
-    SVector::from_column_slice(&twist_of(motion, body).components()[3..])
-}
-
-/// The linear combination of motions with the coefficients `parts`.
-fn combined(motions: &[Motion<3>], parts: &[f64]) -> Motion<3> {
-    let sum = |of: &dyn Fn(&Motion<3>) -> Twist<3>| {
-        motions.iter().zip(parts).fold(Twist::ZERO, |sum, (motion, part)| sum + of(motion) * *part)
-    };
-    let mut all = motions[0].clone();
-    all.object = sum(&|motion| motion.object);
-    for body in 0..all.bodies.len() {
-        all.bodies[body].twist = sum(&|motion| motion.bodies[body].twist);
-    }
-    all
 }

@@ -9,7 +9,7 @@ use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
 same_on_both_sides! { CaughtJump, FirstSlip, NoEquilibriumNear }
 
 face_of_struct! {
-    Verdict { base, load, holding, first_slip, caught, held_to, everything_slides, left_out, lost, state }
+    Verdict { base, load, holding, first_slip, caught, held_to, everything_slides, left_out, swing, lost, state }
     Lost {
         factor, kind, way_out, too_far, slide, is_gross_slip, falls_at_once, then_takes, drives, motion, state, nothing_near,
     }

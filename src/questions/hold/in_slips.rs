@@ -51,6 +51,7 @@ impl Engine {
             held_to: factor,
             everything_slides: all_slide,
             left_out: None,
+            swing: None,
             lost,
             state: None,
         };

@@ -15,8 +15,10 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
-use crate::numerics::{PositiveBand, Square, dot};
+use crate::numerics::{PositiveBand, Square, dot, mapped};
 use crate::object::{tangent_stiffness, uses_band};
+use crate::prelude::*;
+use crate::words::LinkKind;
 
 impl Engine {
     /// The geometric stiffness as a fraction of the resistance to the motion q from the equilibrium `rest` under the base load to the equilibrium
@@ -35,14 +37,14 @@ impl Engine {
         }
         let (load, twist) = (there.load - rest.load, there.twist.components());
         let moved = twist.iter().zip(rest.twist.components()).map(|(to, from)| to - from);
-        let moved: alloc::vec::Vec<f64> = moved.collect();
+        let moved: Vec<f64> = moved.collect();
         let kept: f64 = dot(&moved, load.components());
         // In the plane the only angle is the last one, about the axis out of the plane.
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
-        let left_out =
-            rotation.dot(&(self.stiffness_of_arms(0, self.origin(), rest, &Wrench::ZERO) * rotation));
-        // A fraction is returned only if its size exceeds a tenth, because each returned fraction adds a caution to the verdict. With a smaller
-        // threshold ordinary verdicts would have this caution; with a larger one it would come only shortly before a loss of stability.
+        let left_out = rotation
+            .dot(&(self.stiffness_of_arms(0, self.origin(), &forces_in(rest), &Wrench::ZERO) * rotation));
+        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
+        // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 
@@ -50,7 +52,7 @@ impl Engine {
     /// for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
     ///
     /// `None` if the size of the fraction is below a half, if nothing resists some motion, and if the grasp has so many coordinates that it is solved
-    /// with band matrices. Struts between two points are treated as if they were infinitely long.
+    /// with band matrices. Struts between two bodies are treated as if they were infinitely long.
     pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let stiffness = self.both_stiffnesses(there, load)?;
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
@@ -86,7 +88,7 @@ impl Engine {
         };
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
-        Some((tangent_stiffness(self.sites(), springs), self.geometric_stiffness(there, load)))
+        Some((tangent_stiffness(self.sites(), springs), self.geometric_stiffness(&forces_in(there), load)))
     }
 
     /// Whether `K + t K_g` is positive definite for t = `times`.
@@ -100,8 +102,9 @@ impl Engine {
     }
 
     /// The geometric stiffness of contact forces in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with
-    /// arms r about the point to which the coordinates of the body refer.
-    fn geometric_stiffness(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Square {
+    /// arms r about the point to which the coordinates of the body refer. A rope to the ground with the pull T and the length L adds `T |u|²/L` for the
+    /// displacement u across it.
+    pub(super) fn geometric_stiffness(&self, forces: &[SVector<f64, 3>], load: &Wrench<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
         let (bodies, loads) = (self.bodies(), self.loads_of_bodies(load));
@@ -112,38 +115,57 @@ impl Engine {
                 (None, _) | (_, 0) => self.length(),
                 (Some(linkage), _) => linkage.lengths[first + axes + k],
             };
-            let of_body = self.stiffness_of_arms(body, centre, there, &loads[body]);
+            let of_body = self.stiffness_of_arms(body, centre, forces, &loads[body]);
             let axis = |k: usize| if axes == 3 { k } else { 2 };
             for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
                 stiffness[(first + axes + k, first + axes + l)] =
                     of_body[(axis(k), axis(l))] / (length(k) * length(l));
             }
         }
+        for (i, force) in forces.iter().enumerate() {
+            let (Some(length), site) = (self.rope(i), &self.sites()[i]) else { continue };
+            let pull = force.dot(&site.frame.column(0));
+            for across in [1, 2].map(|axis| site.map.column(axis)) {
+                stiffness.add_product((&across * (pull / length)).as_slice(), across.as_slice());
+            }
+        }
         stiffness
+    }
+
+    /// The length of a rope or spring to the ground; `None` for other contacts and drives.
+    pub(super) fn rope(&self, site: usize) -> Option<f64> {
+        let contact = self.contacts().get(site)?;
+        let is_rope = matches!(contact.link, Some(LinkKind::Cable | LinkKind::Spring));
+        (is_rope && contact.against.is_none()).then(|| contact.normal.norm())
     }
 
     /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body and the
     /// forces of `load`, if their points are known. The arms r are about `centre`. In the plane θ is along the third axis, in which forces and arms
     /// are zero.
-    pub(super) fn stiffness_of_arms(
+    fn stiffness_of_arms(
         &self,
         body: usize,
         centre: &SVector<f64, 3>,
-        there: &Equilibrium<3>,
+        forces: &[SVector<f64, 3>],
         load: &Wrench<3>,
     ) -> SMatrix<f64, 3, 3> {
         let mut sum = PointsOfAction::NO_FORCE;
-        for (i, (contact, answer)) in self.contacts().iter().zip(&there.contacts).enumerate() {
+        for (i, (contact, force)) in self.contacts().iter().zip(forces).enumerate() {
             let sign = self.bodies().map_or(1.0, |bodies| bodies.sign(i, body));
-            sum = sum.moved(&(answer.force_world * sign), &(contact.point - centre));
+            sum = sum.moved(&(force * sign), &(contact.point - centre));
         }
         let load = load.points_of_action().moved(&load.force_part(), &-centre);
         [sum, load].iter().filter_map(|points| points.stiffness()).sum()
     }
 }
 
-/// [`Engine::taken_by_forces`] returns a fraction only if its size exceeds this number. A smaller number would add a caution to ordinary squeezes of
-/// soft fingers; a larger one would leave too little reserve before the grasp buckles.
+/// The contact forces on the bodies.
+pub(super) fn forces_in(there: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
+    mapped(&there.contacts, &|answer| answer.force_world)
+}
+
+/// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
+/// a larger value would leave too little reserve before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
 
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.

@@ -67,6 +67,11 @@ pub struct Verdict<const C: usize> {
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub left_out: Option<f64>,
+    /// The small motion from rest to where the object hangs under the whole load, if nothing resists this motion. The other fields are those of the
+    /// undeformed geometry: the object is lost at once. The forces where it hangs are not computed, so friction may be exceeded there. `None` if the
+    /// object is held, if it hangs nowhere near, or if the points of action of the load are not known.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub swing: Option<Motion<C>>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
     /// if neither comes before the load factor up to which the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -213,8 +218,8 @@ pub struct Lost<const C: usize> {
     /// The last equilibrium, at the loss; `None` if it could not be computed, for a loss of the base load, and in brief verdicts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
-    /// Proof that no equilibrium under the whole load exists near the loss. `None` if the whole load is held, suction cups let go, or no proof was
-    /// found.
+    /// Proof that no equilibrium under the whole load exists near the loss. `None` if the whole load is held, suction cups let go, the object swings
+    /// until it hangs, or no proof was found.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub nothing_near: Option<NoEquilibriumNear>,
 }

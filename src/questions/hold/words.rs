@@ -20,6 +20,16 @@ const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longe
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
+        if let Some(swing) = &self.swing {
+            let ways = match &swing.bodies[..] {
+                [] => format!("it {}", words.motion(&swing.object, &[])),
+                bodies => listed(&mapped(bodies, &|body| words.body_motion(body))),
+            };
+            return write!(
+                f,
+                "SWINGS until the load hangs: {ways}; nothing resists this, and the forces there are not computed"
+            );
+        }
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
