@@ -38,7 +38,10 @@ impl<const C: usize> Shaken<C> {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => {
-                f.write_str("RESTS: nothing ever slides")?;
+                match self.slides_and_yields(&[]) {
+                    yields if yields.is_empty() => f.write_str("RESTS: nothing ever slides")?,
+                    yields => write!(f, "RESTS: no contact ever slides, but {yields}")?,
+                }
                 self.write_opens(f)
             }
             Repeats::Rests { after, slid } => {
