@@ -193,10 +193,10 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 parts.insert(place, contact.clone());
             }
         }
-        if parts.is_empty() {
-            Ok(())
-        } else {
-            write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))
+        if !parts.is_empty() {
+            write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))?;
         }
+        let far = self.too_far.as_ref();
+        far.map_or(Ok(()), |far| write!(f, ". CAUTION: with these slips {}", far.caution(Words::of(f))))
     }
 }
