@@ -229,3 +229,18 @@ fn a_weight_just_beyond_an_edge_tips_over_it() -> Tested {
     }
     Ok(())
 }
+
+/// Two jaws on free slides that a tendon couples: what they grip moves with them, and nothing slides.
+#[test]
+fn what_takes_the_hand_along_does_not_slip_out() -> Tested {
+    use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
+    let jaw = |side: f64| {
+        let pad = Contact::new([0.03 * side, 0.0], [-side, 0.0]).series_stiffness(1e5, 1e5).friction(0.5);
+        Finger::new([Joint::prismatic([-side, 0.0])]).contact(pad)
+    };
+    let hand = Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([1.0, 1.0]).tension(20.0));
+    let verdict = hand.grasp()?.hold(Wrench::force([5.0, 0.0]))?;
+    let said = "GIVES WAY at once, under any part of 5 N: the object moves along +x, the hand with it";
+    assert_eq!(verdict.to_string(), said);
+    Ok(())
+}

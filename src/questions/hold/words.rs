@@ -320,6 +320,9 @@ impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
         write!(f, "{:.digits$}", self.way_out)?;
+        if self.takes_the_hand_along() {
+            f.write_str(", the hand with it")?;
+        }
         if !self.slide.is_empty() {
             let apart = if matches!(self.way_out, WayOut::Apart { .. }) { ";" } else { "," };
             write!(f, "{apart} {}", subject_and_verb(&self.slide, "slides", "slide"))?;
