@@ -170,6 +170,18 @@ pub enum Error {
     /// of events have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
+    /// The load of a turn does not act before its leg, so that it would jump there.
+    #[error(
+        "leg {leg}: its turn begins with the load {begins:?}, and {before:?} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`"
+    )]
+    TurnBegins {
+        /// Index of the leg, from 0.
+        leg: usize,
+        /// The first load of the turn: force, then moment, N and N m.
+        begins: Vec<f64>,
+        /// The load before the leg.
+        before: Vec<f64>,
+    },
     /// A first slip is sought, but neither the load nor a command changes along the ramp; or the load that is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,

@@ -49,7 +49,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m
+//! TAKES an arm of 1.98101 m and holds, and something slides, opens or gives way with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m
 //! ```
 //!
 //! The arm is the horizontal distance of the climber from the foot of the ladder: 4.69 m along the ladder of 5 m. With the climber at this height

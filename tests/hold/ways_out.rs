@@ -205,3 +205,42 @@ fn a_shaft_leaves_its_press_fit_in_a_screw() -> Tested {
     assert!(verdict.to_string().contains("moving 46 mm along it for each radian"), "{verdict}");
     Ok(())
 }
+
+/// A weight beyond the end of a plank tips it over this end, however little beyond it acts.
+#[test]
+fn a_weight_just_beyond_an_edge_tips_over_it() -> Tested {
+    let table = [[0.5, 0.3], [-0.5, 0.3], [-0.5, -0.3], [0.5, -0.3]].map(|[x, y]| {
+        let name = format!("leg {x} {y}");
+        spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0])
+            .name(name)
+            .series_stiffness(1e5, 1e5)
+            .friction(0.5)
+    });
+    let table = spatial::Grasp::new(table)?;
+    for beyond in [1e-11, 1e-9, 1e-7, 1e-3] {
+        let at = 0.05 * (1.0 + beyond);
+        let lost = box_on_feet()?.hold(Wrench::force_at([0.0, -490.0], [at, 0.0]))?.lost.expect("tips");
+        let WayOut::TipsOver { about, opens } = &lost.way_out else { panic!("{beyond}: {lost}") };
+        assert_eq!((names(about), names(opens)), (vec!["right"], vec!["left"]));
+        let weight = spatial::Wrench::force_at([0.0, 0.0, -780.0], [10.0 * at, 0.0, 0.0]);
+        let lost = table.hold(weight)?.lost.expect("tips");
+        let WayOut::TipsOver { about, .. } = &lost.way_out else { panic!("{beyond}: {lost}") };
+        assert_eq!(names(about), ["leg 0.5 0.3", "leg 0.5 -0.3"]);
+    }
+    Ok(())
+}
+
+/// Two jaws on free slides that a tendon couples: what they grip moves with them, and nothing slides.
+#[test]
+fn what_takes_the_hand_along_does_not_slip_out() -> Tested {
+    use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
+    let jaw = |side: f64| {
+        let pad = Contact::new([0.03 * side, 0.0], [-side, 0.0]).series_stiffness(1e5, 1e5).friction(0.5);
+        Finger::new([Joint::prismatic([-side, 0.0])]).contact(pad)
+    };
+    let hand = Hand::new([jaw(-1.0), jaw(1.0)]).tendon(Tendon::new([1.0, 1.0]).tension(20.0));
+    let verdict = hand.grasp()?.hold(Wrench::force([5.0, 0.0]))?;
+    let said = "GIVES WAY at once, under any part of 5 N: the object moves along +x, the hand with it";
+    assert_eq!(verdict.to_string(), said);
+    Ok(())
+}

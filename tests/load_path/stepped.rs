@@ -37,7 +37,8 @@ fn program(numbers: &mut Random) -> Vec<Leg> {
         let shear = [0, 1].map(|_| size * numbers.signed());
         Leg::load_to(pulled(shear, size * numbers.signed()))
     };
-    let around = Turn::new(Wrench::ZERO, Wrench::force([3.0, 0.0, 0.0]), Wrench::force([0.0, 3.0, 0.0]));
+    let around =
+        Turn::new(pulled([0.0; 2], 0.0), Wrench::force([3.0, 0.0, 0.0]), Wrench::force([0.0, 3.0, 0.0]));
     vec![pull(2.5), pull(2.5), Leg::load_to(pulled([3.0, 0.0], 0.0)), Leg::turn(&around), pull(0.0)]
 }
 

@@ -180,3 +180,26 @@ fn what_cannot_be_followed_exactly_is_refused() {
     let Error::Argument { what, value, .. } = refused else { panic!("{refused}") };
     assert!(what.starts_with("angle") && value.is_nan(), "{what} {value}");
 }
+
+/// The load of a turn acts before its leg, or the leg is refused: else only its change would act.
+#[test]
+fn a_turn_does_not_begin_with_a_jump() -> Result<(), Error> {
+    let grasp = shaft(1.0);
+    let (light, heavy) = (Leg::turn(&radial(1.0)), Leg::turn(&Turn::force_at([4.8, 0.0], [0.0, 0.0])));
+    let (none, pull) = (Wrench::ZERO, Wrench::force([2.4, 0.0]));
+    let refused = |start: Wrench, legs: &[Leg]| grasp.follow(start, legs).err();
+    let jump = |leg, begins: f64, before: f64| {
+        Some(Error::TurnBegins { leg, begins: vec![begins, 0.0, 0.0], before: vec![before, 0.0, 0.0] })
+    };
+    assert_eq!(refused(none, &[light.clone()]), jump(0, 2.4, 0.0));
+    assert_eq!(refused(pull, &[Leg::load_by(pull * -1.0), light.clone()]), jump(1, 2.4, 0.0));
+    assert_eq!(refused(none, &[Leg::load_to(pull), light.clone()]), None);
+    // Six written digits are enough.
+    assert_eq!(refused(pull * (1.0 + 4e-7), &[light.clone()]), None);
+    assert_eq!(grasp.shake(pull * 3.0, &[light.clone()]).err(), jump(0, 2.4, 2.4 * 3.0));
+    let mut path = grasp.follow(pull, &[Leg::load_to(pull * 2.0), heavy.clone()])?;
+    path.next();
+    path.continue_with(&[Leg::load_to(pull)])?;
+    assert_eq!(path.continue_with(&[heavy]).err(), jump(3, 4.8, 2.4));
+    path.continue_with(&[light])
+}

@@ -5,6 +5,7 @@ mod carried;
 mod compared;
 mod direction_pictures;
 mod field_paths;
+mod first_lines;
 mod followed_in_steps;
 mod format;
 mod friction_charts;

@@ -70,7 +70,7 @@ fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Tur
     )
     .up_to(5.0);
     let setup = Setup::new(drawn.contacts.iter().map(|datum| Fingertip::from(datum.contact())));
-    let legs = vec![Leg::turn(&turn), Leg::turn(&turn.reversed())];
+    let legs = vec![Leg::turn(&turn), Leg::load_to(turn.load_at(0.0)), Leg::turn(&turn.reversed())];
     let follow = Question::Follow { start: turn.load_at(0.0), legs, in_steps: None };
     (setup.ask(Question::OnsetOfTurn(turn)).ask(follow), turn)
 }
@@ -91,7 +91,7 @@ fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -
     same(&told["angle_rad"].as_f64(), &direct.onset.factor().filter(|angle| angle.is_finite()))?;
     assert!(told.get("factor").is_none(), "{told}");
     same(&told["touches"].as_array().map(Vec::len), &Some(direct.touches.len()))?;
-    let legs = [Leg::turn(&turn), Leg::turn(&turn.reversed())];
+    let legs = [Leg::turn(&turn), Leg::load_to(turn.load_at(0.0)), Leg::turn(&turn.reversed())];
     let events = grasp.follow(turn.load_at(0.0), &legs).unwrap().run();
     let places: Vec<_> = events.iter().map(|event| (event.leg, event.fraction)).collect();
     let of = |event: &Value| {

@@ -231,3 +231,44 @@ fn masses_without_gravity() {
     assert_eq!(warnings(&stack("")), [Warning::NoGravity]);
     assert_eq!(warnings(&stack(r#""gravity": [0, -9.81],"#)), []);
 }
+
+/// A cup of 40 mm pulls with at most 127 N: an atmosphere on its area.
+#[test]
+fn a_vacuum_beyond_an_atmosphere() {
+    let cup = |pull: &str| {
+        format!(
+            r#"{{"format": "grasp-lcp/1", "spatial": {{"contacts": [{{"name": "cup", "point": [0, 0, 0], "normal": [0, 0, -1],
+            "friction": 0.5, "stiffness": 1e4, "suction": {{"radius": 0.02, {pull}}}}}],
+            "questions": [{{"hold": {{"load": {{"mass": 1}}}}}}, {{"need": {{"quantity": "squeeze", "load": {{"mass": 20}}}}}}]}}}}"#
+        )
+    };
+    assert_eq!([r#""force": 127"#, r#""pressure": 101325"#].map(|pull| warnings(&cup(pull))), [[], []]);
+    for (pull, is) in
+        [(r#""force": 128"#, 128.0 / (4e-4 * std::f64::consts::PI)), (r#""pressure": 3e5"#, 3e5)]
+    {
+        let stated = warnings(&cup(pull));
+        let [Warning::BeyondVacuum { names, pressure, .. }] = &stated[..] else { panic!("{stated:?}") };
+        assert!(*names == ["cup"] && (pressure / is - 1.0).abs() < 1e-12, "{stated:?}");
+    }
+    let scene = Scene::from_json(cup(r#""pressure": 6e4"#).as_bytes()).expect("a scene");
+    // 20 kg need 156 kPa.
+    let needs = serde_json::to_value(scene.answers().expect("well posed")).expect("written");
+    let says = needs[1]["need"]["says"].as_str().expect("a text").to_owned();
+    assert!(says.starts_with("NEEDS 156.131 kPa (196.2 N; more than an atmosphere"), "{says}");
+}
+
+/// Flat goods are wider than high.
+#[test]
+fn a_stack_that_is_wider_than_high() {
+    let on = |width: f64| {
+        format!(
+            r#"{{"format": "grasp-lcp/1", "planar": {{"gravity": [0, -9.81], "bodies": [{{"name": "pallet", "mass": 25, "centre_of_mass": [0, 0.07]}},
+            {{"name": "goods", "mass": 500, "centre_of_mass": [0, 0.6]}}], "contacts": [
+            {{"on": "pallet", "point": [0, 0], "normal": [0, 1], "friction": 0.5, "stiffness": 1e7, "soft": {{"pair": {{"width": {width}}}}}}},
+            {{"on": "goods", "against": "pallet", "point": [0, 0.144], "normal": [0, 1], "friction": 0.5, "stiffness": 1e7, "soft": {{"pair": {{"width": {width}}}}}}}
+            ], "questions": [{{"hold": {{"load": {{"force": [1, 0]}}}}}}]}}}}"#
+        )
+    };
+    assert_eq!(warnings(&on(1.5)), []);
+    assert!(matches!(warnings(&on(1200.0))[..], [Warning::ManyMetres { length: 1200.0, .. }]));
+}

@@ -3,7 +3,7 @@
 
 use grasp_lcp::load_path::{Change, ContactChange};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
-use grasp_lcp::{Error, spatial};
+use grasp_lcp::{Error, Settings, spatial};
 use nalgebra::{DMatrix, DVector};
 use support::interior_point::{Oracle, interior_point};
 use support::quadratic_program::QuadraticProgram;
@@ -35,6 +35,19 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let Some(found) = grasp.statics().shakedown(base, &loads)? else { continue };
         assert!(!found.slips_change_normal_forces && found.factor > 0.0);
         assert_eq!([0.98, 1.02].map(|part| found.rests(part * found.factor)), [Some(true), Some(false)]);
+        // The slips are told to be too large where they exceed the limit of small motions.
+        let places: Vec<f64> = grasp.contacts().iter().map(|foot| foot.point()[0]).collect();
+        let centre = places.iter().sum::<f64>() / count as f64;
+        let size = (places.iter().map(|x| (x - centre).powi(2)).sum::<f64>() / count as f64).sqrt();
+        let most = found.slips.iter().map(|slip| slip.norm()).fold(0.0, f64::max) / size;
+        assert!(found.too_far.is_none(), "{most}");
+        let mut settings = Settings::default();
+        for (part, is_far) in [(0.99, most > 0.0), (1.01, false)] {
+            settings.small_motions.slip = part * most.max(1e-9);
+            let told = grasp.with(&settings).statics().shakedown(base, &loads)?.expect("as before");
+            assert_eq!(told.too_far.is_some(), is_far);
+            assert_eq!(told.to_string().contains("CAUTION: with these slips"), is_far, "{told}");
+        }
         // No foot may open under the loads.
         let most = loads.map(|load| load * (1.02 * found.factor) + base);
         let closed = |load: &Wrench| -> Result<bool, Error> {

@@ -57,7 +57,11 @@ pub(crate) fn ask_of(
     if matches!(asked, Command::Hold { vary_stiffness: true, .. }) {
         let depends = scene.setup.depends_on_tangential_stiffness();
         let depends = depends.map_err(|error| files::refused(&ask.scene, &error))?;
-        let said = if depends.is_empty() { "stays within" } else { "CHANGES by more than" };
+        let said = if depends.is_empty() {
+            "and its first slip stay within"
+        } else {
+            "or its first slip CHANGES by more than"
+        };
         eprintln!(
             "stiffness: what it holds {said} 5 % with a tenth or ten times the stiffness along tangents, of all contacts or of one"
         );

@@ -85,7 +85,8 @@ impl Engine {
         }
     }
 
-    fn part_change(&self, site: usize, frees: bool) -> Option<PartChange> {
+    /// The change of the drive with the index `site` among contacts and drives, which gives way if `frees`, else holds again.
+    pub(crate) fn part_change(&self, site: usize, frees: bool) -> Option<PartChange> {
         let linkage = self.linkage()?;
         let drive = &linkage.drives[site - self.len()];
         let what = match (frees, drive.role, drive.pulls_only()) {

@@ -1,6 +1,7 @@
 //! Load programs: legs along which load and finger commands change linearly.
 
-use crate::numerics::IntoList;
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Each, IntoList, largest, mapped};
 use alloc::borrow::Cow;
 use core::ops::Add;
 
@@ -8,10 +9,11 @@ use nalgebra::SVector;
 
 use super::body_loads::BodyGoal;
 use super::ramp::{Ramp, vectors};
+use super::tolerances::AS_WRITTEN;
 use super::trajectory::Trajectory;
 use super::turn::Turn;
 use crate::error::Error;
-use crate::grasp::{Engine, Wrench};
+use crate::grasp::{Engine, Space, Wrench};
 use crate::prelude::*;
 
 /// One leg of a load program: the load, the commands, or both change linearly to their goals, or the load turns.
@@ -81,9 +83,9 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
 
-    /// A leg along which the load changes as in a [`Turn`]: at each angle, the load of the turn minus its load at the first angle is added to the
-    /// load before the leg. So the constant part of the turn does not matter. The finger commands stay constant, so that forces are harmonics of the
-    /// angle, and the angles of events are found without stepping.
+    /// A leg along which the load is that of a [`Turn`]. The load before the leg must be the turn's first load, else the leg is refused. A turn that
+    /// begins with no load is added to any load. The finger commands stay constant, so that forces are harmonics of the angle, and the angles of
+    /// events are found without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};
@@ -242,6 +244,23 @@ impl Leg<3> {
         }
         self.check_torques(grasp)?;
         self.check_bodies(grasp)
+    }
+}
+
+impl LegLoad<3> {
+    /// Refuses, with an error that names the leg by its index, a turn whose first load is neither the load `before` the leg nor zero.
+    pub(super) fn check_beginning(&self, before: &Wrench<3>, leg: usize, space: Space) -> Result<(), Error> {
+        let Self::Turn(turn) = self else { return Ok(()) };
+        let begins = turn.load_at(0.0);
+        let size = |load: Wrench<3>| largest(load.components(), &|x| x.abs());
+        if size(begins - *before) <= AS_WRITTEN * size(begins)
+            || size(begins) <= NEGLIGIBLE * size(turn.parts()[1])
+        {
+            return Ok(());
+        }
+        let [begins, before] = [begins, *before]
+            .each(|load| mapped(space.components::<3>(), &|place| load.components()[*place]));
+        Err(Error::TurnBegins { leg, begins, before })
     }
 }
 

@@ -65,9 +65,15 @@ impl Program {
     /// Appends legs. If a leg is invalid, returns an error and appends none.
     pub(super) fn extend(&mut self, grasp: &Engine, legs: &[Leg<3>]) -> Result<(), Error> {
         // All legs are checked first, so that either all or none are appended.
-        for leg in legs {
+        let mut load = self.goal;
+        for leg in self.legs.iter().skip(self.leg - self.done + 1) {
+            load = leg.load.course(&load).1;
+        }
+        for (leg, k) in legs.iter().zip(self.done + self.legs.len()..) {
             leg.check(grasp)?;
             drop(leg.of_points(grasp)?);
+            leg.load.check_beginning(&load, k, grasp.space())?;
+            load = leg.load.course(&load).1;
         }
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));

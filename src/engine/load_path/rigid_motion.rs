@@ -15,6 +15,7 @@
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
+use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -90,7 +91,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         }
     }
     let free = orthogonal_part(load.clone(), &resisted);
-    (free.norm() > NO_RIGID_MOTION * load.norm()).then(|| free.normalize())
+    (free.norm() > LINEARLY_DEPENDENT * load.norm()).then(|| free.normalize())
 }
 
 /// Adds the direction of `motion` to `basis`, an orthonormal basis of resisted motions, unless it depends linearly on the basis.

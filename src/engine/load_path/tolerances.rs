@@ -6,6 +6,11 @@
 
 use crate::contact::ZERO_SLACK;
 
+/// A turn begins with the load before its leg if no component differs by more than this fraction of its largest component.
+///
+/// If smaller, loads that people write with six digits are refused; if larger, loads jump where a leg begins.
+pub(super) const AS_WRITTEN: f64 = 1e-6;
+
 /// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that would build
 /// up the whole load or all spring offsets at their present rates. If both are zero, its unit is the whole leg.
 ///

@@ -8,7 +8,7 @@ use super::question::Question;
 use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::energy::ComparisonVerdict;
-use crate::equilibrium::{ContactState, Equilibrium, Outcome};
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContact, inside};
 use crate::hold::{Holding, Verdict};
@@ -54,7 +54,7 @@ pub struct Brief {
     /// The fraction of this leg that was followed, from 0 to 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fraction: Option<f64>,
-    /// The least friction margin `μ F_n - |F_t|` of an equilibrium, N, over the contacts with a finite margin.
+    /// The least friction margin `μ F_n - |F_t|` of an equilibrium, N, over the contacts with friction and a finite margin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
     /// The first contact, joint or tendon that stops sticking, or the contact with the least margin: its name, or its kind and number.
@@ -147,7 +147,11 @@ impl SceneNames<'_> {
     fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
-        let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
+        // The margin of a contact without friction is always zero.
+        let has_margin = |(i, contact): &(usize, &ContactAnswer<3>)| {
+            contact.margin.is_finite() && self.0.contacts()[*i].friction_coefficient() > 0.0
+        };
+        let margins = state.contacts.iter().enumerate().filter(has_margin);
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
         let (margin, first) = (Some(contact.margin), Some(self.label(site).text()));

@@ -7,7 +7,7 @@ use super::question::Question;
 use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
-use crate::load_path::{Change, PadChange};
+use crate::load_path::{Change, DriveChange, PadChange};
 use crate::numerics::IntoList;
 use crate::numerics::mapped;
 use crate::words::{Words, listed, printable};
@@ -155,6 +155,15 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     clauses.fold(first, |line, (names, verb)| format!("{line}, {}", plural(names, verb)))
 }
 
+/// The names of the contacts that slide, or of which points slide.
+fn sliding<const C: usize>(state: &Equilibrium<C>) -> Vec<String> {
+    let slides = |contact: &WholeAnswer<'_, C>| match contact {
+        WholeAnswer::Pad(pad) => pad.sliding > 0,
+        WholeAnswer::Point(point) => matches!(point.state, ContactState::Sliding { .. }),
+    };
+    state.whole_contacts().into_iter().filter(slides).map(|contact| contact.text()).list()
+}
+
 /// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
 fn first_slip<const C: usize, At>(
     onset: &OnsetAnswer<C, At>,
@@ -228,7 +237,19 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let slips = |what: &Change<C>| matches!(what, Change::Slides { .. } | Change::ClosesSliding { .. });
     let first = path.events.iter().find(|event| event.changes.iter().any(|change| slips(&change.what)));
     let step = path.steps.iter().find(|step| step.sliding > 0);
+    // The first event has the states before it, those of the start; without events these are the states of the end.
+    let start = match (path.events.first(), &path.end) {
+        (Some(event), _) => Some(&event.state),
+        (None, PathOutcome::Completed { state: Some(state) }) if path.steps.is_empty() => Some(&**state),
+        _ => None,
+    };
+    let from_start = start.map_or(Vec::new(), sliding);
     let slip = match (first, step) {
+        (Some(event), _) if !from_start.is_empty() && (event.leg, event.fraction) != (0, 0.0) => {
+            let next = place(event.leg, event.fraction, &event.load);
+            format!("{} from the start, next slip at {next}", plural(&from_start, "slides"))
+        }
+        _ if !from_start.is_empty() => format!("{} from the start", plural(&from_start, "slides")),
         (Some(event), _) => format!("first slip at {}", place(event.leg, event.fraction, &event.load)),
         (None, Some(step)) => format!("first slip by {}", place(step.leg, step.fraction, &step.load)),
         (None, None) => match &path.end {
@@ -239,7 +260,15 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
             _ => "no contact begins to slide on the way".to_owned(),
         },
     };
+    let yields = path.events.iter().find_map(|event| {
+        let drive = event.drives.iter().find(|drive| drive.what == DriveChange::Yields)?;
+        Some(format!("{} yields at {}; ", drive.part.text(), place(event.leg, event.fraction, &event.load)))
+    });
+    let slip = yields.unwrap_or_default() + &slip;
     let sentence = match &path.end {
+        PathOutcome::Completed { .. } if path.energies.is_empty() && path.steps.is_empty() => {
+            return "NOTHING FOLLOWED: no legs are given".to_owned();
+        }
         PathOutcome::Completed { .. } => format!("HELD to the end: {slip}"),
         PathOutcome::Lost { loss, .. } => {
             format!("LOST at {}: {}; {slip}", place(loss.leg, loss.fraction, &loss.load), loss.kind)

@@ -64,6 +64,7 @@ impl RobotSetup<3> {
         for (name, position) in &self.joints {
             let position = robot.in_radians(name, *position)?;
             robot = robot.posed(name, position)?;
+            self.check_range(&robot, name)?;
         }
         for (name, position) in &self.commanded {
             let position = robot.in_radians(name, *position)?;
@@ -73,7 +74,31 @@ impl RobotSetup<3> {
         for (name, stiffness) in self.stiffness.iter().filter(|(name, _)| *name != "others") {
             robot = robot.joint_stiffness(name, *stiffness)?;
         }
+        for name in self.commanded.keys() {
+            let stiffness = self.stiffness.get(name).or_else(|| self.stiffness.get("others"));
+            if stiffness.is_none_or(|stiffness| *stiffness == 0.0) {
+                let fault = format!(
+                    "joint {name}: is commanded without stiffness, and would move freely: give it in `stiffness`, or `others`"
+                );
+                return Err(Error::Robot { fault });
+            }
+        }
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
+    }
+
+    /// Refuses a joint whose position is beyond its limits in the description file by more than a thousandth of their distance.
+    fn check_range(&self, robot: &Robot, name: &str) -> Result<(), Error> {
+        let (unit, position) = (robot.in_radians(name, 1.0)?, self.joints[name]);
+        let joint = robot.joints().iter().find(|joint| joint.name() == name);
+        let [low, high] = joint.map_or([0.0; 2], |joint| joint.range().map(|limit| limit / unit));
+        let slack = 1e-3 * (high - low);
+        if low < high && !(low - slack..=high + slack).contains(&position) {
+            let fault = format!(
+                "joint {name}: position is {position}, must be from {low} to {high}, its limits in the file"
+            );
+            return Err(Error::Robot { fault });
+        }
+        Ok(())
     }
 
     /// Reads the robot, and returns its contacts on links that no joint moves, and fingers with all other contacts.

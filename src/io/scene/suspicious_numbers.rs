@@ -9,6 +9,7 @@ use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Leg;
+use crate::need::{ATMOSPHERE, pressure_of_cup};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
 use crate::statics::Closure;
@@ -63,12 +64,23 @@ impl Setup<3> {
                 });
             }
         }
+        let vacuum = |i: usize| {
+            let points = &grasp.contacts()[grasp.engine.wholes()[i].range.clone()];
+            pressure_of_cup(points).unwrap_or(0.0)
+        };
+        // One part in a thousand is left to an atmosphere that is given rounded.
+        let contacts: Vec<_> = chosen(entries.len(), &|i| vacuum(*i) > 1.001 * ATMOSPHERE);
+        if let Some(first) = contacts.first() {
+            let (names, pressure) = (names(&contacts), vacuum(*first));
+            warnings.push(Warning::BeyondVacuum { contacts, names, pressure });
+        }
         warnings.extend(self.outwards(&entries));
         let mut is_wide = false;
         for (i, (entry, contact)) in entries.iter().zip(grasp.engine.wholes().iter()).enumerate() {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
-            if size > 0.0 && wide > 10.0 * size && !is_wide {
+            // Pallets and sheets are wider than what they are stacked on is high; a pad of a few mm, read in m, is wider than 2 m.
+            if size > 0.0 && wide > f64::max(2.0, 10.0 * size) && !is_wide {
                 is_wide = true;
                 let what = format!("the patch of {} is as wide as", name(i));
                 warnings.push(Warning::ManyMetres { what, length: wide, beside: Some(size) });

@@ -118,6 +118,15 @@ pub enum Warning {
         /// The names of the contacts in messages.
         names: Vec<String>,
     },
+    /// Suction cups have a vacuum beyond the pressure of the surrounding air.
+    BeyondVacuum {
+        /// Indices of the contacts concerned, counted from 0 in the scene.
+        contacts: Vec<usize>,
+        /// The names of the contacts in messages.
+        names: Vec<String>,
+        /// The vacuum of the first of these cups, Pa.
+        pressure: f64,
+    },
     /// A load is more than a hundred times the load that friction can carry at the given normal forces; perhaps its mass is given in g.
     HeavyLoad {
         /// The force of the load, N.
@@ -218,6 +227,12 @@ impl fmt::Display for Warning {
             Self::Outwards { names, .. } => write!(
                 f,
                 "the normals of {} point away from the middle: so they do for fingers in a hole; else normals point into the object, the way the finger pushes",
+                all(names)
+            ),
+            Self::BeyondVacuum { names, pressure, .. } => write!(
+                f,
+                "a vacuum of {} kPa at {}: none exceeds an atmosphere, 101.3 kPa, `pressure` is in Pa",
+                words.number(1e-3 * pressure),
                 all(names)
             ),
             Self::HeavyLoad { force, pressed } => write!(

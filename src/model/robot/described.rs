@@ -62,7 +62,7 @@ impl RobotJoint {
         &self.name
     }
 
-    /// Lower and upper limit of the position in the file, rad or m; both 0 if the file gives none.
+    /// Lower and upper limit of the position in the file, rad or m; both 0 if the file gives none, and for continuous joints.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
         self.range
@@ -218,7 +218,10 @@ fn described(joint: &urdf_rs::Joint, parent: usize) -> Result<RobotJoint, Error>
         origin: pose_in(&joint.origin),
         axis,
         kind,
-        range: [joint.limit.lower, joint.limit.upper],
+        range: match joint.joint_type {
+            JointType::Continuous => [0.0; 2],
+            _ => [joint.limit.lower, joint.limit.upper],
+        },
         effort: joint.limit.effort,
         mimics: None,
         position: 0.0,

@@ -5,6 +5,7 @@ use core::fmt;
 
 use super::verdict::{Holding, Lost, Verdict};
 use super::way_out::WayOut;
+use crate::load_path::LossKind;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::search::Doubt;
 #[cfg(feature = "serde")]
@@ -132,6 +133,13 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
 }
 
 impl<const C: usize> Lost<C> {
+    /// Whether joints of the hand move with the object along a motion that nothing resists, while no contact slides and no drive yields.
+    pub(super) fn takes_the_hand_along(&self) -> bool {
+        let joints = self.motion.iter().flat_map(|motion| &motion.joints);
+        let is_free = self.kind == LossKind::GivesWay && self.slide.is_empty() && self.drives.is_empty();
+        is_free && joints.fold(0.0, |most: f64, joint| most.max(joint.abs())) > NEGLIGIBLE
+    }
+
     /// The verb for this loss. `words` tells the plane from space, on which the vertical direction depends.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
@@ -140,6 +148,7 @@ impl<const C: usize> Lost<C> {
                 if slips { LossVerb::SlipsOut } else { LossVerb::GoesTooFar }
             }
             way if way.falls(&self.slide, words) => LossVerb::Drops,
+            _ if self.takes_the_hand_along() => LossVerb::GivesWay,
             WayOut::LiftsOff { .. } => LossVerb::LiftsOff,
             WayOut::SlidesOut { .. } => LossVerb::SlipsOut,
             WayOut::TipsOver { .. } => LossVerb::TipsOver,

@@ -106,10 +106,13 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         let Some(part) = self.left_out else { return Ok(()) };
         let words = Words::with_digits(2);
         if part <= -1.0 {
-            let times = words.number(-part);
+            let times = match words.number(-part) {
+                one if one == "1" => "all of".to_owned(),
+                times => format!("{times} times"),
+            };
             return write!(
                 f,
-                ". CAUTION, left out: as the forces turn with the parts they act on, they take {times} times what resists, so that nothing stays"
+                ". CAUTION, left out: as the forces turn with the parts they act on, they take {times} what resists, so that nothing stays"
             );
         }
         let percent = words.number(100.0 * part.abs());
@@ -338,6 +341,9 @@ impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
         write!(f, "{:.digits$}", self.way_out)?;
+        if self.takes_the_hand_along() {
+            f.write_str(", the hand with it")?;
+        }
         if !self.slide.is_empty() {
             let apart = if matches!(self.way_out, WayOut::Apart { .. }) { ";" } else { "," };
             write!(f, "{apart} {}", subject_and_verb(&self.slide, "slides", "slide"))?;

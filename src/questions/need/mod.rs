@@ -68,4 +68,5 @@ mod words;
 pub use answer::{Amount, AmountWindow, FarEnd, Needed, PressedBy, Quantity, TriedAmounts};
 pub use batch::ShortAmount;
 pub use press::ContactPress;
+pub(crate) use press::{ATMOSPHERE, pressure_of_cup};
 pub use question::{Demand, Need};

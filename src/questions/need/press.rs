@@ -8,6 +8,9 @@ use crate::numerics::{Space, mapped};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
+/// The pressure of the surrounding air at sea level, Pa: no vacuum pulls with more.
+pub(crate) const ATMOSPHERE: f64 = 101_325.0;
+
 /// The normal force of a contact.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -51,7 +54,7 @@ pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
 
 /// How far the pressure in a suction cup is below the pressure of the surrounding air, Pa, if these points in space form its ring-shaped lip. In the
 /// plane there is no area, and the result is `None`.
-pub(super) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
+pub(crate) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     let count = points.len() as f64;
     let vacuum: f64 = points.iter().map(|point| point.suction).sum();
     let middle = points.iter().fold(SVector::<f64, 3>::zeros(), |sum, point| sum + point.point / count);
@@ -68,6 +71,10 @@ impl ContactPress {
     fn in_words(&self, words: Words) -> String {
         let newtons = words.number(self.force);
         match (self.pressure, self.overlap) {
+            (Some(pressure), _) if pressure > ATMOSPHERE => format!(
+                "{} kPa ({newtons} N; more than an atmosphere: no vacuum does)",
+                words.number(1e-3 * pressure)
+            ),
             (Some(pressure), _) => format!("{} kPa ({newtons} N)", words.number(1e-3 * pressure)),
             (None, Some(overlap)) => format!("{} of overlap ({newtons} N)", words.length(overlap)),
             (None, None) => format!("{newtons} N"),

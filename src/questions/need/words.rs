@@ -268,7 +268,7 @@ impl Needed {
                 return Ok(until.is_none());
             }
             Some(Amount::None { .. }) => {
-                f.write_str(", and something slides with every amount that was tried")?;
+                f.write_str(", and something slides, opens or gives way with every amount that was tried")?;
             }
             Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known")?,
         }

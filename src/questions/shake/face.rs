@@ -8,7 +8,7 @@ use crate::grasp::{face_of_enum, face_of_struct, same_on_both_sides};
 same_on_both_sides! { BindingContact }
 
 face_of_struct! {
-    Shakedown { factor, slips, binding, slips_change_normal_forces, friction_falls, around_the_round_cone }
+    Shakedown { factor, slips, binding, slips_change_normal_forces, friction_falls, around_the_round_cone, too_far }
     Shaken { base, repeats, every, cycles, followed, change, ratio, opens, leaks, yields, moved, too_far, state }
 }
 

@@ -9,7 +9,7 @@ use super::verdict::{Repeats, Shaken};
 use crate::equilibrium::TooFar;
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, Wrench};
-use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
+use crate::load_path::{CycleState, Cycles, DriveChange, Leg, PathEnd, Ramp};
 use crate::numerics::mapped;
 use crate::prelude::*;
 use crate::search::Settings;
@@ -304,7 +304,13 @@ impl<'g> FollowedCycles<'g, '_> {
             |i: usize| if comes_to_rest { self.slid[i] } else { last.is_some_and(|last| last.slides(i)) };
         let opens = |i: usize| last.is_some_and(|last| last.opens(i));
         let is_open = |i: usize| self.opened[i] || last.is_some_and(|last| last.is_open(i));
-        let drives = (self.engine.len()..self.slid.len()).filter(|i| slides(*i));
+        // A drive that saturates yields without slip: the half that stands for its limit opens.
+        let is_at_limit = |i: usize| {
+            let what = self.engine.part_change(i, true).map(|change| change.what);
+            what == Some(DriveChange::Yields)
+                && if comes_to_rest { is_open(i) } else { last.is_some_and(|last| last.is_open(i)) }
+        };
+        let drives = (self.engine.len()..self.slid.len()).filter(|i| slides(*i) || is_at_limit(*i));
         let mut yields: Vec<_> = drives.filter_map(|i| self.engine.part(i)).collect();
         yields.dedup();
         let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);

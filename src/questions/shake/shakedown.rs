@@ -12,7 +12,7 @@
 use nalgebra::{DMatrix, Matrix, SVector};
 
 use crate::contact::{Edges, PolygonCone, PolygonFit};
-use crate::equilibrium::{ContactForces, StickingResponse};
+use crate::equilibrium::{ContactForces, StickingResponse, TooFar};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
@@ -49,6 +49,9 @@ pub struct Shakedown<const C: usize> {
     /// Whether the round friction cones were replaced by polygons around them. The factor is then only an upper bound, even if slips change no normal
     /// force.
     pub around_the_round_cone: bool,
+    /// A slip in `slips` that is no longer [small](crate::Settings::small_motions); `None` if all are small.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub too_far: Option<TooFar>,
 }
 
 /// A contact that would slide under one of the loads if they grew beyond [`Shakedown::factor`].
@@ -132,6 +135,9 @@ impl Engine {
         }
         let slips_change_normal_forces = normal > SOLVED_ROUNDING * all;
         let around_the_round_cone = settings.is_round(self.space());
+        let limit = settings.small_motions.slip * self.size_of_grasp();
+        let far = (0..self.len()).find(|i| residual_slips[*i].norm() > limit);
+        let too_far = far.map(|i| TooFar::Slips { contact: self.wholes().at(i).with(1), limit });
         Ok(Some(Shakedown {
             factor,
             slips: residual_slips,
@@ -139,6 +145,7 @@ impl Engine {
             slips_change_normal_forces,
             friction_falls: self.weaker_once_they_slide().next().is_some(),
             around_the_round_cone,
+            too_far,
         }))
     }
 }

@@ -38,7 +38,10 @@ impl<const C: usize> Shaken<C> {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => {
-                f.write_str("RESTS: nothing ever slides")?;
+                match self.slides_and_yields(&[]) {
+                    yields if yields.is_empty() => f.write_str("RESTS: nothing ever slides")?,
+                    yields => write!(f, "RESTS: no contact ever slides, but {yields}")?,
+                }
                 self.write_opens(f)
             }
             Repeats::Rests { after, slid } => {
@@ -190,10 +193,10 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 parts.insert(place, contact.clone());
             }
         }
-        if parts.is_empty() {
-            Ok(())
-        } else {
-            write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))
+        if !parts.is_empty() {
+            write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))?;
         }
+        let far = self.too_far.as_ref();
+        far.map_or(Ok(()), |far| write!(f, ". CAUTION: with these slips {}", far.caution(Words::of(f))))
     }
 }

@@ -174,7 +174,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         let to = |goal: &Goal<D, C>| {
             if let Some(Swing { cosine, sine, angle }) = &goal.turn {
                 let [cosine, sine] = [cosine, sine].map(|part| Wrench::from_components(part.as_slice()));
-                return Leg::turn(&Turn::new(Wrench::ZERO, cosine, sine).up_to(*angle));
+                return Leg::turn(&Turn::new(cosine * -1.0, cosine, sine).up_to(*angle));
             }
             Leg::load_to(Wrench::from_components(goal.load.as_slice())).and_commands_to(goal.commands.clone())
         };
