@@ -40,8 +40,8 @@ fn equilibria_that_rounding_tells_apart() -> Tested {
     is_met(amounts::spatial, amounts::at_rest, &[31])
 }
 
-/// Smaller forces have no equilibrium at rest or carry too little, and larger ones turn the object too far: the best force suffices, of scene 298 only
-/// within 0.7 %.
+/// Smaller forces have no equilibrium at rest or carry too little, and larger ones turn the object too far. A few between them suffice, in scene 298
+/// only within 0.7 %.
 #[test]
 fn between_too_little_and_too_far() -> Tested {
     is_met(amounts::planar, amounts::force, &[298, 689, 968])
@@ -53,11 +53,11 @@ fn fails_far_from_the_given_force() -> Tested {
     is_met(amounts::planar, amounts::force, &[895])
 }
 
-/// Amounts of a fifth of the bound suffice, with other contact states. In scene 714 they lie where the carried part of the load jumps.
+/// Amounts of a fifth of the bound suffice, with other contact states.
 #[test]
 fn windows_below_the_bound() -> Tested {
     is_met(amounts::planar, amounts::force, &[393])?;
-    is_met(amounts::planar, amounts::friction, &[555, 714])
+    is_met(amounts::planar, amounts::friction, &[555])
 }
 
 /// Without a load at rest two fingers squeeze the object out, until it lies loose where it touches both. It lies there whatever the friction is.

@@ -70,7 +70,7 @@ fn both_ends_say_what_presses_there() -> Tested {
         );
     }
     assert!(otherwise.contains("right and left") && end.otherwise.contains("right and left"), "{needed}");
-    assert!(tried.count == 12 && tried.from < 0.25 && tried.to < 0.75, "{needed}");
+    assert!(tried.count == 13 && tried.from < 0.25 && tried.to < 0.75, "{needed}");
     // At no squeeze does friction carry load and push. At the best squeeze the jaws press with 4 N.
     let needed = pushed_from_above(4.0, "")?.need(&need(5.0))?;
     let Amount::None { best, otherwise, .. } = &needed.amount else { panic!("{needed}") };

@@ -183,7 +183,8 @@ impl<'g> PiecewiseFollower<'g> {
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // If the force vanishes a little beyond the end of the leg, the step ends there: a shorter one could end where rounding takes it as zero.
+        // If the force vanishes a little beyond the end of the leg, the step ends at that end. A shorter step could end where the force counts as
+        // zero already.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }

@@ -188,7 +188,8 @@ impl BoundScan {
 /// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
 /// Such an amount lies where the whole load [might be carried](where_all_might_be_carried), beyond the amount at which a margin is
 /// [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with different contact states at rest. If contact states at rest
-/// change with the amount, the carried part of the load may jump. Amounts near `near` come first, then the pair with the largest ratio. Returns whether the verdict on one of the further amounts differs from the verdict on its neighbours.
+/// change with the amount, the carried part of the load may jump. Amounts near `near` come first, then the pair with the largest ratio. Returns
+/// whether the verdict on one of the further amounts differs from the verdict on its neighbours.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -211,8 +212,8 @@ pub(super) fn between_known(
     Ok(is_new)
 }
 
-/// An amount between two neighbouring insufficient amounts, a little beyond the bound that is estimated from the one with which more of the load is
-/// carried. Of several such amounts the one where most is carried.
+/// An amount between two neighbouring insufficient amounts, a little beyond the bound that is estimated from the one that carries more of the load.
+/// Of several such amounts, the one with which most is carried.
 fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Option<f64> {
     let beyond = |here: &(f64, Trial), next: &(f64, Trial)| {
         let fail = !here.1.is_sufficient() && !next.1.is_sufficient();
