@@ -161,7 +161,7 @@ fn sliding<const C: usize>(state: &Equilibrium<C>) -> Vec<String> {
         WholeAnswer::Pad(pad) => pad.sliding > 0,
         WholeAnswer::Point(point) => matches!(point.state, ContactState::Sliding { .. }),
     };
-    state.whole_contacts().into_iter().filter(slides).map(|contact| contact.text()).list()
+    state.whole_contacts().filter(slides).map(|contact| contact.text()).list()
 }
 
 /// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
