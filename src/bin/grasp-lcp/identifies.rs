@@ -21,7 +21,7 @@ pub(crate) struct Identifies {
     /// are asked.
     pub(crate) table: Option<PathBuf>,
     /// An unknown, one number for all contacts or for the named ones: friction, carried (the load of a support, N), squeeze or stiffness.
-    /// If left out, one coefficient of friction of all contacts is sought.
+    /// If left out, one coefficient of friction of all contacts that have friction is sought.
     #[arg(long, value_name = "WHAT[=CONTACT,CONTACT]")]
     pub(crate) unknown: Vec<UnknownGiven>,
     /// A known sum of unknowns, given by their numbers from 0, with its standard deviation in percent.
