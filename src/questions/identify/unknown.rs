@@ -74,7 +74,7 @@ impl Unknown {
 
     /// The normal force, N, that each contact carries before the load of a slip grows: for a support, its share of a weight. The contact presses with
     /// this force, and an equal load presses the object onto the contact, so that the object does not move. The weight must not be given again as a
-    /// base load.
+    /// base load: a base load onto such a contact is refused.
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
     }
