@@ -245,7 +245,7 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     let (Some(here), Some(there)) = (&one.linear, &other.linear) else { return one.linear.is_some() };
     let degrees = here.residuals.len().saturating_sub(model.asked.unknowns.len()).max(1);
-    let degrees = one.scatter.estimated.map(|_| degrees as f64);
+    let degrees = one.scatter.is_estimated.then_some(degrees as f64);
     let gain = model.loss(&there.residuals, &one.scatter) - model.loss(&here.residuals, &one.scatter);
     let is_exact = there.residuals.iter().all(|r| r.abs() <= INDISTINCT);
     !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)

@@ -9,7 +9,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, Singular, mapped, matrix_of, two_sided, vector_of};
 use crate::prelude::*;
 
 /// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
@@ -32,11 +32,24 @@ pub(super) enum FitEnd {
 }
 
 /// Relative standard deviations of the observations, by which residuals are divided.
+#[derive(Clone, Default)]
 pub(super) struct Scatter {
     /// One standard deviation for each slip, then one for each known sum, relative to the observed value.
     pub(super) rows: Vec<f64>,
-    /// The common standard deviation of all slips, if it is estimated from residuals; `None` if it was given or cannot be estimated.
-    pub(super) estimated: Option<f64>,
+    /// The common standard deviation of all slips, or the common factor on their given ones, estimated from residuals.
+    pub(super) scale: f64,
+    /// Whether `rows` contain the scale, because none are given, or because the residuals are clearly larger than the given ones say.
+    pub(super) is_estimated: bool,
+    /// Degrees of freedom: the number of observations minus the number of combinations of unknowns that they determine.
+    pub(super) degrees: usize,
+}
+
+impl Scatter {
+    /// Whether residuals exceed given standard deviations at 95 %, by the approximation of Wilson and Hilferty to the distribution of chi-square.
+    fn is_exceeded(&self) -> bool {
+        let part = 2.0 / (9.0 * self.degrees as f64);
+        self.degrees > 0 && self.scale > (1.0 - part + two_sided(0.9, None) * part.sqrt()).powf(1.5)
+    }
 }
 
 impl Model<'_> {
@@ -45,17 +58,18 @@ impl Model<'_> {
     }
 
     /// Relative standard deviations of the observations. For slips they are given, or one standard deviation common to all slips is estimated from
-    /// the residuals. `rank` is the number of combinations of unknowns that the observations determine.
-    pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
+    /// the residuals. If `is_estimated`, a common factor on given ones is estimated, too.
+    fn scatter(&self, linear: &Linear, is_estimated: bool) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
-        let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
-        let estimated = given.is_none().then(|| {
-            let degrees = (slips.len() + known.len()).saturating_sub(rank);
-            self.huber().scale(&residuals[..slips.len()], degrees)
-        });
-        let of_slips = given.unwrap_or_else(|| vec![estimated.unwrap_or(1.0); slips.len()]);
-        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).list();
-        Scatter { rows, estimated }
+        let given: Vec<_> = mapped(slips, &|slip| slip.scatter.unwrap_or(1.0));
+        let scaled: Vec<f64> = linear.residuals.iter().zip(&given).map(|(r, sigma)| r / sigma).list();
+        let degrees = linear.residuals.len().saturating_sub(rank(linear));
+        let scale = self.huber().scale(&scaled, degrees);
+        let is_estimated = is_estimated || slips[0].scatter.is_none();
+        let times = if is_estimated { scale } else { 1.0 };
+        let of_slips = given.into_iter().map(|sigma| times * sigma);
+        let rows = of_slips.chain(known.iter().map(|known| known.scatter)).list();
+        Scatter { rows, scale, is_estimated, degrees }
     }
 
     /// The weight of observation number `row`, whose residual is `u` standard deviations: Huber's weight for slips, 1 for known sums.
@@ -127,18 +141,35 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
 
 impl Fitted {
     fn from(logs: Vec<f64>, end: FitEnd) -> Self {
-        let nothing = Scatter { rows: Vec::new(), estimated: None };
-        Self { logs, linear: None, scatter: nothing, iterations: 0, end }
+        Self { logs, linear: None, scatter: Scatter::default(), iterations: 0, end }
     }
 }
 
-/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips.
-pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
+/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips. Given standard
+/// deviations that the residuals clearly exceed are multiplied by a common factor, and the search is continued.
+pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) -> Result<Fitted, Error> {
+    let mut fit = fitted_with(model, begin, linear, false)?;
+    if !fit.scatter.is_estimated
+        && fit.scatter.is_exceeded()
+        && let Some(linear) = fit.linear.take()
+    {
+        fit = fitted_with(model, fit.logs, linear, true)?;
+    }
+    Ok(fit)
+}
+
+/// The fit as of [`fitted_from`], with given standard deviations, or with a common factor on them that is estimated from the residuals.
+fn fitted_with(
+    model: &Model<'_>,
+    begin: Vec<f64>,
+    mut linear: Linear,
+    is_estimated: bool,
+) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
     // Levenberg's damping, as a fraction of the square of the largest singular value of the weighted derivatives.
     let mut damping = 1e-3;
     loop {
-        fit.scatter = model.scatter(&linear.residuals, rank(&linear));
+        fit.scatter = model.scatter(&linear, is_estimated);
         let steps = LinearisedFit::of(model, &linear, &fit.scatter);
         let loss = model.loss(&linear.residuals, &fit.scatter);
         let full = steps.step(0.0);

@@ -39,7 +39,8 @@
 //! # Errors
 //!
 //! The errors are those of the linearised problem at the solution. If the scatter of slips is not given, it is estimated from the residuals, and
-//! confidence intervals use Student's distribution. The singular values of all derivatives show directions, in the logarithms of the unknowns, along
+//! confidence intervals use Student's distribution. So they do if the residuals exceed a given scatter at 95 %: only the ratios of given standard
+//! deviations are then used, and their common factor is [`Identified::misfit`]. The singular values of all derivatives show directions, in the logarithms of the unknowns, along
 //! which no predicted slip changes. Such a direction is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is
