@@ -4,6 +4,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::assignments::gain;
 use super::model::{Linear, Model, PredictionFailure};
 use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
@@ -90,6 +91,17 @@ impl Model<'_> {
 /// is not predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
+/// For each unknown whether searches for a start change it: friction, or if no friction is unknown, squeezes and carried forces.
+fn changing(model: &Model<'_>) -> Vec<bool> {
+    let unknowns = &model.asked.unknowns;
+    let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
+    mapped(unknowns, &|unknown| match unknown.kind {
+        UnknownKind::Friction => true,
+        UnknownKind::Squeeze | UnknownKind::Carried => !has_friction,
+        UnknownKind::Stiffness => false,
+    })
+}
+
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips. It is given by the start values of the unknowns,
 /// perhaps with all unknown friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled
 /// if the object is lost before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes
@@ -99,12 +111,7 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
     let Err((_, mut why)) = first else { return Ok((begin, first)) };
-    let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
-    let changes = |kind| match kind {
-        UnknownKind::Friction => true,
-        UnknownKind::Squeeze | UnknownKind::Carried => !has_friction,
-        UnknownKind::Stiffness => false,
-    };
+    let changes = changing(model);
     let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
     // Twelve further trials reach factors down to 1/4096 if the grasp always holds too well, or up to 4096 if it always holds too little.
     for _ in 0..12 {
@@ -118,8 +125,8 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
             (_, None) => by + core::f64::consts::LN_2,
         };
         let mut moved = begin.clone();
-        for (log, unknown) in moved.iter_mut().zip(unknowns) {
-            *log += if changes(unknown.kind) { by } else { 0.0 };
+        for (log, _) in moved.iter_mut().zip(&changes).filter(|(_, changes)| **changes) {
+            *log += by;
         }
         match model.linear(&moved)? {
             Ok(linear) => return Ok((moved, Ok(linear))),
@@ -133,10 +140,39 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
 /// question.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = starting_fit(model)?;
-    match linear {
-        Ok(linear) => fitted_from(model, begin, linear),
-        Err((slip, why)) => Ok(Fitted::from(begin, FitEnd::NoSlip(slip, why))),
+    let fit = match linear {
+        Ok(linear) => fitted_from(model, begin, linear)?,
+        Err((slip, why)) => return Ok(Fitted::from(begin, FitEnd::NoSlip(slip, why))),
+    };
+    if let Some((begin, linear)) = off_the_plateau(model, &fit)? {
+        let other = fitted_from(model, begin, linear)?;
+        if gain(model, &other, &fit) > 0.5 * two_sided(0.95, None).powi(2) {
+            return Ok(other);
+        }
     }
+    Ok(fit)
+}
+
+/// A start from which the slip farthest off depends on the unknowns, if no unknown of [`changing`] moves it at the fit: a box that tips there slides
+/// with less friction. These unknowns are halved if the slip was observed below its prediction, else doubled, in at most twelve trials.
+fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
+    let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
+    let is_flat =
+        |linear: &Linear, k: usize| (0..changes.len()).all(|j| !changes[j] || linear.jacobian[(k, j)] == 0.0);
+    let off = |k: &usize| here.residuals[*k].abs();
+    let flat = (0..model.asked.slips.len()).filter(|k| off(k) > INDISTINCT && is_flat(here, *k));
+    let Some(slip) = flat.max_by(|a, b| off(a).total_cmp(&off(b))) else { return Ok(None) };
+    let mut logs = fit.logs.clone();
+    for _ in 0..if changes.contains(&true) { 12 } else { 0 } {
+        for (log, _) in logs.iter_mut().zip(&changes).filter(|(_, changes)| **changes) {
+            *log += core::f64::consts::LN_2.copysign(here.residuals[slip]);
+        }
+        match model.linear(&logs)? {
+            Ok(linear) if is_flat(&linear, slip) => {}
+            linear => return Ok(linear.ok().map(|linear| (logs, linear))),
+        }
+    }
+    Ok(None)
 }
 
 impl Fitted {

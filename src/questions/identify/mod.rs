@@ -27,7 +27,8 @@
 //! falls, derivatives are difference quotients of predictions.
 //!
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
-//! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. If nothing but the
+//! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. The same is tried
+//! where friction moves no prediction, such as that of a box that tips, although a slip was observed elsewhere. If nothing but the
 //! load of a slip presses on the contacts, the component of this load along the normals acts from the start, and only the rest grows. An example is
 //! an object that is dragged over a table: it lies on the table first.
 //!
