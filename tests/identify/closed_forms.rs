@@ -1,7 +1,7 @@
 //! From slips without scatter, at loads computed by hand, identification returns every unknown to the last digits.
 
 use grasp_lcp::identify::{FitEnding, Identified, Identify, Slip, Unknown};
-use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
+use grasp_lcp::planar::{Contact, Grasp, Link, Turn, Wrench};
 use support::jaws::{jaw, jaws};
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -72,6 +72,21 @@ fn friction_from_an_angle() -> Tested {
     let turn = Turn::tilting([0.0, -5.0], [0.0, 0.0]).up_to(0.4_f64.atan());
     are(&block.identify(&Identify::new([Unknown::friction()], [Slip::gross_on_turn(turn)]))?, &[0.4]);
     are(&block.identify(&Identify::new([Unknown::friction()], [Slip::first_on_turn(turn)]))?, &[0.4]);
+    Ok(())
+}
+
+/// The friction of all contacts is that of contacts that rub. A cable as stiff as both feet keeps half of its pretension, so that 10 N press; beside a
+/// foot without friction the other one carries 5 N of 10 N.
+#[test]
+fn friction_of_contacts_that_rub() -> Tested {
+    let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(mu);
+    let cable = Link::cable([0.0, 0.1], [0.0, 0.0]).stiffness(2e5).pretension(20.0).contacts()?;
+    let tied = Grasp::new([vec![foot(-0.1, 0.5), foot(0.1, 0.5)], cable].concat())?;
+    let slip = Slip::gross(Wrench::force([3.0, 0.0]));
+    are(&tied.identify(&Identify::new([Unknown::friction()], [slip]))?, &[0.3]);
+    let lies = Grasp::new([foot(-0.1, 0.5), foot(0.1, 0.0)])?;
+    let slip = Slip::gross(Wrench::force([1.5, 0.0])).on_top_of(down(10.0));
+    are(&lies.identify(&Identify::new([Unknown::friction()], [slip]))?, &[0.3]);
     Ok(())
 }
 

@@ -36,6 +36,8 @@ fn each_is_refused_by_name() -> Tested {
     refused(slips([slip.clone().in_group(3), slip.clone()]), "slip 0", "group", "3");
     let one_group = [slip.clone().in_group(3), slip.clone().in_group(3)];
     refused(slips(one_group), "slips", "number of groups", "1");
+    let pressed = slip.clone().on_top_of(Wrench::force([-2.0, 0.0]));
+    refused(Identify::new([Unknown::carried()], [pressed]), "slip 0, left", "onto it", "2");
     let twice = [mu.clone(), mu.clone().of_contacts([1])];
     refused(Identify::new(twice, [slip.clone()]), "unknown 1", "its contacts, too,", "0");
     refused(one(mu.clone()).knowing([1], 1.0, 0.1), "known sum 0", "the unknown", "1");

@@ -104,6 +104,30 @@ fn friction_of_each_jaw_from_the_weaker() -> Tested {
     Ok(())
 }
 
+/// Two feet share a pull P, so that the first slip is at P/2 = μ N of one foot, under 10 N at x with N = 5 N ± 50 x N/m. The right foot would slip first
+/// in the first slip alone. It does at μ = 0.47, but at μ = 0.6 that slip is merely 2.5 % below the limit of the left foot.
+#[test]
+fn friction_that_would_explain_one_low_slip() -> Tested {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.5);
+    let block = Grasp::new([foot(-0.1), foot(0.1)])?;
+    let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
+    for (right, is_fixed) in [(0.47, true), (0.6, false)] {
+        let parts = [0.975, 1.01, 0.99, 1.005, 0.995, 1.01, 0.99];
+        let slips = parts.iter().enumerate().map(|(k, part)| {
+            let x = -0.03 + 0.01 * k as f64;
+            let least = f64::min(0.3 * (5.0 - 50.0 * x), right * (5.0 + 50.0 * x));
+            Slip::first(Wrench::force([2.0 * least * part, 0.0]))
+                .on_top_of(Wrench::force_at([0.0, -10.0], [x, 0.0]))
+        });
+        let found = block.identify(&Identify::new(each.clone(), slips))?;
+        let [left, other] = &found.estimates[..] else { panic!("two unknowns") };
+        assert!(left.is_fixed && (left.value / 0.3 - 1.0).abs() < 0.01, "{found}");
+        assert_eq!(other.is_fixed, is_fixed, "{found}");
+        assert!(!is_fixed || (other.value / (0.975 * right) - 1.0).abs() < 1e-6, "{found}");
+    }
+    Ok(())
+}
+
 /// Friction and the load of each foot: without a known load, a common factor between loads and friction is open. With one, all are determined.
 #[test]
 fn friction_and_loads_of_supports() -> Result<(), support::Failure> {

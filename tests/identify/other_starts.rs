@@ -3,7 +3,7 @@
 use grasp_lcp::Settings;
 use grasp_lcp::identify::{FitEnding, Identify, Slip, Unknown};
 use grasp_lcp::load_path::Ramp;
-use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
@@ -83,6 +83,32 @@ fn a_weight_lies_there_before_a_block_is_dragged() -> Tested {
         let told = Grasp::new([table])?.identify(&Identify::new([Unknown::friction()], slips))?;
         assert!((told.estimates[0].value.ln() - mean).abs() < 1e-5, "{told}");
     }
+    Ok(())
+}
+
+/// A box of 20 N tips where the pull is a third of its weight, so that no slip at the start depends on friction. Lower pulls made it slide at μ 20 N,
+/// and a table at atan μ. Where it did tip, friction stays open.
+#[test]
+fn a_box_that_tips_with_the_friction_at_the_start() -> Tested {
+    let weight = Wrench::force_at([0.0, -20.0], [0.0, 0.1]);
+    let pull = |newtons: f64| Slip::gross(Wrench::force_at([newtons, 0.0], [0.0, 0.15])).on_top_of(weight);
+    let tilted = Slip::gross_on_turn(Turn::tilting([0.0, -20.0], [0.0, 0.1]).up_to(0.25_f64.atan()));
+    for friction in [0.3, 0.5, 4.0] {
+        let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(friction);
+        let grasp = Grasp::new([foot(-0.05), foot(0.05)])?;
+        let found = |slips: Vec<Slip<2>>| grasp.identify(&Identify::new([Unknown::friction()], slips));
+        for slips in [vec![pull(5.0); 2], vec![tilted.clone()], vec![pull(5.0), tilted.clone()]] {
+            let told = found(slips)?;
+            assert!(
+                (told.estimates[0].value / 0.25 - 1.0).abs() < 1e-6 && told.estimates[0].is_fixed,
+                "{told}"
+            );
+        }
+    }
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.5);
+    let asked = Identify::new([Unknown::friction()], [6.6, 6.8, 6.65].map(pull));
+    let told = Grasp::new([foot(-0.05), foot(0.05)])?.identify(&asked)?;
+    assert!(!told.estimates[0].is_fixed && told.free.len() == 1, "{told}");
     Ok(())
 }
 

@@ -54,6 +54,19 @@ fn a_scatter_that_is_given() -> Tested {
     let tight = jaws([0.5; 2])?.identify(&asked(0.01))?;
     assert!(tight.misfit.is_some_and(|misfit| (misfit / (s / 0.01) - 1.0).abs() < 1e-6), "{tight}");
     assert!(tight.to_string().contains("as far off"), "{tight}");
+    // Residuals of 7 given standard deviations show that these are too small. The error is then that of a scatter that is not given.
+    let (mu, half) = (&tight.estimates[0], 2.776_445 * s / 5.0_f64.sqrt());
+    assert!(mu.interval.is_some_and(|[low, _]| (low / (mean - half).exp() - 1.0).abs() < 1e-6), "{tight}");
+    Ok(())
+}
+
+/// Equal slips show no scatter, so that no error is known.
+#[test]
+fn slips_that_are_equal() -> Tested {
+    let found = jaws([0.5; 2])?.identify(&Identify::new([Unknown::friction()], [6.0; 3].map(slip)))?;
+    let mu = &found.estimates[0];
+    assert!((mu.value / 0.3 - 1.0).abs() < 1e-9 && mu.is_fixed && mu.standard_error.is_none(), "{found}");
+    assert!(found.scatter.is_none() && found.to_string().contains("the slips agree"), "{found}");
     Ok(())
 }
 

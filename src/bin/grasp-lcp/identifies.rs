@@ -17,11 +17,11 @@ use grasp_lcp::scene::{Question, Setup};
 /// The unknowns, and the table of observed slips.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Identifies {
-    /// A table of slips: rows of numbers separated by commas, below a row with the names of the columns. If left out, the scene's own questions
-    /// are asked.
+    /// A table of slips: rows of numbers separated by commas, semicolons or tabs, below a row with the names of the columns. If left out, the scene's
+    /// own questions are asked.
     pub(crate) table: Option<PathBuf>,
     /// An unknown, one number for all contacts or for the named ones: friction, carried (the load of a support, N), squeeze or stiffness.
-    /// If left out, one coefficient of friction of all contacts is sought.
+    /// If left out, one coefficient of friction of all contacts that have friction is sought.
     #[arg(long, value_name = "WHAT[=CONTACT,CONTACT]")]
     pub(crate) unknown: Vec<UnknownGiven>,
     /// A known sum of unknowns, given by their numbers from 0, with its standard deviation in percent.
@@ -141,6 +141,7 @@ impl OptionVectors {
             let line = read.split(|byte| *byte == b'\n').count() - 1;
             refused(line, "no UTF-8: the table must be saved as UTF-8".to_owned())
         })?;
+        let text = text.trim_start_matches('\u{feff}');
         let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
         let columns = columns(self.axes);
         let Some((head, heads)) = lines.next() else {
@@ -149,7 +150,10 @@ impl OptionVectors {
                 format!("nothing given, must be names of columns: {}", columns.join(", ")),
             ));
         };
-        let heads: Vec<_> = heads.split(',').map(str::trim).collect();
+        // Spreadsheets separate columns by semicolons or tabs, too, and write text between quotation marks.
+        let separator = [';', '\t'].into_iter().find(|separator| heads.contains(*separator)).unwrap_or(',');
+        let cells = |row| str::split(row, separator).map(|cell| cell.trim().trim_matches('"')).collect();
+        let heads: Vec<&str> = cells(heads);
         if let Some(other) = heads.iter().find(|head| !columns.contains(head)) {
             let other = printable(other);
             return Err(refused(
@@ -165,7 +169,7 @@ impl OptionVectors {
         }
         let (mut slips, mut groups) = (Vec::new(), Vec::new());
         for (line, row) in lines {
-            let cells: Vec<_> = row.split(',').map(str::trim).collect();
+            let cells: Vec<&str> = cells(row);
             if cells.len() != heads.len() {
                 let fault = format!("{} columns given, must be {}", cells.len(), heads.len());
                 return Err(refused(line, fault));

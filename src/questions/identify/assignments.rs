@@ -243,12 +243,22 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
 
 /// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %. `false` if the other fit is exact.
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
-    let (Some(here), Some(there)) = (&one.linear, &other.linear) else { return one.linear.is_some() };
-    let degrees = here.residuals.len().saturating_sub(model.asked.unknowns.len()).max(1);
-    let degrees = one.scatter.estimated.map(|_| degrees as f64);
-    let gain = model.loss(&there.residuals, &one.scatter) - model.loss(&here.residuals, &one.scatter);
-    let is_exact = there.residuals.iter().all(|r| r.abs() <= INDISTINCT);
-    !is_exact && gain > 0.5 * two_sided(0.95, degrees).powi(2)
+    let unknowns = model.asked.unknowns.len();
+    let degrees = one.linear.as_ref().map_or(1, |here| here.residuals.len().saturating_sub(unknowns).max(1));
+    let degrees = one.scatter.is_estimated.then_some(degrees as f64);
+    gain(model, one, other) > 0.5 * two_sided(0.95, degrees).powi(2)
+}
+
+/// By how much the loss of the second fit exceeds the loss of the first, in standard deviations of the first; 0 if the second fit is exact.
+pub(super) fn gain(model: &Model<'_>, one: &Fitted, other: &Fitted) -> f64 {
+    match (&one.linear, &other.linear) {
+        (None, _) => f64::NEG_INFINITY,
+        (_, None) => f64::INFINITY,
+        (_, Some(there)) if there.residuals.iter().all(|r| r.abs() <= INDISTINCT) => 0.0,
+        (Some(here), Some(there)) => {
+            model.loss(&there.residuals, &one.scatter) - model.loss(&here.residuals, &one.scatter)
+        }
+    }
 }
 
 /// The answer `answer` with the estimates of the fits `others`, which fit equally well. An unknown on which the fits disagree becomes undetermined.

@@ -9,6 +9,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Space;
 use crate::numerics::mapped;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
@@ -16,7 +17,8 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// Returns an error for contacts that the grasps of the layouts do not have, and for two unknowns that one contact cannot have at once.
+    /// Returns an error for contacts that the grasps of the layouts do not have, for two unknowns that one contact cannot have at once, and for a base
+    /// load onto a contact whose carried force is sought, which contains that load.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {
@@ -35,6 +37,20 @@ impl Identify<3> {
                     other as f64,
                     allowed,
                 );
+            }
+        }
+        for (k, slip) in self.slips.iter().enumerate() {
+            let (layout, force) = (slip.layout(), slip.at_rest().force_part());
+            for (i, contact) in layouts[layout].contacts().iter().enumerate() {
+                let pressed = -contact.normal.normalize().dot(&force);
+                let is_sought =
+                    |unknown: &Unknown| unknown.kind == UnknownKind::Carried && unknown.is_of(layout, i);
+                if pressed > NEGLIGIBLE * force.norm() && self.unknowns.iter().any(is_sought) {
+                    let what = format!("slip {k}, {}", layouts[layout].whole_contacts(|j| j == i)[0]);
+                    let allowed =
+                        "left out where the force that the contact carries is sought: it contains this load";
+                    return wrong(what, "force of the base load onto it", pressed, allowed);
+                }
             }
         }
         Ok(())

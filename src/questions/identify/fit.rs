@@ -4,12 +4,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::assignments::gain;
 use super::model::{Linear, Model, PredictionFailure};
 use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{IntoList, Singular, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, Singular, mapped, matrix_of, two_sided, vector_of};
 use crate::prelude::*;
 
 /// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
@@ -32,11 +33,24 @@ pub(super) enum FitEnd {
 }
 
 /// Relative standard deviations of the observations, by which residuals are divided.
+#[derive(Clone, Default)]
 pub(super) struct Scatter {
     /// One standard deviation for each slip, then one for each known sum, relative to the observed value.
     pub(super) rows: Vec<f64>,
-    /// The common standard deviation of all slips, if it is estimated from residuals; `None` if it was given or cannot be estimated.
-    pub(super) estimated: Option<f64>,
+    /// The common standard deviation of all slips, or the common factor on their given ones, estimated from residuals.
+    pub(super) scale: f64,
+    /// Whether `rows` contain the scale, because none are given, or because the residuals are clearly larger than the given ones say.
+    pub(super) is_estimated: bool,
+    /// Degrees of freedom: the number of observations minus the number of combinations of unknowns that they determine.
+    pub(super) degrees: usize,
+}
+
+impl Scatter {
+    /// Whether residuals exceed given standard deviations at 95 %, by the approximation of Wilson and Hilferty to the distribution of chi-square.
+    fn is_exceeded(&self) -> bool {
+        let part = 2.0 / (9.0 * self.degrees as f64);
+        self.degrees > 0 && self.scale > (1.0 - part + two_sided(0.9, None) * part.sqrt()).powf(1.5)
+    }
 }
 
 impl Model<'_> {
@@ -45,17 +59,18 @@ impl Model<'_> {
     }
 
     /// Relative standard deviations of the observations. For slips they are given, or one standard deviation common to all slips is estimated from
-    /// the residuals. `rank` is the number of combinations of unknowns that the observations determine.
-    pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
+    /// the residuals. If `is_estimated`, a common factor on given ones is estimated, too.
+    fn scatter(&self, linear: &Linear, is_estimated: bool) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
-        let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
-        let estimated = given.is_none().then(|| {
-            let degrees = (slips.len() + known.len()).saturating_sub(rank);
-            self.huber().scale(&residuals[..slips.len()], degrees)
-        });
-        let of_slips = given.unwrap_or_else(|| vec![estimated.unwrap_or(1.0); slips.len()]);
-        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).list();
-        Scatter { rows, estimated }
+        let given: Vec<_> = mapped(slips, &|slip| slip.scatter.unwrap_or(1.0));
+        let scaled: Vec<f64> = linear.residuals.iter().zip(&given).map(|(r, sigma)| r / sigma).list();
+        let degrees = linear.residuals.len().saturating_sub(rank(linear));
+        let scale = self.huber().scale(&scaled, degrees);
+        let is_estimated = is_estimated || slips[0].scatter.is_none();
+        let times = if is_estimated { scale } else { 1.0 };
+        let of_slips = given.into_iter().map(|sigma| times * sigma);
+        let rows = of_slips.chain(known.iter().map(|known| known.scatter)).list();
+        Scatter { rows, scale, is_estimated, degrees }
     }
 
     /// The weight of observation number `row`, whose residual is `u` standard deviations: Huber's weight for slips, 1 for known sums.
@@ -76,6 +91,17 @@ impl Model<'_> {
 /// is not predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
+/// For each unknown whether searches for a start change it: friction, or if no friction is unknown, squeezes and carried forces.
+fn changing(model: &Model<'_>) -> Vec<bool> {
+    let unknowns = &model.asked.unknowns;
+    let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
+    mapped(unknowns, &|unknown| match unknown.kind {
+        UnknownKind::Friction => true,
+        UnknownKind::Squeeze | UnknownKind::Carried => !has_friction,
+        UnknownKind::Stiffness => false,
+    })
+}
+
 /// The first point, in the logarithms of the unknowns, at which the model predicts all slips. It is given by the start values of the unknowns,
 /// perhaps with all unknown friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled
 /// if the object is lost before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes
@@ -85,12 +111,7 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
     let first = model.linear(&begin)?;
     let Err((_, mut why)) = first else { return Ok((begin, first)) };
-    let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
-    let changes = |kind| match kind {
-        UnknownKind::Friction => true,
-        UnknownKind::Squeeze | UnknownKind::Carried => !has_friction,
-        UnknownKind::Stiffness => false,
-    };
+    let changes = changing(model);
     let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
     // Twelve further trials reach factors down to 1/4096 if the grasp always holds too well, or up to 4096 if it always holds too little.
     for _ in 0..12 {
@@ -104,8 +125,8 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
             (_, None) => by + core::f64::consts::LN_2,
         };
         let mut moved = begin.clone();
-        for (log, unknown) in moved.iter_mut().zip(unknowns) {
-            *log += if changes(unknown.kind) { by } else { 0.0 };
+        for (log, _) in moved.iter_mut().zip(&changes).filter(|(_, changes)| **changes) {
+            *log += by;
         }
         match model.linear(&moved)? {
             Ok(linear) => return Ok((moved, Ok(linear))),
@@ -119,26 +140,96 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
 /// question.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = starting_fit(model)?;
-    match linear {
-        Ok(linear) => fitted_from(model, begin, linear),
-        Err((slip, why)) => Ok(Fitted::from(begin, FitEnd::NoSlip(slip, why))),
+    let fit = match linear {
+        Ok(linear) => fitted_from(model, begin, linear)?,
+        Err((slip, why)) => return Ok(Fitted::from(begin, FitEnd::NoSlip(slip, why))),
+    };
+    if let Some((begin, linear)) = off_the_plateau(model, &fit)? {
+        let other = fitted_from(model, begin, linear)?;
+        if gain(model, &other, &fit) > 0.5 * two_sided(0.95, None).powi(2) {
+            return Ok(other);
+        }
     }
+    Ok(fit)
+}
+
+/// A start from which the slip farthest off depends on the unknowns, if no unknown of [`changing`] moves it at the fit: a box that tips there slides
+/// with less friction. These unknowns are halved if the slip was observed below its prediction, else doubled, in at most twelve trials.
+fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
+    let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
+    let is_flat =
+        |linear: &Linear, k: usize| (0..changes.len()).all(|j| !changes[j] || linear.jacobian[(k, j)] == 0.0);
+    let off = |k: &usize| here.residuals[*k].abs();
+    let flat = (0..model.asked.slips.len()).filter(|k| off(k) > INDISTINCT && is_flat(here, *k));
+    let Some(slip) = flat.max_by(|a, b| off(a).total_cmp(&off(b))) else { return Ok(None) };
+    let mut logs = fit.logs.clone();
+    for _ in 0..if changes.contains(&true) { 12 } else { 0 } {
+        for (log, _) in logs.iter_mut().zip(&changes).filter(|(_, changes)| **changes) {
+            *log += core::f64::consts::LN_2.copysign(here.residuals[slip]);
+        }
+        match model.linear(&logs)? {
+            Ok(linear) if is_flat(&linear, slip) => {}
+            linear => return Ok(linear.ok().map(|linear| (logs, linear))),
+        }
+    }
+    Ok(None)
 }
 
 impl Fitted {
     fn from(logs: Vec<f64>, end: FitEnd) -> Self {
-        let nothing = Scatter { rows: Vec::new(), estimated: None };
-        Self { logs, linear: None, scatter: nothing, iterations: 0, end }
+        Self { logs, linear: None, scatter: Scatter::default(), iterations: 0, end }
     }
 }
 
-/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips.
-pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, mut linear: Linear) -> Result<Fitted, Error> {
+/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips. Given standard
+/// deviations that the residuals clearly exceed are multiplied by a common factor, and the search is continued.
+pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) -> Result<Fitted, Error> {
+    let mut fit = fitted_with(model, begin, linear, false)?;
+    if !fit.scatter.is_estimated
+        && fit.scatter.is_exceeded()
+        && let Some(linear) = fit.linear.take()
+    {
+        fit = fitted_with(model, fit.logs, linear, true)?;
+    }
+    loosened(model, fit)
+}
+
+/// The fit, or one without an unknown that one slip alone determines: with the unknown doubled, its contact no longer slips first in any. Some slip
+/// always has the lowest load for its scatter, so that the fit must be better at 95 % for the lowest of all slips (Bonferroni).
+fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
+    let probability = 1.0 - 0.05 / model.asked.slips.len() as f64;
+    for unknown in 0..fit.logs.len() {
+        let rows = |linear: &Linear| linear.jacobian.column(unknown).iter().filter(|x| **x != 0.0).count();
+        // One degree of freedom hardly tells the scatter.
+        if fit.scatter.degrees < 2 || fit.linear.as_ref().is_none_or(|here| rows(here) != 1) {
+            continue;
+        }
+        let mut doubled = fit.logs.clone();
+        doubled[unknown] += core::f64::consts::LN_2;
+        let Some(linear) = model.linear(&doubled)?.ok().filter(|there| rows(there) == 0) else { continue };
+        let other = fitted_with(model, doubled, linear, fit.scatter.is_estimated)?;
+        let degrees = fit.scatter.is_estimated.then_some(fit.scatter.degrees as f64);
+        if other.linear.as_ref().is_some_and(|there| rows(there) == 0)
+            && gain(model, &fit, &other) <= 0.5 * two_sided(probability, degrees).powi(2)
+        {
+            fit = other;
+        }
+    }
+    Ok(fit)
+}
+
+/// The fit as of [`fitted_from`], with given standard deviations, or with a common factor on them that is estimated from the residuals.
+fn fitted_with(
+    model: &Model<'_>,
+    begin: Vec<f64>,
+    mut linear: Linear,
+    is_estimated: bool,
+) -> Result<Fitted, Error> {
     let mut fit = Fitted::from(begin, FitEnd::Limit);
     // Levenberg's damping, as a fraction of the square of the largest singular value of the weighted derivatives.
     let mut damping = 1e-3;
     loop {
-        fit.scatter = model.scatter(&linear.residuals, rank(&linear));
+        fit.scatter = model.scatter(&linear, is_estimated);
         let steps = LinearisedFit::of(model, &linear, &fit.scatter);
         let loss = model.loss(&linear.residuals, &fit.scatter);
         let full = steps.step(0.0);

@@ -27,7 +27,8 @@
 //! falls, derivatives are difference quotients of predictions.
 //!
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
-//! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. If nothing but the
+//! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. The same is tried
+//! where friction moves no prediction, such as that of a box that tips, although a slip was observed elsewhere. If nothing but the
 //! load of a slip presses on the contacts, the component of this load along the normals acts from the start, and only the rest grows. An example is
 //! an object that is dragged over a table: it lies on the table first.
 //!
@@ -39,7 +40,8 @@
 //! # Errors
 //!
 //! The errors are those of the linearised problem at the solution. If the scatter of slips is not given, it is estimated from the residuals, and
-//! confidence intervals use Student's distribution. The singular values of all derivatives show directions, in the logarithms of the unknowns, along
+//! confidence intervals use Student's distribution. So they do if the residuals exceed a given scatter at 95 %: only the ratios of given standard
+//! deviations are then used, and their common factor is [`Identified::misfit`]. The singular values of all derivatives show directions, in the logarithms of the unknowns, along
 //! which no predicted slip changes. Such a direction is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is

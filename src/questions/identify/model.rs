@@ -6,6 +6,7 @@ use nalgebra::DMatrix;
 
 use super::question::Identify;
 use super::slip::{Slip, SlipKind, SlipLoad};
+use super::tolerances::INDISTINCT;
 use super::unknown::UnknownKind;
 use super::{first, gross};
 use crate::ask::Grasp;
@@ -133,6 +134,8 @@ impl Model<'_> {
                 jacobian[(slips + k, *j)] = logs[*j].exp() / sum;
             }
         }
+        // Difference quotients that are rounding would make the slips seem to depend on the unknown.
+        jacobian.apply(|x| *x = if x.abs() > INDISTINCT { *x } else { 0.0 });
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 

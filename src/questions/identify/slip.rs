@@ -176,7 +176,6 @@ impl Slip<3> {
     }
 
     /// The load at the start of this slip: the base load plus the load of a turn at angle zero.
-    #[cfg(feature = "serde")]
     pub(super) fn at_rest(&self) -> Wrench<3> {
         self.base() + self.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
     }

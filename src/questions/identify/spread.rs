@@ -19,7 +19,7 @@ use crate::prelude::*;
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
-    let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear));
+    let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear, &fit.scatter));
     let estimates = numbered(names.len(), &|j| {
         let (name, value) = (&names[j], fit.logs[j].exp());
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
@@ -56,6 +56,8 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let (residuals, by_differences) = fit.linear.as_ref().map_or_else(Default::default, |linear| {
         (linear.residuals[..model.asked.slips.len()].to_vec(), linear.by_differences)
     });
+    let is_given = model.asked.slips[0].scatter.is_some();
+    let scale = Some(fit.scatter.scale).filter(|_| spread.is_some() && fit.scatter.degrees > 0);
     let sigma = fit.scatter.rows.iter();
     let weights = residuals.iter().zip(sigma).map(|(r, sigma)| model.huber().weight(r / sigma)).list();
     Identified {
@@ -64,12 +66,9 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
         slips: model.asked.slips.len(),
         groups: groups(model)
             .map(|groups| (0..groups.len()).filter(|k| !groups[..*k].contains(&groups[*k])).count()),
-        scatter: spread
-            .as_ref()
-            .and_then(|spread| spread.scatter.estimated)
-            .filter(|_| spread.as_ref().is_some_and(|spread| spread.degrees > 0)),
-        misfit: spread.as_ref().and_then(Spread::misfit),
-        degrees_of_freedom: spread.as_ref().map_or(0, |spread| spread.degrees),
+        scatter: scale.filter(|scale| !is_given && *scale > INDISTINCT),
+        misfit: scale.filter(|_| is_given),
+        degrees_of_freedom: fit.scatter.degrees,
         free,
         assignments: Vec::new(),
         residuals,
@@ -87,12 +86,7 @@ struct Spread {
     directions: DMatrix<f64>,
     /// Number of combinations of unknowns that slips and known sums determine.
     rank: usize,
-    /// Degrees of freedom: the number of observations minus `rank`.
-    degrees: usize,
     scatter: Scatter,
-    /// Mean square of the residuals, each divided by the given standard deviation of its slip and clamped at the bound of outliers; 1 is expected.
-    /// `None` if the standard deviations were not given or no degrees of freedom remain.
-    square: Option<f64>,
     /// For slips with groups, the contributions of groups to the errors; otherwise `None`.
     grouped: Option<Grouped>,
 }
@@ -103,12 +97,9 @@ fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
 }
 
 impl Spread {
-    fn of(model: &Model<'_>, linear: &Linear) -> Self {
+    fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let (slips, unknowns) = (model.asked.slips.len(), model.asked.unknowns.len());
         let rows = linear.residuals.len();
-        let rank = rank(linear);
-        let degrees = rows.saturating_sub(rank);
-        let scatter = model.scatter(&linear.residuals, rank);
         let huber = model.huber();
         let all_scaled = numbered(rows, &|k| linear.residuals[k] / scatter.rows[k]);
         let scaled = &all_scaled[..slips];
@@ -120,10 +111,8 @@ impl Spread {
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
-        let square = scatter.estimated.is_none() && degrees > 0;
-        let square =
-            square.then(|| huber.squares(scaled.iter().copied()) / (degrees as f64 * huber.mean_square()));
-        let mut spread = Self { values, directions, rank, degrees, scatter, square, grouped: None };
+        let mut spread =
+            Self { values, directions, rank: rank(linear), scatter: scatter.clone(), grouped: None };
         spread.grouped = groups.map(|groups| {
             let rows =
                 DMatrix::from_diagonal(&weights.into()) * &linear.jacobian * spread.scaled_directions();
@@ -155,21 +144,17 @@ impl Spread {
     }
 
     /// The standard error of the logarithm of an unknown, and the degrees of freedom of Student's interval (`None` for a normal distribution). `None`
-    /// if the slips do not determine the unknown, or its error is not known.
+    /// if the slips do not determine the unknown, or its error is not known, also because slips agree to all digits.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
-        let degrees = self.scatter.estimated.is_some().then_some(self.degrees as f64);
-        if !self.fixes(unknown) || degrees == Some(0.0) {
+        let degrees = self.scatter.is_estimated.then_some(self.scatter.degrees as f64);
+        let is_told =
+            !self.scatter.is_estimated || self.scatter.degrees > 0 && self.scatter.scale > INDISTINCT;
+        if !self.fixes(unknown) || !is_told {
             return None;
         }
         let along = self.scaled_directions().row(unknown).transpose();
         let Some(grouped) = &self.grouped else { return Some((along.norm(), degrees)) };
         let error = grouped.of_unknown(&along)?;
         Some((error.variance.sqrt(), Some(error.degrees)))
-    }
-
-    /// The root mean square of the residuals, each divided by the given standard deviation; `None` if no standard deviations were given or no degrees
-    /// of freedom remain.
-    fn misfit(&self) -> Option<f64> {
-        self.square.map(f64::sqrt)
     }
 }

@@ -4,8 +4,7 @@
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Wrench};
-use crate::numerics::IntoList;
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, chosen, mapped, numbered};
 use crate::prelude::*;
 use crate::words::listed;
 
@@ -34,7 +33,7 @@ pub struct Unknown {
     /// The kind of the unknown: friction, carried force, squeeze or stiffness.
     #[cfg_attr(feature = "serde", serde(rename = "quantity"))]
     pub(super) kind: UnknownKind,
-    /// The contacts of the unknown, from 0, a soft fingertip counted as one; all contacts if left out.
+    /// The contacts of the unknown, from 0, a soft fingertip counted as one. All contacts if left out, except links; for friction all that have it.
     #[cfg_attr(
         feature = "serde",
         serde(default, deserialize_with = "some_contacts", skip_serializing_if = "Option::is_none")
@@ -50,6 +49,9 @@ pub struct Unknown {
     /// The value at the start of the search; the value of the scene if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) start: Option<f64>,
+    /// The contact points of the unknown, a list for each layout; empty until [`Self::of_points`] fills it in.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(super) points: Vec<Vec<usize>>,
 }
 
 /// Reads the contacts of an unknown from a file; an empty list becomes `None`, which means all contacts.
@@ -62,17 +64,17 @@ fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Op
 impl Unknown {
     /// An unknown of this kind, common to all contacts in all layouts.
     pub fn of(kind: UnknownKind) -> Self {
-        Self { kind, contacts: None, layout: None, name: None, start: None }
+        Self { kind, contacts: None, layout: None, name: None, start: None, points: Vec::new() }
     }
 
-    /// One coefficient of friction common to all contacts.
+    /// One coefficient of friction common to all contacts that have friction.
     pub fn friction() -> Self {
         Self::of(UnknownKind::Friction)
     }
 
     /// The normal force, N, that each contact carries before the load of a slip grows: for a support, its share of a weight. The contact presses with
     /// this force, and an equal load presses the object onto the contact, so that the object does not move. The weight must not be given again as a
-    /// base load.
+    /// base load: a base load onto such a contact is refused.
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
     }
@@ -105,7 +107,7 @@ impl Unknown {
     }
 
     /// This unknown with contact points in place of contacts: the indices of the points of each soft fingertip. An error for contacts that the grasp
-    /// does not have.
+    /// does not have. An unknown of all contacts leaves out links, and friction leaves out contacts without friction if others have it.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -117,12 +119,25 @@ impl Unknown {
                 other => other,
             })?);
         }
+        points.points = numbered(layouts.len(), &|layout| {
+            let all = layouts[layout].contacts();
+            let is_meant = |i: &usize| self.kind == UnknownKind::Squeeze || all[*i].link.is_none();
+            let rubs = |i: &usize| is_meant(i) && all[*i].friction > 0.0;
+            match &points.contacts {
+                _ if !self.is_in(layout) => Vec::new(),
+                Some(those) => those.clone(),
+                None if self.kind == UnknownKind::Friction && (0..all.len()).any(|i| rubs(&i)) => {
+                    chosen(all.len(), &rubs)
+                }
+                None => chosen(all.len(), &is_meant),
+            }
+        });
         Ok(points)
     }
 
     /// Whether this unknown (such as a coefficient of friction) belongs to this contact point in this layout (arrangement of the contact points).
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
-        self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
+        self.points[layout].contains(&contact)
     }
 
     pub(super) fn is_in(&self, layout: usize) -> bool {

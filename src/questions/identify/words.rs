@@ -58,6 +58,11 @@ impl fmt::Display for Identified {
         if self.groups.is_some() && self.degrees_of_freedom > 0 && !unsure.is_empty() {
             let those = listed(&unsure);
             write!(f, ". How sure {those} is is not known: one group of slips alone tells it")?;
+        } else if self.degrees_of_freedom > 0 && !unsure.is_empty() {
+            write!(
+                f,
+                ". How sure that is is not known: the slips agree to all digits, which tells nothing of their scatter"
+            )?;
         } else if !unsure.is_empty() {
             write!(
                 f,
