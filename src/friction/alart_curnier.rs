@@ -92,18 +92,18 @@ impl<'a, const C: usize> Anchored<'a, C> {
 impl<const C: usize> Equations<C> for Anchored<'_, C> {
     fn at(&self, r: DVector<f64>) -> Linearisation<C> {
         let u = self.blocks.velocities(&r, &self.problem.q);
-        let mut place = Linearisation::new(r);
+        let mut point = Linearisation::new(r);
         for (i, (rho, weight)) in self.rho.iter().zip(&self.weight).enumerate() {
-            let (force, velocity) = (part::<C>(&place.r, i), part::<C>(&u, i) * *rho);
+            let (force, velocity) = (part::<C>(&point.r, i), part::<C>(&u, i) * *rho);
             let trial = force - velocity - (force - part::<C>(&self.anchor, i)) * self.delta;
             let (answer, change) = answer(&trial, self.problem.mu[i]);
             let residual = force - answer;
-            place.size += residual.norm_squared() * weight;
-            place.terms += (force.norm_squared() + velocity.norm_squared()) * weight;
-            place.push(residual, ContactBlock::identity() - change, change * *rho);
+            point.size += residual.norm_squared() * weight;
+            point.terms += (force.norm_squared() + velocity.norm_squared()) * weight;
+            point.push(residual, ContactBlock::identity() - change, change * *rho);
         }
-        (place.size, place.terms) = (place.size.sqrt(), place.terms.sqrt());
-        place
+        (point.size, point.terms) = (point.size.sqrt(), point.terms.sqrt());
+        point
     }
 
     fn shift(&self, contact: usize) -> f64 {

@@ -1,4 +1,4 @@
-//! The sequence of methods for many contacts. It is also used for a few contacts if the problem with polygons of facets in place of the cones has
+//! The sequence of methods for many contacts. It is also used for a few contacts if the problem with polygons of facets in point of the cones has
 //! given no solution.
 //!
 //! One run of the sequence is a start. [`Sweeps`](super::sweeps), which solve one contact after another, find the magnitude of the forces. The
@@ -128,16 +128,16 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             // The line search gives up below `shortest`, a fraction of a Newton step: so short a step would not be worth its factorisation.
             let patience =
                 IterationLimits { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
-            let (place, made) = descend(&equations, &self.order, r.clone(), patience);
+            let (point, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
-            let missing = self.record_if_best(&place.r);
+            let missing = self.record_if_best(&point.r);
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
             // A round has converged if its residual is a small fraction of the residual at its start, or at the level of the rounding errors of its
             // terms.
-            if place.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * place.terms) {
-                r = place.r;
+            if point.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * point.terms) {
+                r = point.r;
                 // A converged round reduces the weight of the proximal term; a failed round increases it.
                 delta = (0.1 * delta).max(1e-10);
             } else {

@@ -79,15 +79,15 @@ pub(super) fn follow<const C: usize>(
         // next τ makes obsolete; if larger, Newton's method fails to follow the path.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
         let patience = IterationLimits { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
-        let (place, steps) = descend(&smoothed, order, r.clone(), patience);
+        let (point, steps) = descend(&smoothed, order, r.clone(), patience);
         made += steps;
-        let ControlFlow::Continue(missing) = judge(&place.r) else { break };
+        let ControlFlow::Continue(missing) = judge(&point.r) else { break };
         if missing < best.0 {
-            best = (missing, place.r.clone());
+            best = (missing, point.r.clone());
         }
         let first = factor == 1.0;
-        if place.size <= enough {
-            (r, tau) = (place.r, tau * factor);
+        if point.size <= enough {
+            (r, tau) = (point.r, tau * factor);
             factor = if first {
                 slow
             } else if steps <= 3 {
@@ -111,15 +111,15 @@ pub(super) fn follow<const C: usize>(
 impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     fn at(&self, r: DVector<f64>) -> Linearisation<C> {
         let u = self.blocks.velocities(&r, &self.problem.q);
-        let mut place = Linearisation::new(r);
+        let mut point = Linearisation::new(r);
         for (i, rho) in self.rho.iter().enumerate() {
             let (residual, by_force, by_velocity) =
-                contact::<C>(&part(&place.r, i), &part(&u, i), self.problem.mu[i], (*rho, self.tau));
-            place.size += residual.norm_squared() / rho;
-            place.push(residual, by_force, by_velocity);
+                contact::<C>(&part(&point.r, i), &part(&u, i), self.problem.mu[i], (*rho, self.tau));
+            point.size += residual.norm_squared() / rho;
+            point.push(residual, by_force, by_velocity);
         }
-        place.size = place.size.sqrt();
-        place
+        point.size = point.size.sqrt();
+        point
     }
 
     fn shift(&self, contact: usize) -> f64 {

@@ -94,9 +94,9 @@ pub(super) fn solve<const C: usize>(
     rhs: &DVector<f64>,
 ) -> Option<DVector<f64>> {
     let n = order.len();
-    let mut place = vec![0; n];
+    let mut position = vec![0; n];
     for (k, i) in order.iter().enumerate() {
-        place[*i] = k;
+        position[*i] = k;
     }
     // By position in the elimination order: inverse pivots, and the rows of the upper triangle.
     let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
@@ -106,8 +106,8 @@ pub(super) fn solve<const C: usize>(
     let mut x = rhs.clone();
     for (k, i) in order.iter().enumerate() {
         for (j, block) in &rows[*i] {
-            work[place[*j]] = *block;
-            present[place[*j]] = true;
+            work[position[*j]] = *block;
+            present[position[*j]] = true;
         }
         let mut value = part::<C>(rhs, *i);
         for before in 0..k {

@@ -90,9 +90,9 @@ impl<const C: usize> Path<'_, C> {
         let far = Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau };
         let enough = ON_CENTRAL_PATH * (self.problem.len() as f64 * tau).sqrt();
         let patience = IterationLimits { steps: 200, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
-        let (place, _) = descend(&far, &order, x.rows(0, size).into_owned(), patience);
-        x.rows_mut(0, size).copy_from(&place.r);
-        (place.size <= enough).then_some(x)
+        let (point, _) = descend(&far, &order, x.rows(0, size).into_owned(), patience);
+        x.rows_mut(0, size).copy_from(&point.r);
+        (point.size <= enough).then_some(x)
     }
 
     /// The residuals at a point, their root mean square relative to √τ, and their derivatives with respect to forces and ln τ.

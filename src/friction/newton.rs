@@ -44,32 +44,32 @@ impl<'a, const C: usize> Newton<'a, C> {
     /// Newton's method from the forces r, until the residual is at the level of rounding errors or `steps` steps are made. Returns the last forces,
     /// converged or not, and the number of steps made.
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
-        let mut point = self.place(r);
+        let mut point = self.iterate_at(r);
         let mut made = 0;
         while made < steps && point.size > FEW_ROUNDINGS * point.terms {
             let Some(step) = self.step(&point) else { break };
             made += 1;
             let mut part = 1.0;
-            let mut next = self.place(&point.r + &step);
+            let mut next = self.iterate_at(&point.r + &step);
             // Shortest fraction of a step that the line search tries.
             let shortest = 1e-3;
             while next.size > (1.0 - SUFFICIENT_DECREASE * part) * point.size && part > shortest {
                 part *= 0.5;
-                next = self.place(&point.r + &step * part);
+                next = self.iterate_at(&point.r + &step * part);
             }
             if part <= shortest {
                 if point.size <= SOLVED_ROUNDING * point.terms {
                     // The residual is at the level of rounding errors.
                     break;
                 }
-                next = self.place(&point.r + &step);
+                next = self.iterate_at(&point.r + &step);
             }
             point = next;
         }
         (point.r, made)
     }
 
-    fn place(&self, r: DVector<f64>) -> Iterate<C> {
+    fn iterate_at(&self, r: DVector<f64>) -> Iterate<C> {
         let u = self.problem.velocities(&r);
         let mut residual = r.clone();
         let mut changes = Vec::with_capacity(self.problem.len());

@@ -42,12 +42,12 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 
     /// A solution or, if no try finds a solution, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times
-    /// as many are used, up to `turns` times; in the plane there is only one try.
-    pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
+    /// as many are used, up to `restarts` times; in the plane there is only one try.
+    pub(super) fn solve(&mut self, restarts: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
-        for turn in 0..=if C == 2 { 0 } else { turns } {
-            match self.by_facets(count, turn == 0) {
+        for restart in 0..=if C == 2 { 0 } else { restarts } {
+            match self.by_facets(count, restart == 0) {
                 Outcome::Solved(solution) => return Outcome::Solved(solution),
                 unsolved => first = first.or(Some(unsolved)),
             }
@@ -81,7 +81,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     /// Accepts the forces `start` as a solution, or the forces at which Newton's method from `start` ends. Without a solution the outcome is
     /// `NoConvergence`. In any case facets are rotated for the next try.
     fn solution_from(&mut self, start: DVector<f64>) -> Outcome<Solution> {
-        self.turn(&start);
+        self.rotate_facets(&start);
         if let Some(solution) = self.checked_solution(start.clone()) {
             return Outcome::Solved(solution);
         }
@@ -103,7 +103,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 
     /// Rotates the facets of each contact that moves tangentially under the forces r, so that its first facet direction opposes its slip.
-    fn turn(&mut self, r: &DVector<f64>) {
+    fn rotate_facets(&mut self, r: &DVector<f64>) {
         let u = self.problem.velocities(r);
         for (i, angle) in self.angles.iter_mut().enumerate() {
             let slip: SVector<f64, C> = tangent(&part(&u, i));

@@ -54,8 +54,8 @@ impl Workspace {
         // beyond rounding.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
-            self.spare.z.clear();
-            self.spare.z.extend(kept);
+            self.candidate.z.clear();
+            self.candidate.z.extend(kept);
             let free_of_charge = residuals.max().max(residual_rounding(n));
             self.take_spare(lcp, &mut residuals, |cut| cut <= free_of_charge);
         }
@@ -68,13 +68,13 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the point of the workspace by the `spare` point if `accept` is true for the largest residual of the spare point. `residuals` then
+    /// Replaces the point of the workspace by the point `candidate` if `accept` is true for the largest residual of the candidate. `residuals` then
     /// become the residuals of this point.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
-        let spare = self.spare.evaluate(lcp);
-        if accept(spare.max()) {
-            *residuals = spare;
-            core::mem::swap(&mut self.point, &mut self.spare);
+        let candidate_residuals = self.candidate.evaluate(lcp);
+        if accept(candidate_residuals.max()) {
+            *residuals = candidate_residuals;
+            core::mem::swap(&mut self.point, &mut self.candidate);
         }
     }
 
@@ -86,27 +86,27 @@ impl Workspace {
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
-        refill(&mut self.spare.z, n, 0.0);
+        refill(&mut self.candidate.z, n, 0.0);
         let dictionary = &self.path.dictionary;
         let basic_z = || {
-            let values = dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.level);
-            values.filter_map(|((basic, x), level)| match *basic {
-                LemkeVariable::Z(j) => Some((j, *x, *level)),
+            let values = dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.term_sizes);
+            values.filter_map(|((basic, x), term_size)| match *basic {
+                LemkeVariable::Z(j) => Some((j, *x, *term_size)),
                 _ => None,
             })
         };
         let faint = ZERO_VALUE * basic_z().fold(0.0_f64, |most, (_, x, _)| most.max(x));
         let mut doubtful = false;
-        for (j, x, level) in basic_z() {
-            self.vanishing[j] = x <= ZERO_VALUE * level;
+        for (j, x, term_size) in basic_z() {
+            self.vanishing[j] = x <= ZERO_VALUE * term_size;
             doubtful |= !self.vanishing[j] && x <= faint;
             if x > faint {
-                self.spare.z[j] = x * self.path.scaling.column[j];
+                self.candidate.z[j] = x * self.path.scaling.column[j];
             }
         }
-        if doubtful && self.spare.evaluate(lcp).within(residual_rounding(n)) {
+        if doubtful && self.candidate.evaluate(lcp).within(residual_rounding(n)) {
             for (j, ..) in basic_z() {
-                self.vanishing[j] |= self.spare.z[j] == 0.0;
+                self.vanishing[j] |= self.candidate.z[j] == 0.0;
             }
         }
     }
@@ -134,7 +134,7 @@ impl Workspace {
                 break;
             }
             self.correct_values();
-            self.path.read_point(&mut self.spare.z);
+            self.path.read_point(&mut self.candidate.z);
             let before = residuals.max();
             self.take_spare(lcp, &mut residuals, |refined| refined < before);
             // A step that leaves more than half of the largest residual has reached the level of rounding.
@@ -187,9 +187,9 @@ impl Workspace {
                 break;
             }
             if let Some(basic) = principal::solve(lcp, indices) {
-                refill(&mut self.spare.z, lcp.len(), 0.0);
+                refill(&mut self.candidate.z, lcp.len(), 0.0);
                 for (j, value) in indices.iter().zip(&basic) {
-                    self.spare.z[*j] = value.max(0.0);
+                    self.candidate.z[*j] = value.max(0.0);
                 }
                 let before = best.max();
                 self.take_spare(lcp, best, |fresh| fresh < before);

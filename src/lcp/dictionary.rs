@@ -68,21 +68,21 @@ pub(super) struct Dictionary {
     pub(super) p: Vec<f64>,
     /// For each row, the size of the terms from which its value in `x` was computed. [`Self::sum_terms`] sets it to the sum of their magnitudes. Each
     /// later pivot raises this size to the magnitude of the term that the pivot adds, if that is larger.
-    pub(super) level: Vec<f64>,
+    pub(super) term_sizes: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
     /// The covering vector d in balanced rows.
     pub(super) d: Vec<f64>,
     /// The column of the balanced M, or d, from which equation (1) of the file header computes the column of the entering variable. An additional
     /// entry with the index n is zero; it is read for rows whose basic variable is no slack.
-    entering: Vec<f64>,
+    source_column: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
-    /// For each row, the first term of equation (1) of the file header: entry i of the column in `entering` if w_i is basic in the row, otherwise 0.
-    next: Vec<f64>,
+    /// For each row, the first term of equation (1) of the file header: entry i of `source_column` if w_i is basic in the row, otherwise 0.
+    first_term: Vec<f64>,
     /// For each stored column D_v, the factor g in the update `D_v += g u` with which a pivot changes the column. u is the entering column.
     g: Vec<f64>,
-    /// For each stored column D_{w_i}, its factor in equation (1) of the file header: entry i of the column in `entering`.
+    /// For each stored column D_{w_i}, its factor in equation (1) of the file header: entry i of `source_column`.
     c: Vec<f64>,
 }
 
@@ -107,9 +107,10 @@ impl Dictionary {
         q.clone_into(&mut self.x);
         p.clone_into(&mut self.p);
         d.clone_into(&mut self.d);
-        self.level.clear();
-        self.level.extend(q.iter().map(|q| q.abs()));
-        for (scratch, size) in [(&mut self.u, n), (&mut self.entering, n + 1), (&mut self.next, n)] {
+        self.term_sizes.clear();
+        self.term_sizes.extend(q.iter().map(|q| q.abs()));
+        for (scratch, size) in [(&mut self.u, n), (&mut self.source_column, n + 1), (&mut self.first_term, n)]
+        {
             refill(scratch, size, 0.0);
         }
     }
@@ -137,37 +138,37 @@ impl Dictionary {
         }
     }
 
-    /// The largest magnitude of an entry of `entering`: of the column of the balanced M, or of d, that was last used in equation (1) of the file
+    /// The largest magnitude of an entry of `source_column`: of the column of the balanced M, or of d, that was last used in equation (1) of the file
     /// header.
-    pub(super) fn entering_size(&self) -> f64 {
-        largest(&self.entering)
+    pub(super) fn source_size(&self) -> f64 {
+        largest(&self.source_column)
     }
 
     /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side q. They follow from equation (1) of the file
     /// header with r in place of a column of M.
     pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
-        self.entering[..self.n].copy_from_slice(r);
+        self.source_column[..self.n].copy_from_slice(r);
         self.spread();
         self.eliminate(effect);
     }
 
-    /// Computes into y the right-hand side of equation (1) of the file header, as [`Self::spread`] has prepared it: the first term, in `next`, minus
-    /// the sum of the stored columns D_{w_i}, each times its factor M_ie in `c`.
+    /// Computes into y the right-hand side of equation (1) of the file header, as [`Self::spread`] has prepared it: the first term, in `first_term`,
+    /// minus the sum of the stored columns D_{w_i}, each times its factor M_ie in `c`.
     fn eliminate(&self, y: &mut [f64]) {
-        y.copy_from_slice(&self.next);
+        y.copy_from_slice(&self.first_term);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Recomputes `level` for values that equation (1) of the file header computes from the right-hand side q: for each row, the sum of the
+    /// Recomputes `term_sizes` for values that equation (1) of the file header computes from the right-hand side q: for each row, the sum of the
     /// magnitudes of the terms of (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the
     /// row, and the entry of each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
-        for (level, slack) in self.level.iter_mut().zip(&self.slack) {
-            *level = q.get(*slack).map_or(0.0, |q| q.abs());
+        for (term_size, slack) in self.term_sizes.iter_mut().zip(&self.slack) {
+            *term_size = q.get(*slack).map_or(0.0, |q| q.abs());
         }
-        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
+        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.term_sizes });
     }
 
     /// Sets entries of the entering column to zero that are only noise.
@@ -183,40 +184,40 @@ impl Dictionary {
             return;
         }
         self.spread();
-        for to in &mut self.next {
+        for to in &mut self.first_term {
             *to = to.abs();
         }
-        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.next });
-        for (u, terms) in self.u.iter_mut().zip(&self.next) {
+        wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.first_term });
+        for (u, terms) in self.u.iter_mut().zip(&self.first_term) {
             if u.abs() <= tolerance * terms {
                 *u = 0.0;
             }
         }
     }
 
-    /// Copies into `entering` the column of the balanced M that belongs to the variable z_e, or d for z₀. Then prepares equation (1) of the file
+    /// Copies into `source_column` the column of the balanced M that belongs to the variable z_e, or d for z₀. Then prepares equation (1) of the file
     /// header with [`Self::spread`].
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
             let factor = scaling.column[e];
-            for ((to, m), row) in self.entering.iter_mut().zip(column).zip(&scaling.row) {
+            for ((to, m), row) in self.source_column.iter_mut().zip(column).zip(&scaling.row) {
                 *to = m * row * factor;
             }
         } else {
-            self.entering[..self.n].copy_from_slice(&self.d);
+            self.source_column[..self.n].copy_from_slice(&self.d);
         }
         self.spread();
     }
 
-    /// Prepares equation (1) of the file header with the column in `entering` as column e of M. Stores the first term of the equation in `next`, and
+    /// Prepares equation (1) of the file header with `source_column` as column e of M. Stores the first term of the equation in `first_term`, and
     /// the factors M_ie of the stored columns D_{w_i} in `c`.
     fn spread(&mut self) {
-        for (to, i) in self.next.iter_mut().zip(&self.slack) {
-            *to = self.entering[*i];
+        for (to, i) in self.first_term.iter_mut().zip(&self.slack) {
+            *to = self.source_column[*i];
         }
         self.c.clear();
-        self.c.extend(self.kept.iter().map(|i| self.entering[*i]));
+        self.c.extend(self.kept.iter().map(|i| self.source_column[*i]));
     }
 
     /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r, which is returned. Then computes the column of
@@ -237,9 +238,9 @@ impl Dictionary {
                 g: &self.g,
                 u: &self.u,
                 c: &self.c,
-                y: &mut self.next,
+                y: &mut self.first_term,
             });
-            core::mem::swap(&mut self.u, &mut self.next);
+            core::mem::swap(&mut self.u, &mut self.first_term);
         } else {
             wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
             if leaving != LemkeVariable::Covering {
@@ -314,17 +315,17 @@ impl Dictionary {
     }
 
     /// Increases the entering variable until the basic variable of row r is zero; `pivot` is the entry of the entering column in this row. Updates
-    /// the basic values in `x` and the magnitudes of their terms in `level`.
+    /// the basic values in `x` and the magnitudes of their terms in `term_sizes`.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
-        let level = self.level[r] / pivot.abs();
-        for ((x, l), u) in self.x.iter_mut().zip(&mut self.level).zip(&self.u) {
+        let term_size = self.term_sizes[r] / pivot.abs();
+        for ((x, l), u) in self.x.iter_mut().zip(&mut self.term_sizes).zip(&self.u) {
             *x += u * step;
-            let inherited = u.abs() * level;
+            let inherited = u.abs() * term_size;
             *l = if inherited > *l { inherited } else { *l };
         }
         self.x[r] = step;
-        self.level[r] = level;
+        self.term_sizes[r] = term_size;
     }
 
     /// Removes the stored column with the index `slot`, whose slack becomes basic; the last column takes its position in `columns`.

@@ -69,8 +69,8 @@ impl ExclusionTest<'_> {
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
-        increasing(&values).into_iter().take(3).any(|place| {
-            let (value, which) = &broken[place];
+        increasing(&values).into_iter().take(3).any(|position| {
+            let (value, which) = &broken[position];
             // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1
             // rounding would decide one of the two signs.
             let used_up = 0.25;

@@ -79,15 +79,15 @@ pub(super) fn of_piece(
     // Each row in α, which must be zero, appears a second time with the opposite sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
     let a = matrix_of(n + k, k, &|i, j| row(i).1 * m[(row(i).0, alpha[j])]);
-    let load = q.amax();
-    let load = if load > 0.0 { load } else { 1.0 };
-    let b = vector_of(n + k, &|i| row(i).1 * q[row(i).0] / load);
+    let size_of_q = q.amax();
+    let size_of_q = if size_of_q > 0.0 { size_of_q } else { 1.0 };
+    let b = vector_of(n + k, &|i| row(i).1 * q[row(i).0] / size_of_q);
     let LinearProgram { x, y } = least_violation(&a, &b, margin, settings)?;
     let mut folded = y.rows(0, n).into_owned();
     for (i, back) in alpha.iter().zip(y.iter().skip(n)) {
         folded[*i] -= back;
     }
-    Some(LinearProgram { x: x * load, y: folded })
+    Some(LinearProgram { x: x * size_of_q, y: folded })
 }
 
 /// The solution, x and y, of min { t − δ 1ᵀx : A x + b + t 1 ≥ 0, x, t ≥ 0 } and of its dual max { −bᵀy : Aᵀy ≤ −δ 1, 1ᵀy ≤ 1, y ≥ 0 }, with a margin

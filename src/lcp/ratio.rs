@@ -51,20 +51,21 @@ pub(super) fn blocking_row(
         return None;
     }
     let mut best: Option<(usize, bool, f64)> = None;
-    let blocks = |x: f64, u: f64, level: f64| {
-        let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDED_SUM * level;
+    let blocks = |x: f64, u: f64, term_size: f64| {
+        let margin = settings.tie_tolerance * (u.abs() * step) + ROUNDED_SUM * term_size;
         (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
     // Blocking rows are rare, so eight rows are first tested together without a branch for each.
     let n = dictionary.u.len();
-    let (x, u, level) = (&dictionary.x[..n], &dictionary.u[..n], &dictionary.level[..n]);
+    let (x, u, term_sizes) = (&dictionary.x[..n], &dictionary.u[..n], &dictionary.term_sizes[..n]);
     for start in (0..n).step_by(8) {
         let end = n.min(start + 8);
         let mut any = end - start < 8;
         if !any {
-            let (x, u, level) = (&x[start..start + 8], &u[start..start + 8], &level[start..start + 8]);
+            let (x, u, term_sizes) =
+                (&x[start..start + 8], &u[start..start + 8], &term_sizes[start..start + 8]);
             for lane in 0..8 {
-                any |= blocks(x[lane], u[lane], level[lane]);
+                any |= blocks(x[lane], u[lane], term_sizes[lane]);
             }
         }
         if !any {
@@ -72,7 +73,7 @@ pub(super) fn blocking_row(
         }
         for row in start..end {
             let u = dictionary.u[row];
-            if blocks(dictionary.x[row], u, dictionary.level[row]) && exempt != Some(row) {
+            if blocks(dictionary.x[row], u, dictionary.term_sizes[row]) && exempt != Some(row) {
                 if dictionary.basic[row] == LemkeVariable::Covering {
                     return Some(row);
                 }
@@ -100,11 +101,11 @@ pub(super) fn doubtful_row_breaks(
 ) -> bool {
     let size = largest(&dictionary.x);
     let step = dictionary.x[firm].max(0.0) / -dictionary.u[firm];
-    let values = dictionary.x.iter().zip(&dictionary.u).zip(&dictionary.level).zip(&dictionary.basic);
-    values.into_iter().any(|(((x, u), level), basic)| {
+    let values = dictionary.x.iter().zip(&dictionary.u).zip(&dictionary.term_sizes).zip(&dictionary.basic);
+    values.into_iter().any(|(((x, u), term_size), basic)| {
         let exempt = role == Covering::Parameter && *basic == LemkeVariable::Covering;
         let doubtful = *u < 0.0 && *u >= -certain && !exempt;
-        doubtful && x.max(0.0) + u * step < -ROUNDED_SUM * level.max(size)
+        doubtful && x.max(0.0) + u * step < -ROUNDED_SUM * term_size.max(size)
     })
 }
 

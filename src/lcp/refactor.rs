@@ -78,13 +78,13 @@ impl LemkePath {
             let member = self.members[member];
             self.dictionary.enter(member, m, &self.scaling);
             let mut best = (0, 0.0);
-            for (place, row) in self.leaving.iter().enumerate() {
+            for (position, row) in self.leaving.iter().enumerate() {
                 let u = self.dictionary.u[*row].abs();
                 if u > best.1 {
-                    best = (place, u);
+                    best = (position, u);
                 }
             }
-            if best.1.is_nan() || best.1 <= ELIMINATED_PIVOT * self.dictionary.entering_size() {
+            if best.1.is_nan() || best.1 <= ELIMINATED_PIVOT * self.dictionary.source_size() {
                 return Err(BreakdownCause::SingularBasis);
             }
             let row = self.leaving.remove(best.0);
@@ -95,8 +95,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes `level` from the terms of that
-    /// defect.
+    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes `term_sizes` from the terms of
+    /// that defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -107,7 +107,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// Recomputes the basic values of the current dictionary from the right-hand side q, and `level`, the size of their terms.
+    /// Recomputes the basic values of the current dictionary from the right-hand side q, and `term_sizes`, the size of their terms.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -136,7 +136,7 @@ impl LemkePath {
             // The perturbation belongs to the variable and not to its row, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
-            if dictionary.x[row] >= -noise * dictionary.level[row] {
+            if dictionary.x[row] >= -noise * dictionary.term_sizes[row] {
                 dictionary.x[row] = dictionary.x[row].max(0.0);
                 continue;
             }

@@ -130,11 +130,11 @@ pub(super) fn residuals_from(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &[f64], 
             continue;
         }
         let enough = if z > 0.0 { slack } else { f64::INFINITY };
-        let share = rows.share(column, z, enough);
+        let contribution = rows.largest_contribution(column, z, enough);
         if z < 0.0 {
-            out.negative_z = out.negative_z.max(share);
+            out.negative_z = out.negative_z.max(contribution);
         } else {
-            out.complementarity = out.complementarity.max(slack.min(share));
+            out.complementarity = out.complementarity.max(slack.min(contribution));
         }
     }
     out
@@ -160,8 +160,8 @@ impl Rows<'_> {
 
     /// The largest contribution of an entry z_j to a row, s_j = max_i |M_ij| |z_j| / a_i. a_i is the magnitude of the terms of row i. The search
     /// stops at the first contribution that reaches `enough`.
-    fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
-        let mut share = None;
+    fn largest_contribution(&self, column: &[f64], z: f64, enough: f64) -> f64 {
+        let mut contribution = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {
             if *m == 0.0 {
                 continue;
@@ -172,13 +172,13 @@ impl Rows<'_> {
                 let Some(a) = self.exact_terms(i) else { continue };
                 ratio(&ExactSum::of_products([(m.abs(), z.abs())]), &a)
             };
-            let largest = share.unwrap_or(0.0_f64).max(part);
+            let largest = contribution.unwrap_or(0.0_f64).max(part);
             if largest >= enough {
                 return largest;
             }
-            share = Some(largest);
+            contribution = Some(largest);
         }
-        share.unwrap_or(1.0)
+        contribution.unwrap_or(1.0)
     }
 
     /// The pairs of factors whose products sum to w_i: M_ij and z_j for each j, then q_i and 1.

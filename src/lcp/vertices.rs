@@ -37,12 +37,12 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
-    let load = if q.amax() > 0.0 { q.amax() } else { 1.0 };
+    let size_of_q = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
         // An edge y is determined by its k nonzero entries, and by k − 1 columns of [M, q] whose product with y vanishes.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
-            let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
+            let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / size_of_q };
             MARGINS.into_iter().find_map(|margin| {
                 let system = matrix_of(k, k, &|i, r| columns.get(i).map_or(1.0, |j| column(*j, rows[r])));
                 let target = vector_of(k, &|i| if i + 1 < k { -margin } else { 1.0 });

@@ -7,31 +7,35 @@ use super::tolerances::BAND_PIVOT;
 use crate::numerics::{dot, mapped};
 use crate::prelude::*;
 
-/// A square matrix whose nonzero entries are at most `reach` positions from the diagonal.
+/// A square matrix whose nonzero entries are at most `half_bandwidth` positions from the diagonal.
 #[derive(Debug, Clone)]
 pub(crate) struct Band {
-    reach: usize,
-    /// The columns, each from `2 reach` rows above the diagonal to `reach` rows below it. The upper part has room for the fill-in of row
-    /// exchanges.
+    half_bandwidth: usize,
+    /// The columns, each from `2 half_bandwidth` rows above the diagonal to `half_bandwidth` rows below it. The upper part has room for the fill-in
+    /// of row exchanges.
     entries: Vec<f64>,
     count: usize,
 }
 
 impl Band {
-    pub(crate) fn zeros(count: usize, reach: usize) -> Self {
-        Self { reach, entries: vec![0.0; count * (3 * reach + 1)], count }
+    pub(crate) fn zeros(count: usize, half_bandwidth: usize) -> Self {
+        Self { half_bandwidth, entries: vec![0.0; count * (3 * half_bandwidth + 1)], count }
     }
 
     /// Adds x to the entry in row i and column j.
     #[inline]
     pub(crate) fn add(&mut self, i: usize, j: usize, x: f64) {
-        self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] += x;
+        self.entries[j * (3 * self.half_bandwidth + 1) + 2 * self.half_bandwidth + i - j] += x;
     }
 
     /// The entry in row i and column j; zero outside the band.
     pub(crate) fn entry(&self, i: usize, j: usize) -> f64 {
-        let is_near = i.abs_diff(j) <= self.reach;
-        if is_near { self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] } else { 0.0 }
+        let is_near = i.abs_diff(j) <= self.half_bandwidth;
+        if is_near {
+            self.entries[j * (3 * self.half_bandwidth + 1) + 2 * self.half_bandwidth + i - j]
+        } else {
+            0.0
+        }
     }
 
     /// All stored entries, in unspecified order.
@@ -46,11 +50,11 @@ impl Band {
 
     /// Subtracts the product of the matrix and x from a vector.
     pub(crate) fn subtract_product(&self, x: &[f64], from: &mut [f64]) {
-        let height = 3 * self.reach + 1;
+        let height = 3 * self.half_bandwidth + 1;
         for (j, (column, x)) in self.entries.chunks_exact(height).zip(x).enumerate() {
-            let first = j.saturating_sub(self.reach);
-            let column = &column[2 * self.reach + first - j..];
-            let rows = &mut from[first..self.count.min(j + self.reach + 1)];
+            let first = j.saturating_sub(self.half_bandwidth);
+            let column = &column[2 * self.half_bandwidth + first - j..];
+            let rows = &mut from[first..self.count.min(j + self.half_bandwidth + 1)];
             rows.iter_mut().zip(column).for_each(|(sum, entry)| *sum -= entry * x);
         }
     }
@@ -58,17 +62,17 @@ impl Band {
     /// The LU factors. A column without a pivot is replaced by a unit column, so that the factored matrix is regular, see
     /// [`BandFactors::is_singular`]. `None` if a pivot is not finite.
     pub(crate) fn factors(mut self) -> Option<BandFactors> {
-        let Self { reach, count, .. } = self;
-        let height = 3 * reach + 1;
+        let Self { half_bandwidth, count, .. } = self;
+        let height = 3 * half_bandwidth + 1;
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
+        let (mut pivots, mut without_pivot) = (Vec::with_capacity(count), Vec::new());
         // The rightmost column that any row reaches after the row exchanges so far.
         let mut last = 0;
         for k in 0..count {
-            let below = reach.min(count - 1 - k);
+            let below = half_bandwidth.min(count - 1 - k);
             let (before, behind) = entries.split_at_mut((k + 1) * height);
-            let column = &mut before[k * height + 2 * reach..][..=below];
+            let column = &mut before[k * height + 2 * half_bandwidth..][..=below];
             let mut pivot = 0;
             for i in 1..=below {
                 if column[i].abs() > column[pivot].abs() {
@@ -82,16 +86,16 @@ impl Band {
                 pivot = 0;
                 column.fill(0.0);
                 column[0] = 1.0;
-                pinned.push(k);
+                without_pivot.push(k);
             }
             pivots.push(pivot);
-            last = last.max((k + pivot + reach).min(count - 1));
+            last = last.max((k + pivot + half_bandwidth).min(count - 1));
             column.swap(0, pivot);
             let reciprocal = 1.0 / column[0];
             column[1..].iter_mut().for_each(|x| *x *= reciprocal);
             let column = &column[1..];
             for (j, other) in (k + 1..=last).zip(behind.chunks_exact_mut(height)) {
-                let other = &mut other[2 * reach + k - j..][..=below];
+                let other = &mut other[2 * half_bandwidth + k - j..][..=below];
                 other.swap(0, pivot);
                 let top = other[0];
                 if top != 0.0 {
@@ -99,7 +103,7 @@ impl Band {
                 }
             }
         }
-        Some(BandFactors { band: self, pivots, pinned })
+        Some(BandFactors { band: self, pivots, without_pivot })
     }
 }
 
@@ -111,48 +115,48 @@ pub(crate) struct BandFactors {
     /// For each row k, the number of rows from row k down to the row that was exchanged with it as pivot row; 0 without an exchange.
     pivots: Vec<usize>,
     /// Indices of the columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
-    pinned: Vec<usize>,
+    without_pivot: Vec<usize>,
 }
 
 impl BandFactors {
     /// Whether some column of the factored matrix had no pivot.
     pub(crate) fn is_singular(&self) -> bool {
-        !self.pinned.is_empty()
+        !self.without_pivot.is_empty()
     }
 
     /// Vectors x with `A x = 0` for the factored matrix A, one per column without a pivot.
     pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
-        self.each_pinned(Self::back_substitute)
+        self.each_without_pivot(Self::back_substitute)
     }
 
     /// Vectors z with `Aᵀz = 0` for the factored matrix A, one per column without a pivot.
     pub(crate) fn left_null_vectors(&self) -> Vec<Vec<f64>> {
-        self.each_pinned(Self::solve_transposed)
+        self.each_without_pivot(Self::solve_transposed)
     }
 
-    fn each_pinned(&self, solve: fn(&Self, &mut [f64])) -> Vec<Vec<f64>> {
+    fn each_without_pivot(&self, solve: fn(&Self, &mut [f64])) -> Vec<Vec<f64>> {
         let from = |k: &usize| {
             let mut x = vec![0.0; self.band.count];
             x[*k] = 1.0;
             solve(self, &mut x);
             x
         };
-        mapped(&self.pinned, &from)
+        mapped(&self.without_pivot, &from)
     }
 
     /// The stored column k, starting `above` rows above the diagonal.
     fn column(&self, k: usize, above: usize) -> &[f64] {
-        let reach = self.band.reach;
-        let height = 3 * reach + 1;
-        &self.band.entries[k * height..(k + 1) * height][2 * reach - above..]
+        let half_bandwidth = self.band.half_bandwidth;
+        let height = 3 * half_bandwidth + 1;
+        &self.band.entries[k * height..(k + 1) * height][2 * half_bandwidth - above..]
     }
 
     /// Replaces the right-hand side in `x` by the solution of `A x = b`.
     pub(crate) fn solve(&self, x: &mut [f64]) {
-        let (count, reach) = (self.band.count, self.band.reach);
+        let (count, half_bandwidth) = (self.band.count, self.band.half_bandwidth);
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
-            let (known, below) = (x[k], reach.min(count - 1 - k));
+            let (known, below) = (x[k], half_bandwidth.min(count - 1 - k));
             // A zero in the right-hand side changes no later row. A right-hand side due to the force of one contact has many zeros.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
@@ -165,7 +169,7 @@ impl BandFactors {
     /// Replaces the right-hand side in `x` by the solution of `U x = b`.
     fn back_substitute(&self, x: &mut [f64]) {
         for k in (0..self.band.count).rev() {
-            let above = (2 * self.band.reach).min(k);
+            let above = (2 * self.band.half_bandwidth).min(k);
             let column = self.column(k, above);
             x[k] /= column[above];
             let known = x[k];
@@ -175,15 +179,15 @@ impl BandFactors {
 
     /// Replaces the right-hand side in `x` by the solution of `Aᵀx = b`.
     pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
-        let (count, reach) = (self.band.count, self.band.reach);
+        let (count, half_bandwidth) = (self.band.count, self.band.half_bandwidth);
         for k in 0..count {
-            let above = (2 * reach).min(k);
+            let above = (2 * half_bandwidth).min(k);
             let column = self.column(k, above);
             let known: f64 = dot(&x[k - above..k], column);
             x[k] = (x[k] - known) / column[above];
         }
         for k in (0..count).rev() {
-            let below = reach.min(count - 1 - k);
+            let below = half_bandwidth.min(count - 1 - k);
             let factors = &self.column(k, 0)[1..];
             let known: f64 = dot(&x[k + 1..=k + below], factors);
             x[k] -= known;
@@ -198,10 +202,10 @@ mod tests {
     use crate::numerics::generic;
 
     /// A band with a small diagonal, so that rows are exchanged.
-    fn random_band(count: usize, reach: usize) -> (Band, Vec<Vec<f64>>) {
-        let (mut band, mut full) = (Band::zeros(count, reach), vec![vec![0.0; count]; count]);
+    fn random_band(count: usize, half_bandwidth: usize) -> (Band, Vec<Vec<f64>>) {
+        let (mut band, mut full) = (Band::zeros(count, half_bandwidth), vec![vec![0.0; count]; count]);
         for (i, row) in full.iter_mut().enumerate() {
-            for j in i.saturating_sub(reach)..count.min(i + reach + 1) {
+            for j in i.saturating_sub(half_bandwidth)..count.min(i + half_bandwidth + 1) {
                 row[j] = (generic(count * i + j) - 1.0) * if i == j { 0.1 } else { 1.0 };
                 band.add(i, j, row[j]);
             }

@@ -73,9 +73,9 @@ mod tests {
     /// The bordered matrix of a nearly singular band is regular; its solution must be accurate to rounding.
     #[test]
     fn solves_near_a_singular_band() {
-        let (count, reach) = (24, 3);
+        let (count, half_bandwidth) = (24, 3);
         for off in [1.0, 1e-4, 1e-8] {
-            let mut band = Band::zeros(count, reach);
+            let mut band = Band::zeros(count, half_bandwidth);
             let mut full = vec![vec![0.0; count + 1]; count + 1];
             let mut add = |i: usize, j: usize, x: f64| {
                 band.add(i, j, x);

@@ -63,8 +63,8 @@ pub(crate) fn moved<T, U>(list: Vec<T>, f: &dyn Fn(T) -> U) -> Vec<U> {
 /// `f` of each element with its index, in order.
 pub(crate) fn indexed<'a, T, U>(list: &'a [T], f: &dyn Fn((usize, &'a T)) -> U) -> Vec<U> {
     let mut all = Vec::with_capacity(list.len());
-    for (place, element) in list.iter().enumerate() {
-        all.push(f((place, element)));
+    for (position, element) in list.iter().enumerate() {
+        all.push(f((position, element)));
     }
     all
 }
@@ -76,8 +76,8 @@ pub(crate) fn paired<'a, 'b, T, U, V>(
     f: &dyn Fn((&'a T, &'b U)) -> V,
 ) -> Vec<V> {
     let mut all = Vec::with_capacity(one.len().min(other.len()));
-    for place in 0..one.len().min(other.len()) {
-        all.push(f((&one[place], &other[place])));
+    for position in 0..one.len().min(other.len()) {
+        all.push(f((&one[position], &other[position])));
     }
     all
 }

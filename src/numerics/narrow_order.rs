@@ -14,17 +14,17 @@ use crate::prelude::*;
 /// The position (from 0) of each of `count` coordinates in the order. A coupling connects all coordinates of its ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
-    let places = neighbours.len();
+    let node_count = neighbours.len();
     let mut numbers = vec![0; count];
-    let (mut next, mut visited) = (0, vec![false; places]);
-    for place in 0..places {
-        if visited[place] {
+    let (mut next, mut visited) = (0, vec![false; node_count]);
+    for node in 0..node_count {
+        if visited[node] {
             continue;
         }
-        let from = peripheral(&neighbours, place, &mut visited);
-        for place in levels_from(&neighbours, from, &mut visited).into_iter().flatten() {
-            visited[place] = true;
-            for k in starts[place]..starts[place + 1] {
+        let from = peripheral(&neighbours, node, &mut visited);
+        for node in levels_from(&neighbours, from, &mut visited).into_iter().flatten() {
+            visited[node] = true;
+            for k in starts[node]..starts[node + 1] {
                 numbers[k] = next;
                 next += 1;
             }
@@ -64,16 +64,16 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
         coupled.clear();
         for range in ranges.iter().filter(|range| !range.is_empty()) {
             let first = starts.partition_point(|start| *start < range.start);
-            for place in first..neighbours.len() {
-                if starts[place] >= range.end {
+            for node in first..neighbours.len() {
+                if starts[node] >= range.end {
                     break;
                 }
-                coupled.push(place);
+                coupled.push(node);
             }
         }
-        for (k, place) in coupled.iter().enumerate() {
-            neighbours[*place].extend_from_slice(&coupled[..k]);
-            neighbours[*place].extend_from_slice(&coupled[k + 1..]);
+        for (k, node) in coupled.iter().enumerate() {
+            neighbours[*node].extend_from_slice(&coupled[..k]);
+            neighbours[*node].extend_from_slice(&coupled[k + 1..]);
         }
     }
     for list in &mut neighbours {
@@ -83,18 +83,18 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
     (starts, neighbours)
 }
 
-/// A node at the periphery of the graph. The search starts at `place` and moves to a node of the last level until the number of levels no longer
+/// A node at the periphery of the graph. The search starts at `node` and moves to a node of the last level until the number of levels no longer
 /// increases.
-fn peripheral(neighbours: &[Vec<usize>], mut place: usize, visited: &mut [bool]) -> usize {
-    let mut levels = levels_from(neighbours, place, visited);
+fn peripheral(neighbours: &[Vec<usize>], mut node: usize, visited: &mut [bool]) -> usize {
+    let mut levels = levels_from(neighbours, node, visited);
     loop {
         let farthest = levels.last().map_or(&[][..], Vec::as_slice);
-        let Some(next) = farthest.iter().min_by_key(|place| neighbours[**place].len()) else { return place };
+        let Some(next) = farthest.iter().min_by_key(|node| neighbours[**node].len()) else { return node };
         let further = levels_from(neighbours, *next, visited);
         if further.len() <= levels.len() {
-            return place;
+            return node;
         }
-        (place, levels) = (*next, further);
+        (node, levels) = (*next, further);
     }
 }
 
@@ -104,9 +104,9 @@ fn levels_from(neighbours: &[Vec<usize>], from: usize, visited: &mut [bool]) -> 
     let mut levels = vec![vec![from]];
     while let Some(level) = levels.last() {
         let mut next = Vec::new();
-        for place in level {
+        for node in level {
             let begin = next.len();
-            for other in &neighbours[*place] {
+            for other in &neighbours[*node] {
                 if !core::mem::replace(&mut visited[*other], true) {
                     next.push(*other);
                 }
@@ -121,8 +121,8 @@ fn levels_from(neighbours: &[Vec<usize>], from: usize, visited: &mut [bool]) -> 
         }
         levels.push(next);
     }
-    for place in levels.iter().flatten() {
-        visited[*place] = false;
+    for node in levels.iter().flatten() {
+        visited[*node] = false;
     }
     levels
 }

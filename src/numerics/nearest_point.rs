@@ -18,7 +18,7 @@ use crate::prelude::*;
 pub(crate) struct NearestPoint<Tag> {
     size: usize,
     tags: Vec<Tag>,
-    shares: Vec<f64>,
+    coefficients: Vec<f64>,
     residual: Vec<f64>,
     /// The orthonormal factor Q of the matrix of active generators, column after column.
     q: Vec<f64>,
@@ -46,8 +46,8 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
     /// Starts at the apex of the cone, without active generators.
     pub(crate) fn new(target: &[f64]) -> Self {
         let size = target.len();
-        let (tags, shares, residual) = (Vec::new(), Vec::new(), target.to_vec());
-        Self { size, tags, shares, residual, q: Vec::new(), r: Vec::new(), components: Vec::new() }
+        let (tags, coefficients, residual) = (Vec::new(), Vec::new(), target.to_vec());
+        Self { size, tags, coefficients, residual, q: Vec::new(), r: Vec::new(), components: Vec::new() }
     }
 
     /// The residual: the target minus the closest point so far, `t - Σ s_k a_k`.
@@ -61,8 +61,8 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
     }
 
     /// Tags and coefficients of the active generators.
-    pub(crate) fn shares(&self) -> impl Iterator<Item = (Tag, f64)> {
-        self.tags.iter().copied().zip(self.shares.iter().copied())
+    pub(crate) fn coefficients(&self) -> impl Iterator<Item = (Tag, f64)> {
+        self.tags.iter().copied().zip(self.coefficients.iter().copied())
     }
 
     pub(crate) fn has(&self, tag: Tag) -> bool {
@@ -116,7 +116,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         column[k] = length;
         self.components.push(dot(w, target));
         self.tags.push(tag);
-        self.shares.push(0.0);
+        self.coefficients.push(0.0);
         true
     }
 
@@ -126,16 +126,19 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
             let unconstrained = self.unbounded();
             let blocks = |k: &usize| unconstrained[*k] <= 0.0;
             let part = |k: usize| {
-                let share = self.shares[k];
-                if share > 0.0 { share / (share - unconstrained[k]) } else { 0.0 }
+                let coefficient = self.coefficients[k];
+                if coefficient > 0.0 { coefficient / (coefficient - unconstrained[k]) } else { 0.0 }
             };
             let first = (0..unconstrained.len()).filter(blocks).min_by(|&a, &b| part(a).total_cmp(&part(b)));
             let Some(first) = first else {
-                self.shares = unconstrained;
+                self.coefficients = unconstrained;
                 break;
             };
             let part = part(first);
-            self.shares.iter_mut().zip(&unconstrained).for_each(|(share, to)| *share += part * (to - *share));
+            self.coefficients
+                .iter_mut()
+                .zip(&unconstrained)
+                .for_each(|(coefficient, to)| *coefficient += part * (to - *coefficient));
             self.remove(first);
         }
         self.residual.copy_from_slice(target);
@@ -151,21 +154,21 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
 
     /// Least-squares coefficients of the active generators, of any sign.
     fn unbounded(&self) -> Vec<f64> {
-        let mut shares = self.components.clone();
-        for j in (0..shares.len()).rev() {
+        let mut coefficients = self.components.clone();
+        for j in (0..coefficients.len()).rev() {
             let column = &self.r[self.size * j..][..=j];
-            shares[j] /= column[j];
-            let (above, at) = shares.split_at_mut(j);
+            coefficients[j] /= column[j];
+            let (above, at) = coefficients.split_at_mut(j);
             subtract(above, at[0], column);
         }
-        shares
+        coefficients
     }
 
     /// Removes column k; Givens rotations restore the triangular form.
     fn remove(&mut self, k: usize) {
         let (m, last) = (self.size, self.tags.len() - 1);
         self.tags.remove(k);
-        self.shares.remove(k);
+        self.coefficients.remove(k);
         self.r.copy_within(m * (k + 1).., m * k);
         self.r.truncate(m * last);
         for j in k..last {

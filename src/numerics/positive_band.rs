@@ -7,7 +7,7 @@ use crate::numerics::IntoList;
 use crate::numerics::dot;
 use crate::prelude::*;
 
-/// The lower half of a band matrix with entries up to `reach` positions from the diagonal, or of its Cholesky factor.
+/// The lower half of a band matrix with entries up to `half_bandwidth` positions from the diagonal, or of its Cholesky factor.
 #[derive(Debug, Clone)]
 pub(crate) struct PositiveBand {
     /// The columns, each from the diagonal downwards.
@@ -16,8 +16,8 @@ pub(crate) struct PositiveBand {
 }
 
 impl PositiveBand {
-    pub(crate) fn zeros(count: usize, reach: usize) -> Self {
-        Self { entries: vec![0.0; count * (reach + 1)], height: reach + 1 }
+    pub(crate) fn zeros(count: usize, half_bandwidth: usize) -> Self {
+        Self { entries: vec![0.0; count * (half_bandwidth + 1)], height: half_bandwidth + 1 }
     }
 
     /// Sets all entries to zero without new memory.
@@ -79,10 +79,11 @@ mod tests {
 
     #[test]
     fn solves() {
-        let (count, reach) = (30, 4);
-        let (mut band, mut full) = (PositiveBand::zeros(count, reach), vec![vec![0.0; count]; count]);
+        let (count, half_bandwidth) = (30, 4);
+        let (mut band, mut full) =
+            (PositiveBand::zeros(count, half_bandwidth), vec![vec![0.0; count]; count]);
         for i in 0..count {
-            for j in i.saturating_sub(reach)..=i {
+            for j in i.saturating_sub(half_bandwidth)..=i {
                 let x = if i == j { 8.0 } else { generic(count * i + j) - 1.0 };
                 band.add(i, j, x);
                 (full[i][j], full[j][i]) = (x, x);

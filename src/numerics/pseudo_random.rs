@@ -25,10 +25,10 @@ fn mixed(mut z: u64) -> u64 {
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// The generator with the seed `place`. Each word of the seed changes all bits of the state.
-    pub(crate) fn new(place: [u64; 3]) -> Self {
+    /// The generator with this seed. Each word of the seed changes all bits of the state.
+    pub(crate) fn new(seed: [u64; 3]) -> Self {
         let mut draw = Self(0);
-        for word in place {
+        for word in seed {
             draw.0 ^= word;
             draw.0 = draw.next();
         }

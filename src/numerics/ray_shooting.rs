@@ -10,17 +10,17 @@ use super::support::{SupportFunction, Vertex, middle};
 use super::tolerances::BEYOND_PLANE;
 use crate::prelude::*;
 
-/// Bounds for the point where a ray leaves a set. As a fraction of the way from the middle to the target, it lies between 1 / `stretch` and `reach` /
-/// `stretch`.
+/// Bounds for the point where a ray leaves a set. As a fraction of the way from the middle to the target, it lies between 1 / `stretch` and
+/// `upper_bound` / `stretch`.
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
     /// Coefficients `β_k >= 0` of the vertices p_k with `Σ β_k (p_k - middle) = target - middle`; their sum is `stretch`.
-    pub(crate) shares: Vector,
-    /// Normal v: all points x of the set satisfy `v·(x - middle) <= reach`, with the middle of the simplex from which the ray starts.
+    pub(crate) coefficients: Vector,
+    /// Normal v: all points x of the set satisfy `v·(x - middle) <= upper_bound`, with the middle of the simplex from which the ray starts.
     pub(crate) normal: Vector,
-    /// The upper bound in `v·(x - middle) <= reach`. It is at least one, and equals one up to rounding if the pivots have converged.
-    pub(crate) reach: f64,
+    /// The upper bound in `v·(x - middle) <= upper_bound`. It is at least one, and equals one up to rounding if the pivots have converged.
+    pub(crate) upper_bound: f64,
     /// The ratio s = Σ β_k: the distance of the target from the middle, divided by the distance at which the ray crosses the plane of `vertices`.
     pub(crate) stretch: f64,
 }
@@ -32,9 +32,15 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     let ray = target - &origin;
     if ray.norm() <= BEYOND_PLANE * (target.norm() + origin.norm()) {
         let (vertices, normal) = (simplex[..size.count()].to_vec(), Vector::unit(size, 0));
-        return Some(RayExit { vertices, shares: Vector::all_zero(size), normal, reach: 1.0, stretch: 0.0 });
+        return Some(RayExit {
+            vertices,
+            coefficients: Vector::all_zero(size),
+            normal,
+            upper_bound: 1.0,
+            stretch: 0.0,
+        });
     }
-    let (mut vertices, mut shares) = first_face(simplex, &origin, &ray)?;
+    let (mut vertices, mut coefficients) = first_face(simplex, &origin, &ray)?;
     let mut found: Option<RayExit> = None;
     // The number of pivots is limited, since rounding could cause cycling.
     for _ in 0..1000 {
@@ -45,25 +51,31 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
         let normal = transposed.solve(&Vector::from_fn(size, |_| 1.0));
         let next = Vertex::of(support, normal.clone());
         let beyond = &next.at - &origin;
-        let reach = normal.dot(&beyond).max(1.0);
+        let upper_bound = normal.dot(&beyond).max(1.0);
         let stretch = normal.dot(&ray);
-        found = Some(RayExit { vertices: vertices.clone(), shares: shares.clone(), normal, reach, stretch });
-        if reach <= 1.0 + BEYOND_PLANE {
+        found = Some(RayExit {
+            vertices: vertices.clone(),
+            coefficients: coefficients.clone(),
+            normal,
+            upper_bound,
+            stretch,
+        });
+        if upper_bound <= 1.0 + BEYOND_PLANE {
             break;
         }
         let change = solver.solve(&beyond);
         let least = BEYOND_PLANE * change.amax();
         let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
-            let part = |k: usize| shares[k] / change[k];
+            let part = |k: usize| coefficients[k] / change[k];
             // Among vertices with the same ratio, the vertex with the largest pivot `change` leaves the simplex.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };
-        let share = shares[leaving] / change[leaving];
+        let coefficient = coefficients[leaving] / change[leaving];
         for k in 0..size.count() {
-            shares[k] = (shares[k] - share * change[k]).max(0.0);
+            coefficients[k] = (coefficients[k] - coefficient * change[k]).max(0.0);
         }
-        (vertices[leaving], shares[leaving]) = (next, share);
+        (vertices[leaving], coefficients[leaving]) = (next, coefficient);
     }
     found
 }
@@ -81,11 +93,11 @@ fn first_face(simplex: &[Vertex], origin: &Vector, ray: &Vector) -> Option<(Vec<
         let mut vertices = simplex.to_vec();
         vertices.remove(without);
         let Some(solver) = PartialPivoting::new(&matrix(&vertices, origin)) else { continue };
-        let shares = solver.solve(ray);
-        let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+        let coefficients = solver.solve(ray);
+        let least = coefficients.iter().copied().fold(f64::INFINITY, f64::min);
         if best.as_ref().is_none_or(|(_, _, most)| least >= *most) {
-            best = Some((vertices, shares, least));
+            best = Some((vertices, coefficients, least));
         }
     }
-    best.map(|(vertices, shares, _)| (vertices, shares.map(|share| share.max(0.0))))
+    best.map(|(vertices, coefficients, _)| (vertices, coefficients.map(|coefficient| coefficient.max(0.0))))
 }

@@ -7,7 +7,7 @@ use super::cone::Cone;
 use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, IntoList, Vector};
-use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Load, PreciseTwist, Problem};
 use crate::prelude::*;
 use crate::search::FoundBy;
 #[cfg(feature = "serde")]
@@ -49,13 +49,13 @@ impl Engine {
         if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
         }
-        let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
+        let at = ForcesAndTwist { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(problem.size(), at.twist.clone());
         // The direction in which each contact slides on the round cone is recomputed from the present force and slip.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
-        let piece = Piece::new(&problem, &states);
+        let linear_problem = LinearProblem::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
-        let missing = piece.correction(&problem, &states, (&at.forces, &twist), largest);
+        let missing = linear_problem.correction(&problem, &states, (&at.forces, &twist), largest);
         let size = |forces: &[SVector<f64, 3>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
@@ -65,9 +65,9 @@ impl Engine {
         }
         let varied = |pattern| {
             let variation = Variation::new(self, &equilibrium.load, &problem, &states, &at, pattern);
-            let mut forces = piece.forces_of(&variation.stretches, &variation.load);
-            for (force, dragged) in forces.iter_mut().zip(&variation.dragged) {
-                *force += dragged;
+            let mut forces = linear_problem.forces_of(&variation.stretches, &variation.load);
+            for (force, friction_change) in forces.iter_mut().zip(&variation.friction_changes) {
+                *force += friction_change;
             }
             size(&forces)
         };
@@ -87,7 +87,7 @@ impl Engine {
             return None;
         }
         let wrench = self.load_unchecked(&equilibrium.load);
-        let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
+        let load = Load { wrench, rounding_error: self.inside_rounding_error(&equilibrium.load) };
         let LocalAnswer { slips, cones, offsets, .. } = &equilibrium.local;
         let problem = self.problem_on(equilibrium.cone, offsets.clone(), &load);
         Some(Problem { slips: slips.clone(), cones: cones.clone(), ..problem })
@@ -101,7 +101,7 @@ struct Variation {
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
     /// Change of the friction forces due to the change of the coefficients of friction, N.
-    dragged: Vec<SVector<f64, 3>>,
+    friction_changes: Vec<SVector<f64, 3>>,
 }
 
 impl Variation {
@@ -110,7 +110,7 @@ impl Variation {
         load: &Wrench<3>,
         problem: &Problem,
         states: &[State],
-        at: &PieceState,
+        at: &ForcesAndTwist,
         pattern: u64,
     ) -> Self {
         let mut signs = Draw::new([pattern, 0, 0]);
@@ -120,7 +120,7 @@ impl Variation {
         let mut variation = Self {
             stretches: vec![SVector::zeros(); n],
             load: grasp.inside_unchecked(&Wrench::among(space, &load)),
-            dragged: vec![SVector::zeros(); n],
+            friction_changes: vec![SVector::zeros(); n],
         };
         if let Some(bodies) = grasp.bodies() {
             let own = bodies.loads.iter().map(|load| load.coordinates(space).map(|w| w * signs.sign()));
@@ -132,10 +132,10 @@ impl Variation {
             if states[i].slides() {
                 let sign = signs.sign();
                 for a in 1..3 {
-                    variation.dragged[i][a] = force[a] * sign;
+                    variation.friction_changes[i][a] = force[a] * sign;
                 }
             }
-            site.map.push(&variation.dragged[i], &mut variation.load);
+            site.map.push(&variation.friction_changes[i], &mut variation.load);
             // The coordinates of a point are varied by their own size: a relative error refers to the distance from the origin, not from neighbouring
             // points.
             let point = grasp

@@ -41,7 +41,8 @@ struct Exact {
 
 impl Exact {
     fn new((site, local): (&Site, LocalLaw<'_>), offset: &SVector<f64, 3>) -> Self {
-        let entry = |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rest[(k, axis)]);
+        let entry =
+            |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rounding_error[(k, axis)]);
         let axes = |x: &SVector<f64, 3>| core::array::from_fn(|axis| exact(x[axis]));
         Self {
             map: core::array::from_fn(|axis| core::array::from_fn(|k| entry(k, axis))),
@@ -152,7 +153,7 @@ fn is_contradicted(
     let motion: Vec<Rational> = motion.iter().map(|x| exact(*x)).collect();
     let forces = balanced(contacts, forces);
     let load: Vec<Rational> =
-        (0..6).map(|k| exact(problem.wrench[k]) + exact(problem.wrench_rest[k])).collect();
+        (0..6).map(|k| exact(problem.wrench[k]) + exact(problem.wrench_rounding_error[k])).collect();
     let parts = || contacts.iter().zip(forces.chunks(3));
     let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.offset));
     let gain = work - dot(&motion, &load);

@@ -179,11 +179,11 @@ fn drive_state(
     let open = state.is_open();
     match drive.role {
         DriveLaw::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
-        DriveLaw::EndsAbove if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
+        DriveLaw::UpperHalf if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
         // The lower limit of the tension of a tendon is zero; at this limit the tendon is slack.
-        DriveLaw::EndsBelow if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
-        DriveLaw::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
-        DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::EndsAbove | DriveLaw::EndsBelow => {
+        DriveLaw::LowerHalf if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
+        DriveLaw::LowerHalf if open => (DriveState::Yields, stretch[0].min(0.0)),
+        DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::UpperHalf | DriveLaw::LowerHalf => {
             (DriveState::Holds, 0.0)
         }
         DriveLaw::Slips if state.slides() => {

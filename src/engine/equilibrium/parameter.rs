@@ -22,7 +22,7 @@ use crate::contact::Mode;
 use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Map, Vector, numbered};
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// One datum of a grasp or its load, with respect to which forces and motions of an equilibrium are differentiated.
@@ -90,8 +90,8 @@ pub enum Parameter {
 impl StickingResponse<'_> {
     /// The derivatives of contact forces and twist of an equilibrium with respect to one given number (the datum `by`), per unit of it. `None` if the
     /// grasp has no such datum, or if after a small change of the datum no forces balance in the present contact states.
-    pub(crate) fn derivative(&self, state: &PieceState, by: Parameter) -> Option<PieceState> {
-        let PieceState { forces, twist } = state;
+    pub(crate) fn derivative(&self, state: &ForcesAndTwist, by: Parameter) -> Option<ForcesAndTwist> {
+        let ForcesAndTwist { forces, twist } = state;
         let mut offsets = self.at_rest();
         let mut wrench = Vector::zeros();
         let mut direct: Vec<(usize, SVector<f64, 3>)> = Vec::new();
@@ -178,7 +178,7 @@ impl StickingResponse<'_> {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })
         };
-        self.piece.free_motions().iter().all(stays_free).then_some(change)
+        self.linear_problem.free_motions().iter().all(stays_free).then_some(change)
     }
 
     /// The derivative of a contact's force with respect to its coefficient of friction μ at constant spring stretches v: (∂K/∂μ) v, with the tangent

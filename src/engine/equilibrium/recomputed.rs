@@ -32,35 +32,36 @@ struct ContactLaw<'c> {
     /// Size of forces by which residuals of force are divided, N.
     force_size: f64,
     /// Size of displacements by which residuals of displacement are divided, m.
-    travel: f64,
+    displacement_size: f64,
 }
 
 impl Residuals {
     /// Raises each residual to the residual of one contact or drive, if the contact's residual is larger. The residual of equilibrium, which all
     /// contacts have together, stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
-        let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
+        let ContactLaw { site, friction, polygon, cone, force_size, displacement_size } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;
         let give = site.springs.deflection(f);
         for a in 0..site.springs.axes() {
             let jump = if a == 0 { g } else { -s[a] };
-            self.springs = self.springs.max((give[a] - (stretch[a] + jump)).abs() / travel);
+            self.springs = self.springs.max((give[a] - (stretch[a] + jump)).abs() / displacement_size);
         }
         if site.hold == Hold::Bonded {
-            self.gap = self.gap.max(g.abs() / travel);
-            self.complementarity = self.complementarity.max(s.norm() / travel);
+            self.gap = self.gap.max(g.abs() / displacement_size);
+            self.complementarity = self.complementarity.max(s.norm() / displacement_size);
             return;
         }
         if site.hold == Hold::Unilateral {
             self.cone = self.cone.max(-f[0] / force_size);
-            self.gap = self.gap.max(-g / travel);
-            self.complementarity = self.complementarity.max((f[0] * g).abs() / (force_size * travel));
+            self.gap = self.gap.max(-g / displacement_size);
+            self.complementarity =
+                self.complementarity.max((f[0] * g).abs() / (force_size * displacement_size));
         }
         if friction.is_infinite() {
             if separated {
                 self.cone = self.cone.max(f.norm() / force_size);
             } else {
-                self.complementarity = self.complementarity.max(s.norm() / travel);
+                self.complementarity = self.complementarity.max(s.norm() / displacement_size);
             }
         } else if site.springs.resists_tangentially() {
             let scale = force_size * friction.round_weight();
@@ -75,7 +76,7 @@ impl Residuals {
             let limit = friction.limit(f[0]);
             self.cone = self.cone.max((used - limit) / scale);
             let missing = limit * support - f.dot(&s);
-            self.complementarity = self.complementarity.max(missing.abs() / (scale * travel));
+            self.complementarity = self.complementarity.max(missing.abs() / (scale * displacement_size));
         }
     }
 }
@@ -90,7 +91,7 @@ impl Engine {
         (answers, found): (&[ContactAnswer<3>], &SearchSolution),
         cone: Cone,
     ) -> Residuals {
-        let [force_terms, travel_terms] = found.sizes;
+        let [force_terms, displacement_terms] = found.sizes;
         // The comparisons below ignore NaN, so that an answer with such a number would seem exact. Its residuals are infinite instead.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
@@ -102,32 +103,33 @@ impl Engine {
         // The offsets already contain the slip `problem.slips` that was accumulated on a load path. The contact law holds for the remaining slip.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
-        let mut travels: Vec<f64> = numbered(self.len(), &|i| {
+        let mut displacement_sizes: Vec<f64> = numbered(self.len(), &|i| {
             let contact = &self.contacts()[i];
             let give = self.sites()[i].springs.deflection(&answers[i].force).norm();
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
             // Residuals are not divided by sizes, N or m, below `SMALLEST`: products of subnormal numbers have no relative precision.
-            (own + moved + answers[i].gap.abs() + slip(i).norm()).max(travel_terms).max(SMALLEST)
+            (own + moved + answers[i].gap.abs() + slip(i).norm()).max(displacement_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {
             let i = self.len() + k;
             let give = self.sites()[i].springs.deflection(site_answer.force).norm();
             let moved = self.sites()[i].map.norm() * found.twist.norm();
-            travels.push((problem.offsets[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
+            displacement_sizes
+                .push((problem.offsets[i].norm() + give + moved).max(displacement_terms).max(SMALLEST));
         }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
         // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The size by which its residuals are
         // divided is therefore at least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring
         // under the largest force.
-        let still = 1e-20 * travels.iter().copied().fold(0.0, f64::max);
+        let still = 1e-20 * displacement_sizes.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
-        for travel in &mut travels {
-            *travel = travel.max(still);
+        for displacement_size in &mut displacement_sizes {
+            *displacement_size = displacement_size.max(still);
         }
-        let spring_force = least_spring_force(self.sites(), travels.iter().copied());
+        let spring_force = least_spring_force(self.sites(), displacement_sizes.iter().copied());
         let force_size = largest.max(NO_FORCE * spring_force).max(SMALLEST);
         let object_balance = self.out_of_balance(load, answers, spring_force.max(force_terms));
         let equilibrium = object_balance.max(self.joints_out_of_balance(load, answers, found, force_size));
@@ -138,7 +140,7 @@ impl Engine {
             polygon: problem.polygon(i),
             cone,
             force_size,
-            travel: travels[i],
+            displacement_size: displacement_sizes[i],
         };
         for (i, answer) in answers.iter().enumerate() {
             let point = &self.contacts()[i].point;

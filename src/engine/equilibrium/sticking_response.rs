@@ -13,7 +13,7 @@ use super::cone::Cone;
 use crate::contact::{Edges, LocalLaw, State};
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::numerics::{IntoList, Vector, largest};
-use crate::object::{Load, Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Load, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -22,7 +22,7 @@ pub(crate) struct StickingResponse<'g> {
     pub(crate) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
-    pub(crate) piece: Arc<Piece>,
+    pub(crate) linear_problem: Arc<LinearProblem>,
     /// For each contact and drive, the conditions under which it keeps its state: sticking or open.
     pub(crate) edges: Vec<Edges>,
 }
@@ -55,9 +55,9 @@ impl<'g> StickingResponse<'g> {
 
     /// The linear response of the grasp while contacts keep these states. Offsets and load of `problem` are not used.
     pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
-        let piece = problem.piece(states);
+        let linear_problem = problem.linear_problem(states);
         let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).list();
-        Self { grasp, problem, states: states.to_vec(), piece, edges }
+        Self { grasp, problem, states: states.to_vec(), linear_problem, edges }
     }
 
     /// The contact law of one contact.
@@ -77,7 +77,7 @@ impl<'g> StickingResponse<'g> {
         offsets: &[SVector<f64, 3>],
         load: &Vector,
     ) -> Result<ContactForces, Motion<3>> {
-        match self.piece.solve(self.problem.sites, offsets, load) {
+        match self.linear_problem.solve(self.problem.sites, offsets, load) {
             Ok(state) => {
                 let sizes = self.problem.force_sizes(offsets, load.norm(), &state);
                 Ok(ContactForces { of: state.forces, sizes })
@@ -96,8 +96,8 @@ impl<'g> StickingResponse<'g> {
 
     /// Forces and motion under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if no forces in the states of
     /// this response balance them.
-    pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<PieceState> {
-        self.piece.solve(self.problem.sites, offsets, load).ok()
+    pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<ForcesAndTwist> {
+        self.linear_problem.solve(self.problem.sites, offsets, load).ok()
     }
 }
 

@@ -170,7 +170,7 @@ impl Engine {
             return f64::INFINITY;
         }
         let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);
-        places.iter().map(|place| place.reach).fold(self.length(), f64::max)
+        places.iter().map(|place| place.rms_radius).fold(self.length(), f64::max)
     }
 
     /// All motions that are compared with limits: the rotation of each body, of each revolute joint that moves a closed contact, and the slip or

@@ -17,7 +17,7 @@ use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
 use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
 /// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. The contact force F is scaled by the contact's
@@ -56,7 +56,11 @@ fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
 
 /// The kinematic form of all contacts. `trial` is the linear problem in which every contact sticks (the elastic trial), and `state` its solution.
 /// `None` if no contact may open or slide, or if a number overflows.
-pub(crate) fn kinematic_form(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Form> {
+pub(crate) fn kinematic_form(
+    problem: &Problem,
+    trial: &LinearProblem,
+    state: &ForcesAndTwist,
+) -> Option<Form> {
     let (rows, jumps) = jumps(problem, &numbered(problem.len(), &|contact| contact));
     if jumps.is_empty() {
         return None;
@@ -90,8 +94,8 @@ pub(crate) struct UnitDisplacements(Vec<Option<Vec<Vec<f64>>>>);
 /// jumps (gaps and slips) are taken from `known`, or computed and stored there. `None` if a number overflows or the factorisation fails.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
-    trial: &Piece,
-    state: &PieceState,
+    trial: &LinearProblem,
+    state: &ForcesAndTwist,
     contacts: &[usize],
     UnitDisplacements(known): &mut UnitDisplacements,
 ) -> Option<Form> {
@@ -129,7 +133,7 @@ pub(crate) fn kinematic_form_among(
 /// unknown of jump j reduces the slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
-    state: &PieceState,
+    state: &ForcesAndTwist,
     rows: Vec<Row>,
     jumps: &[GapOrSlip],
     coupling: &dyn Fn(usize, usize) -> f64,

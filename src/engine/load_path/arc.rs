@@ -26,7 +26,7 @@ use crate::contact::{Slide, State, Tangent, tangential, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
 use crate::numerics::Vector;
-use crate::object::{Imbalance, Piece, PieceState};
+use crate::object::{ForcesAndTwist, Imbalance, LinearProblem};
 use crate::prelude::*;
 
 /// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg (section of
@@ -146,7 +146,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load plus
     /// `ConstantTerms::push`.
     fn push_at(&self, factor: f64) -> Vector {
-        self.segment.course.rate_at(factor) + &self.fixed().push
+        self.segment.trajectory.rate_at(factor) + &self.fixed().push
     }
 
     /// Norm of [`Self::push_at`], N per unit of the load factor: the rate of the load plus the rate of the forces by which commands push contacts
@@ -244,22 +244,27 @@ impl<'s, 'g> Arc<'s, 'g> {
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates `[stretch, force]` of a contact with the tangent stiffness `tangent` as the path continues in the direction `way`, per unit of
-    /// arclength of `way`.
-    pub(super) fn rates(&self, contact: usize, tangent: &Tangent, way: &Direction) -> [SVector<f64, 3>; 2] {
+    /// The rates `[stretch, force]` of a contact with the tangent stiffness `tangent` as the path continues in the `direction`, per unit of
+    /// arclength of `direction`.
+    pub(super) fn rates(
+        &self,
+        contact: usize,
+        tangent: &Tangent,
+        direction: &Direction,
+    ) -> [SVector<f64, 3>; 2] {
         let site = &self.sites()[contact];
-        let stretch = site.stretch(&(self.segment.change[contact] * way.factor), &way.twist);
+        let stretch = site.stretch(&(self.segment.change[contact] * direction.factor), &direction.twist);
         [stretch, tangent.force(&stretch)]
     }
 
-    /// The rates of all contact forces in the direction `way` of the path. `slid` are the tangent stiffnesses of the sliding contacts, in the order
+    /// The rates of all contact forces in the `direction` of the path. `slid` are the tangent stiffnesses of the sliding contacts, in the order
     /// of `sliding`.
-    pub(super) fn force_rates(&self, slid: &[Tangent], way: &Direction) -> Vec<SVector<f64, 3>> {
+    pub(super) fn force_rates(&self, slid: &[Tangent], direction: &Direction) -> Vec<SVector<f64, 3>> {
         let mut slid = slid.iter();
         let rate = |(i, state): (usize, &State)| {
             let sliding = state.slides().then(|| slid.next()).flatten();
             let tangent = sliding.copied().unwrap_or_else(|| self.segment.problem.local(i).tangent(state));
-            self.rates(i, &tangent, way)[1]
+            self.rates(i, &tangent, direction)[1]
         };
         self.states.iter().enumerate().map(rate).list()
     }
@@ -273,12 +278,12 @@ impl<'s, 'g> Arc<'s, 'g> {
         mut factor: f64,
         across: &Direction,
         frictions: &[SVector<f64, 3>],
-    ) -> Option<(PieceState, f64)> {
+    ) -> Option<(ForcesAndTwist, f64)> {
         // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
         // compared with the load at the start of the leg.
-        let from = self.segment.course.at(0.0).norm();
+        let from = self.segment.trajectory.at(0.0).norm();
         let (mut frictions, mut balanced, mut last) = (frictions.to_vec(), None, f64::INFINITY);
         for round in 0..20 {
             let tangents = self.tangents(frictions.iter().copied());
@@ -289,7 +294,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             // At most six Newton corrections. A step leaves friction forces off their cones by the error of the step, and the first correction leaves
             // only the square of this error.
             for _ in 0..6 {
-                let load = self.segment.course.at(factor);
+                let load = self.segment.trajectory.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
                 if left.norm() <= rounding * (load.norm().max(from) + carried) {
                     ended = Some(carried);
@@ -324,7 +329,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
             // then corrected again.
             if initial_force <= 4.0 * carried {
-                balanced = Some((PieceState { forces, twist: twist.clone() }, factor));
+                balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
                     break;
                 }
@@ -378,18 +383,18 @@ impl Segment<'_> {
         &self,
         states: &[State],
         factor: f64,
-        at: &PieceState,
+        at: &ForcesAndTwist,
         pushed: Option<&Vector>,
     ) -> Result<PathPoint, NoEquilibrium<3>> {
-        let piece = alloc::sync::Arc::new(Piece::new(&self.problem, states));
-        let rate = piece
-            .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
+        let linear_problem = alloc::sync::Arc::new(LinearProblem::new(&self.problem, states));
+        let rate = linear_problem
+            .solve(self.problem.sites, &self.change, &self.trajectory.rate_at(factor))
             .map_err(|u| self.unbalanced(factor, u.motion))?;
-        let rate = self.pushed_along(&piece, rate, pushed);
+        let rate = self.pushed_along(&linear_problem, rate, pushed);
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).list();
-        let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
+        let arc = Arc::new(self, states, linear_problem.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
-        let is_near = |(there, _): &(PieceState, f64)| {
+        let is_near = |(there, _): &(ForcesAndTwist, f64)| {
             // After an event only rounding is to be corrected. A correction by more than this fraction of the largest force has therefore led to
             // another equilibrium.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
@@ -397,6 +402,6 @@ impl Segment<'_> {
         let balanced =
             arc.balanced(at.twist.clone(), factor, &Direction::forward(), &frictions).filter(is_near);
         let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
-        Ok(self.point_with_rates(piece, factor, at.clone(), (&rate, 1.0), (factor, &at)))
+        Ok(self.point_with_rates(linear_problem, factor, at.clone(), (&rate, 1.0), (factor, &at)))
     }
 }

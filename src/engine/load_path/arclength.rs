@@ -18,10 +18,10 @@ impl PiecewiseFollower<'_> {
     /// further quarter revolution of the load is then added in quadrature. The result is limited, see below, and is 1 instead of zero.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
-        if let Trajectory::Turn { angle, .. } = self.segment.course {
-            let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
+        if let Trajectory::Turn { angle, .. } = self.segment.trajectory {
+            let later = self.segment.trajectory.rate_at(self.factor + FRAC_PI_2 / angle);
             let at_rest = vec![SVector::zeros(); self.node.states.len()];
-            if let Ok(rate) = point.piece.solve(self.segment.grasp.sites(), &at_rest, &later) {
+            if let Ok(rate) = point.linear_problem.solve(self.segment.grasp.sites(), &at_rest, &later) {
                 size = size.hypot(rate.twist.norm());
             }
         }
@@ -37,7 +37,7 @@ impl PiecewiseFollower<'_> {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());
         let offsets = largest(&self.segment.change, &SVector::norm);
-        let load = self.segment.course.rate_at(self.factor).norm();
+        let load = self.segment.trajectory.rate_at(self.factor).norm();
         (point.sizes[0] + load) / softest + offsets
     }
 }

@@ -17,7 +17,7 @@ use crate::grasp::{Engine, Motion, WholeContact};
 use crate::lcp;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Vector, largest, summed};
-use crate::object::{Piece, Problem};
+use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
@@ -253,22 +253,22 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
-        wrench_rest: rates.wrench_rest.clone(),
+        wrench_rounding_error: rates.wrench_rounding_error.clone(),
         ..problem.clone()
     };
     let way = whole_way(problem, rates);
     let mut another = false;
     for_each_combination(problem, &mut |states| {
-        let piece = Piece::new(problem, &states);
+        let linear_problem = LinearProblem::new(problem, &states);
         let (Ok(now), Ok(next)) = (
-            piece.solve(problem.sites, &problem.offsets, problem.load()),
-            piece.solve(rates.sites, &rates.offsets, &rates.wrench),
+            linear_problem.solve(problem.sites, &problem.offsets, problem.load()),
+            linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench),
         ) else {
             return false;
         };
         // The condition of a contact state is zero up to rounding if its value is at most this fraction of the size of its terms. The fraction has an
         // upper bound: a larger violation is real, however badly conditioned the linear problem is.
-        let rounding = (ZERO_SLACK * piece.growth()).min(MOST_SLACK);
+        let rounding = (ZERO_SLACK * linear_problem.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {
             values.push((value, size));

@@ -23,7 +23,7 @@ use crate::equilibrium::Equilibrium;
 use crate::grasp::Coordinates;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Vector, mapped};
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 use crate::search::SearchSolution;
 
@@ -63,7 +63,7 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 impl<'g> PiecewiseFollower<'g> {
     /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks the motion, if
     /// no gap closes, or if rotations or slips exceed the limits of small motions.
-    fn free_way(&self, motion: &Vector) -> Option<FreeTravel> {
+    fn free_travel(&self, motion: &Vector) -> Option<FreeTravel> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
@@ -89,8 +89,8 @@ impl<'g> PiecewiseFollower<'g> {
                 fastest = velocity.norm().max(fastest);
             }
         }
-        let length = gaps.iter().map(|(_, way, _)| *way).reduce(f64::min)?;
-        let together = gaps.iter().filter(|(_, way, unknown)| way - length <= *unknown);
+        let length = gaps.iter().map(|(_, travel, _)| *travel).reduce(f64::min)?;
+        let together = gaps.iter().filter(|(_, travel, unknown)| travel - length <= *unknown);
         let closing: Vec<usize> = together.map(|(i, ..)| *i).list();
         for &i in closing.iter().filter(|i| **i < grasp.len()) {
             fastest = grasp.sites()[i].map.tr_mul(motion).norm().max(fastest);
@@ -107,13 +107,13 @@ impl<'g> PiecewiseFollower<'g> {
     fn yield_along(
         &mut self,
         motion: &Vector,
-        way: &FreeTravel,
+        travel: &FreeTravel,
         run: &ProgramRun<'g>,
     ) -> Vec<(usize, Change<3>)> {
         let rates = self.edge(run).rates;
         let mut states = rates.yielding();
         for (i, state) in states.iter_mut().enumerate() {
-            if way.still[i] && matches!(rates.laws[i], Law::Edge(_)) {
+            if travel.still[i] && matches!(rates.laws[i], Law::Edge(_)) {
                 *state = Mode::Sticking;
             }
         }
@@ -122,21 +122,21 @@ impl<'g> PiecewiseFollower<'g> {
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object by `motion` times `way.length`, until the gap closes, at the same load. `None` if the linear system for the forces of the new
-    /// states has no solution.
-    fn move_to_gap(&mut self, motion: &Vector, way: &FreeTravel) -> Option<()> {
+    /// Moves the object by `motion` times `travel.length`, until the gap closes, at the same load. `None` if the linear system for the forces of the
+    /// new states has no solution.
+    fn move_to_gap(&mut self, motion: &Vector, travel: &FreeTravel) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved for anew in the new states. Then the force of contacts that have opened is exactly zero, without a rounding error.
         let forces = mapped(&point.lines, &|line| line.force);
-        let twist = &self.node.at.twist + motion * way.length;
-        self.node.move_to_end(&mut self.segment, &point, self.factor, &PieceState { forces, twist });
+        let twist = &self.node.at.twist + motion * travel.length;
+        self.node.move_to_end(&mut self.segment, &point, self.factor, &ForcesAndTwist { forces, twist });
         let offsets = self.segment.offsets(self.factor);
         for (i, site) in self.segment.grasp.sites().iter().enumerate() {
             if self.node.states[i].is_open() {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 self.node.active_sets[i].clear();
-                self.node.active_sets[i].apex = gap <= shut || way.closing.contains(&i);
+                self.node.active_sets[i].apex = gap <= shut || travel.closing.contains(&i);
             }
         }
         (self.point, self.at_node) = (None, true);
@@ -151,7 +151,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         let before = self.state_before_event();
         let state = before.or_else(|| self.present_state(run))?;
-        let goal = self.segment.course.at(self.factor);
+        let goal = self.segment.trajectory.at(self.factor);
         let leg = Self::at_segment_start(self.segment.at_rest(self.factor), self.node.clone());
         let slips = leg.segment.problem.slips.clone();
         let mut jump = JumpInProgress::after(leg, &slips);
@@ -206,8 +206,8 @@ impl<'g> JumpInProgress<'g> {
         let lost = || PathEnd::Lost(Box::new(loss.clone()));
         let motion: Option<Vector> = loss.leaves.as_ref().map(Coordinates::to);
         let motion = motion.filter(|_| loss.kind != LossKind::LetsGo).ok_or_else(lost)?;
-        let way = self.leg.free_way(&motion).ok_or_else(lost)?;
-        let changes = self.leg.yield_along(&motion, &way, run);
+        let travel = self.leg.free_travel(&motion).ok_or_else(lost)?;
+        let changes = self.leg.yield_along(&motion, &travel, run);
         let begin = self.leg.begin_to_slide(&changes);
         if !begin.is_empty()
             && let Some(leg) = self.leg.leg_of_release(goal, &begin, run)?
@@ -217,8 +217,8 @@ impl<'g> JumpInProgress<'g> {
             return Ok(true);
         }
         self.note(&changes);
-        self.leg.move_to_gap(&motion, &way).ok_or_else(lost)?;
-        self.reaches.extend(way.closing);
+        self.leg.move_to_gap(&motion, &travel).ok_or_else(lost)?;
+        self.reaches.extend(travel.closing);
         Ok(false)
     }
 }

@@ -90,8 +90,8 @@ impl Engine {
         let linkage = self.linkage()?;
         let drive = &linkage.drives[site - self.len()];
         let what = match (frees, drive.role, drive.pulls_only()) {
-            (true, DriveLaw::Pulls | DriveLaw::EndsBelow, true) => DriveChange::Slackens,
-            (false, DriveLaw::Pulls | DriveLaw::EndsBelow, true) => DriveChange::Tightens,
+            (true, DriveLaw::Pulls | DriveLaw::LowerHalf, true) => DriveChange::Slackens,
+            (false, DriveLaw::Pulls | DriveLaw::LowerHalf, true) => DriveChange::Tightens,
             (true, ..) => DriveChange::Yields,
             (false, ..) => DriveChange::Holds,
         };

@@ -36,7 +36,7 @@ pub(crate) struct CycleState {
     pub(crate) twist: Vector,
     /// For each contact and drive: true if its present friction is its lower kinetic friction, because it slides. Empty if no contact has kinetic
     /// friction.
-    pub(crate) weaker: Vec<bool>,
+    pub(crate) has_kinetic_friction: Vec<bool>,
 }
 
 /// Totals and extremes of one cycle of legs. Each list, except `states`, has an entry for each contact and drive.
@@ -194,15 +194,15 @@ impl<'g> Cycles<'g> {
             step_error: core::mem::take(&mut follower.step_error),
             states: Vec::new(),
         };
-        for (k, stretch) in behind.iter().enumerate().skip(before) {
+        for (k, piece) in behind.iter().enumerate().skip(before) {
             // Slips at the end of the piece. If a jump follows, the slips before the jump are taken: the jump is a piece of its own, with its own
             // slips.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
-            record.add(stretch, next.unwrap_or(slips_at_the_end), first);
-            if stretch.jump.is_some() && k > 0 {
-                let moved = &stretch.there.twist - &behind[k - 1].there.twist;
+            record.add(piece, next.unwrap_or(slips_at_the_end), first);
+            if piece.jump.is_some() && k > 0 {
+                let moved = &piece.there.twist - &behind[k - 1].there.twist;
                 let contacts = &self.path.run.grasp.sites()[..self.path.run.grasp.len()];
                 let displacement = largest(contacts, &|site| site.map.tr_mul(&moved).norm());
                 record.jump_motion = record.jump_motion.max(displacement);
@@ -228,16 +228,17 @@ impl<'g> Cycles<'g> {
             gaps: numbered(at.forces.len(), &gap),
             slips: segment.problem.slips.clone(),
             twist: at.twist.clone(),
-            weaker: segment.problem.weaker(),
+            has_kinetic_friction: segment.problem.has_kinetic_friction(),
         })
     }
 }
 
 impl CycleState {
-    /// The friction cone of each contact or drive: kinetic if its entry in `weaker` is true, otherwise static. Empty if `weaker` is empty.
+    /// The friction cone of each contact or drive: kinetic if its entry in `has_kinetic_friction` is true, otherwise static. Empty if
+    /// `has_kinetic_friction` is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
-        let sites = grasp.sites().iter().zip(&self.weaker);
-        sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).list()
+        let sites = grasp.sites().iter().zip(&self.has_kinetic_friction);
+        sites.map(|(site, is_kinetic)| site.kinetic.filter(|_| *is_kinetic).unwrap_or(site.friction)).list()
     }
 }
 

@@ -6,7 +6,7 @@ use super::follower::StateAtEdge;
 use super::rigid_motion::rigid_motion;
 use crate::contact::State;
 use crate::numerics::{Each, Vector};
-use crate::object::{Piece, Problem};
+use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::{SearchCounts, SearchOutcome, Settings};
 
@@ -27,7 +27,7 @@ pub(super) fn end_of_path(
         let loss = Loss { kind: LossKind::GivesWay, ..loss };
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
     }
-    let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
+    let motions = leaving_motions(rates, &segment.trajectory.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
     // If no contact carries a force, springs do not determine the motion with which the object leaves. This motion is then the motion of rigid
     // bodies.
@@ -58,8 +58,8 @@ pub(super) fn end_of_path(
 /// also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised twist rate. It is
 /// reversed if, summed over contacts, the slip would be opposite to the friction forces.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
-    let piece = Piece::new(rates, states);
-    let solved = match piece.solve(rates.sites, &rates.offsets, &rates.wrench) {
+    let linear_problem = LinearProblem::new(rates, states);
+    let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
             // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the motion is taken along which the
             // rate of the load does the most work. If only commands change, the load is used instead of its rate.
@@ -69,9 +69,9 @@ pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) 
             };
             let worked_on =
                 |motions: &[Vector]| along(motions, &rates.wrench).or_else(|| along(motions, load));
-            let free = piece.free_motions();
+            let free = linear_problem.free_motions();
             let against = unbalanced.motion.or_else(|| worked_on(free))?;
-            let neutral = || worked_on(&piece.neutral_motions());
+            let neutral = || worked_on(&linear_problem.neutral_motions());
             let leaves = worked_on(free).or_else(neutral).unwrap_or_else(|| against.clone());
             return Some([leaves, against]);
         }

@@ -78,7 +78,7 @@ impl LegEnergy {
             self.add_turned(segment, states, turned, step);
             return;
         }
-        let middle = segment.course.at(factor + 0.5 * step);
+        let middle = segment.trajectory.at(factor + 0.5 * step);
         let works = middle.component_mul(&point.twist_rate) * step;
         self.load_work += works.sum();
         self.turnover += works.map(f64::abs).sum();

@@ -91,7 +91,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
-        let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)
+        let is_still = matches!(&segment.trajectory, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)
             && segment.change.iter().all(|change| change.norm() == 0.0);
         let slides = |i: &usize| {
             self.node.states[*i].slides() && segment.problem.cone(*i) != segment.problem.sites[*i].friction

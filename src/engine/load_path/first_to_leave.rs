@@ -17,7 +17,7 @@ use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Harmonic, Vector, cleared_for};
-use crate::object::{Imbalance, PieceState};
+use crate::object::{ForcesAndTwist, Imbalance};
 use crate::search::{FoundBy, SearchSolution};
 
 /// The contact that stops sticking first, and forces and twist at this onset. It may also be a drive of a joint or tendon that reaches its force
@@ -26,28 +26,28 @@ pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
     exit: Exit,
-    pub(super) there: PieceState,
+    pub(super) there: ForcesAndTwist,
 }
 
 /// The first contact that stops sticking along a ramp. `None` if everything sticks at every load factor, or if the simple case of this file does not
 /// apply. It applies if everything clearly sticks under the base load, and one contact stops sticking before all others.
 pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) -> Option<FirstToLeave> {
     let problem = &segment.problem;
-    let piece = problem.trial();
-    if !piece.free_motions().is_empty() {
+    let linear_problem = problem.trial();
+    if !linear_problem.free_motions().is_empty() {
         return None;
     }
-    let direction = segment.course.rate_at(0.0);
+    let direction = segment.trajectory.rate_at(0.0);
     let OnsetMemory { solution, base, rate, there, offsets, .. } = memory;
-    piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
-    piece.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
+    linear_problem.solve_roughly_into(&segment.change, &direction, (solution, rate));
+    linear_problem.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let FirstContact { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
     // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces under the
     // base load.
     let mut factor = exit.step;
-    let load = segment.course.at(factor);
+    let load = segment.trajectory.at(factor);
     segment.offsets_into(factor, offsets);
-    piece.solve_into(problem.sites, offsets, &load, (solution, there)).ok()?;
+    linear_problem.solve_into(problem.sites, offsets, &load, (solution, there)).ok()?;
     let more = problem.local(contact).step_to_exit(&exit, &there.forces[contact], &line.rate);
     if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
@@ -74,16 +74,16 @@ pub(super) fn first_to_leave_on_turn(
     inside: &Harmonic<Vector>,
 ) -> Option<WhileTurning> {
     let problem = &segment.problem;
-    let piece = problem.trial();
-    if !piece.free_motions().is_empty() {
+    let linear_problem = problem.trial();
+    if !linear_problem.free_motions().is_empty() {
         return None;
     }
     let states = problem.trial_states();
     let at_rest = vec![SVector::zeros(); problem.len()];
     let parts = Harmonic {
-        constant: piece.solve_roughly(&problem.offsets, &inside.constant),
-        cosine: piece.solve_roughly(&at_rest, &inside.cosine),
-        sine: piece.solve_roughly(&at_rest, &inside.sine),
+        constant: linear_problem.solve_roughly(&problem.offsets, &inside.constant),
+        cosine: linear_problem.solve_roughly(&at_rest, &inside.cosine),
+        sine: linear_problem.solve_roughly(&at_rest, &inside.sine),
     };
     let base = at_start(&parts);
     let largest = problem.largest_force(&base.forces, &base.twist);
@@ -110,7 +110,7 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let load = inside.at(angle);
-    let mut there = piece.solve(problem.sites, &problem.offsets, &load).ok()?;
+    let mut there = linear_problem.solve(problem.sites, &problem.offsets, &load).ok()?;
     let rate = turned.waves[*contact][0].of.rate_at(angle);
     let more = problem.local(*contact).step_to_exit(&exit, &there.forces[*contact], &rate);
     if more.abs() > LARGEST_CORRECTION * angle || !is_balanced(problem.sites, &load, &there.forces) {
@@ -181,8 +181,8 @@ struct FirstContact {
 /// stick under the base load, or if another force leaves its cone at nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
-    base: &PieceState,
-    (direction, rate): (&Vector, &PieceState),
+    base: &ForcesAndTwist,
+    (direction, rate): (&Vector, &ForcesAndTwist),
 ) -> Option<FirstContact> {
     let problem = &segment.problem;
     let largest = problem.largest_force(&base.forces, &base.twist);

@@ -22,7 +22,7 @@ use super::watched_condition::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Each, IntoList, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
-use crate::object::{PieceState, largest_force};
+use crate::object::{ForcesAndTwist, largest_force};
 use crate::prelude::*;
 
 /// The rule by which the differential equation is integrated in a step.
@@ -99,8 +99,11 @@ pub(super) struct FlowStep {
 }
 
 impl FlowStep {
-    pub(super) fn state(&self) -> PieceState {
-        PieceState { forces: mapped(&self.point.lines, &|line| line.force), twist: self.point.twist.clone() }
+    pub(super) fn state(&self) -> ForcesAndTwist {
+        ForcesAndTwist {
+            forces: mapped(&self.point.lines, &|line| line.force),
+            twist: self.point.twist.clone(),
+        }
     }
 }
 
@@ -116,7 +119,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     ) -> Self {
         let sites = segment.grasp.sites();
         let offsets = segment.offsets(from);
-        let load = segment.course.at(from).norm();
+        let load = segment.trajectory.at(from).norm();
         let forces = mapped(&point.lines, &|line| line.force.norm());
         let force =
             largest_force(sites, &offsets, &point.twist, load, forces.into_iter()).max(segment.largest);
@@ -195,37 +198,39 @@ impl<'s, 'g> Flow<'s, 'g> {
         let factor = self.from + y[load];
         let mut frictions: Vec<_> = self.frictions(&y).list();
         let tangents = self.arc.tangents(frictions.iter().copied());
-        let way = self.arc.direction(&tangents, factor, &self.initial_direction())?;
+        let direction = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
         // The integrated step may end outside the distance `near` of its goal, while the correction onto the cones still brings it inside.
         let arrived = if stays(factor) {
             None
         } else {
-            Some(self.arc.balanced(twist.clone(), factor, &way, &frictions)?)
+            Some(self.arc.balanced(twist.clone(), factor, &direction, &frictions)?)
         };
         let (twist, factor) = arrived.as_ref().map_or((twist, factor), |(at, to)| (at.twist.clone(), *to));
         let (at, to) = match arrived {
             Some(arrived) if !stays(factor) => arrived,
             _ => {
                 // The rest of the step follows the tangent, and friction forces change along it.
-                let rest = (goal.factor - factor) / way.factor;
+                let rest = (goal.factor - factor) / direction.factor;
                 for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
-                    *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
+                    *friction += tangential(&self.arc.rates(i, tangent, &direction)[1]) * rest;
                 }
                 self.arc.balanced(
-                    twist + &way.twist * rest,
+                    twist + &direction.twist * rest,
                     goal.factor,
                     &Direction::forward(),
                     &frictions,
                 )?
             }
         };
-        let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
+        let rate =
+            ForcesAndTwist { forces: self.arc.force_rates(&tangents, &direction), twist: direction.twist };
         let [finger_work, dissipated, load_work, turnover] = [0, 1, 2, 3].each(|k| y[works + k]);
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
         let before: Vec<_> = mapped(&self.point.lines, &|line| line.force);
         energy.store(self.arc.sites(), &before, &at.forces);
-        let point = self.arc.segment.point_on_arc(&self.point.piece, to, &at, &rate, way.factor);
+        let point =
+            self.arc.segment.point_on_arc(&self.point.linear_problem, to, &at, &rate, direction.factor);
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
@@ -252,33 +257,35 @@ impl<'s, 'g> Flow<'s, 'g> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
         let tangents = self.arc.tangents(self.frictions(y));
-        let way = self.arc.direction(&tangents, self.from + y[load], &self.initial_direction())?;
+        let direction = self.arc.direction(&tangents, self.from + y[load], &self.initial_direction())?;
         let count = self.size().count();
-        out[load - count..load].iter_mut().enumerate().for_each(|(k, out)| *out = way.twist[k]);
-        out[load] = way.factor;
+        out[load - count..load].iter_mut().enumerate().for_each(|(k, out)| *out = direction.twist[k]);
+        out[load] = direction.factor;
         let [mut heat, mut turnover, mut backwards] = [0.0, 0.0, 0.0_f64];
         let own = out.chunks_exact_mut(2).zip(&self.arc.sliding).zip(&self.vanishing).zip(&tangents);
         for ((((out, &i), &vanishes), tangent), friction) in own.zip(self.frictions(y)) {
-            let [stretch, force] = self.arc.rates(i, tangent, &way);
+            let [stretch, force] = self.arc.rates(i, tangent, &direction);
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
             // A slip rate against the friction force is rounding up to this fraction of the displacement rate of the contact.
-            let rounding = 1e-13 * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
+            let rounding = 1e-13
+                * friction.norm()
+                * site.span(&(segment.change[i] * direction.factor), &direction.twist);
             if !vanishes {
                 backwards = backwards.max(-dissipated - rounding);
             }
             heat += dissipated;
             turnover += dissipated.abs();
         }
-        let fingers = if self.arc.driven { self.power_of_fingers(y) * way.factor } else { 0.0 };
-        let worked = segment.course.at(self.from + y[load]).component_mul(&way.twist);
+        let fingers = if self.arc.driven { self.power_of_fingers(y) * direction.factor } else { 0.0 };
+        let worked = segment.trajectory.at(self.from + y[load]).component_mul(&direction.twist);
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
-        let is_straight = matches!(segment.course, Trajectory::Straight { .. });
+        let is_straight = matches!(segment.trajectory, Trajectory::Straight { .. });
         // A decrease of the load factor by less than this fraction of the arclength does not count. Near a maximum the load factor itself then
         // changes by less than the square of this fraction, in units of the leg.
-        Some(backwards > 0.0 || is_straight && way.factor < -1e-8)
+        Some(backwards > 0.0 || is_straight && direction.factor < -1e-8)
     }
 
     /// Friction forces of the sliding contacts, N, in the order of `arc.sliding`, after the changes `y` of all variables since the start.

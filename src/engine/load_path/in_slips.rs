@@ -72,13 +72,13 @@ impl Engine {
         ramp.offset_changes_into(self, &mut memory.change).ok()?;
         let segment = memory.segment(self, settings, Trajectory::Straight { from: base, rate });
         let FirstToLeave { factor, contact, there, .. } = first_to_leave(&segment, &mut memory)?;
-        let (piece, problem) = (segment.problem.trial(), segment.problem);
+        let (linear_problem, problem) = (segment.problem.trial(), segment.problem);
         let small = settings.small_motions;
         let mut slips = Slips {
             grasp: self,
             forces: Vec::with_capacity((2 + 2 * problem.len().min(MOST_SLIDING)) * problem.len()),
             problem,
-            piece,
+            linear_problem,
             twists: Vec::with_capacity(2 + 2 * MOST_SLIDING),
             sliding: Vec::with_capacity(MOST_SLIDING),
             largest: largest(&there.forces, &SVector::norm),
@@ -186,7 +186,7 @@ impl Slips<'_> {
             if axis < self.grasp.space().axes() {
                 offsets[contact][axis] = -1.0;
             }
-            self.piece.solve_roughly_into(offsets, &Vector::zeros(), (solution, response));
+            self.linear_problem.solve_roughly_into(offsets, &Vector::zeros(), (solution, response));
             self.push(response);
             at.push(0.0);
         }

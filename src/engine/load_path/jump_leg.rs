@@ -128,7 +128,7 @@ impl<'g> PiecewiseFollower<'g> {
         let mut any = false;
         let mut segment = self.segment.at_rest(self.factor);
         let (mut states, mut forces) = (self.node.states.clone(), self.node.at.forces.clone());
-        let mut from = segment.course.at(0.0);
+        let mut from = segment.trajectory.at(0.0);
         let largest = largest(&forces, &Matrix::norm);
         let problem = &mut segment.problem;
         for &i in begin {
@@ -154,7 +154,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         problem.wrench.clone_from(&from);
         let rate = goal - &from;
-        segment.course = Trajectory::Straight { from, rate };
+        segment.trajectory = Trajectory::Straight { from, rate };
         let slide_on: Vec<_> = chosen(states.len(), &|i| states[*i].slides() && !begin.contains(i));
         let mut node =
             Node::at_start(&mut segment, SearchSolution::new(states, forces, self.node.at.twist.clone()));
@@ -185,7 +185,7 @@ impl<'g> PiecewiseFollower<'g> {
         if self.pace.steps >= run.settings.most_steps {
             return Err(run.undecided(self.factor, Doubt::OutOfSteps));
         }
-        let goal = self.segment.course.at(self.factor);
+        let goal = self.segment.trajectory.at(self.factor);
         let factor = self.factor;
         let end_here = |end| match end {
             PathEnd::Undecided { doubt, .. } => run.undecided(factor, doubt),
@@ -226,7 +226,7 @@ impl<'g> PiecewiseFollower<'g> {
         let mut after_jump = Self { factor: self.factor, ..Self::at_segment_start(segment, leg.node) };
         after_jump.let_go_of_rounding();
         let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
-        let mut place = after_jump.present_stretch(run).ok_or_else(inaccurate)?;
+        let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
             // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the leg is
             // kept, as along an arc.

@@ -15,7 +15,7 @@ use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, chosen, moved, numbered};
-use crate::object::{PieceState, Problem};
+use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{
     CandidateOutcome, Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings,
@@ -49,7 +49,7 @@ pub(super) struct Node {
     pub(super) starts_at_apex: bool,
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
-    pub(super) at: PieceState,
+    pub(super) at: ForcesAndTwist,
     /// The load factor whose rates of load and commands determined the continuation: the node's load factor or, while the load turns, a slightly
     /// larger one.
     pub(super) ahead: f64,
@@ -136,7 +136,7 @@ impl Node {
             };
             NodeRates { ahead, rates, settled, effort }
         };
-        let Trajectory::Turn { angle, .. } = segment.course else { return at(factor) };
+        let Trajectory::Turn { angle, .. } = segment.trajectory else { return at(factor) };
         let mut last = None;
         // The continuation is taken from the rate problem with the rate of the load at this angle (rad) beyond the node. Smaller angles are tried in
         // turn, because another event may occur before the larger angle.

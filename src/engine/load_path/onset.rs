@@ -114,7 +114,7 @@ impl OnsetEvent<3> {
     ) -> Self {
         let mut lists = lists.iter_mut();
         let mut list = || lists.next().map(core::mem::take).unwrap_or_default();
-        let Segment { grasp, answer_for, problem, change: offset_rates, course, .. } = segment;
+        let Segment { grasp, answer_for, problem, change: offset_rates, trajectory, .. } = segment;
         let mut offsets = problem.offsets;
         offsets.iter_mut().zip(&offset_rates).for_each(|(offset, rate)| *offset += rate * factor);
         let local = StickingState {
@@ -122,8 +122,8 @@ impl OnsetEvent<3> {
             rule,
             active_sets,
             leaving: sites,
-            wrench: Coordinates::of_in(&course.at(factor), list()),
-            wrench_rate: Coordinates::of_in(&course.rate_at(factor), list()),
+            wrench: Coordinates::of_in(&trajectory.at(factor), list()),
+            wrench_rate: Coordinates::of_in(&trajectory.rate_at(factor), list()),
             offsets,
             offset_rates,
             slips: problem.slips,

@@ -4,11 +4,11 @@
 use nalgebra::SVector;
 
 use super::onset::{OnsetEvent, StickingState};
-use crate::contact::rubs;
+use crate::contact::involves_friction;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::grasp::{Engine, HandPart, Wrench, inside};
 use crate::numerics::mapped;
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// A contact or a drive of a hand that stops sticking at an onset.
@@ -36,7 +36,7 @@ pub enum DepartingPart {
 /// normal n, by -φ `a·n` along t.
 pub struct OnsetMargins<'g> {
     response: StickingResponse<'g>,
-    state: PieceState,
+    state: ForcesAndTwist,
     margins: Vec<Margin>,
 }
 
@@ -47,7 +47,7 @@ struct Margin {
     site: usize,
     row: SVector<f64, 3>,
     /// The rate of the margin along the ramp, N per unit of the load factor.
-    slope: f64,
+    rate: f64,
 }
 
 impl<'g> OnsetMargins<'g> {
@@ -70,9 +70,9 @@ impl<'g> OnsetMargins<'g> {
         for &site in leaving {
             let Some(leaver) = grasp.leaver(site) else { continue };
             let Some((row, _)) = response.edges[site].worst(&found.forces[site]) else { continue };
-            margins.push(Margin { leaver, site, row, slope: row.dot(&rates.forces[site]) });
+            margins.push(Margin { leaver, site, row, rate: row.dot(&rates.forces[site]) });
         }
-        let state = PieceState { forces: found.forces, twist: found.twist };
+        let state = ForcesAndTwist { forces: found.forces, twist: found.twist };
         Some(Self { response, state, margins })
     }
 
@@ -91,7 +91,7 @@ impl<'g> OnsetMargins<'g> {
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
         let direct = |margin: &Margin| match parameter {
-            Parameter::Friction { contact } if contact == margin.site && rubs(&margin.row) => {
+            Parameter::Friction { contact } if contact == margin.site && involves_friction(&margin.row) => {
                 self.state.forces[contact][0]
             }
             _ => 0.0,
@@ -113,6 +113,6 @@ impl Margin {
     /// The change of the load factor at which this margin vanishes. All contact forces change by `forces`, and at constant forces the margin changes
     /// by `direct`.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
-        -(self.row.dot(&forces[self.site]) + direct) / self.slope
+        -(self.row.dot(&forces[self.site]) + direct) / self.rate
     }
 }

@@ -76,28 +76,28 @@ impl Engine {
             let load = ramp.load_at(first.factor);
             return Ok(first.onset(segment, load, memory));
         }
-        let course = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
+        let trajectory = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
         let rest = settle_at_rest(&segment.problem, settings);
-        let onset = self.onset_with_closing(segment, &rest, (course, f64::INFINITY), settings).onset;
+        let onset = self.onset_with_closing(segment, &rest, (trajectory, f64::INFINITY), settings).onset;
         memory.rest = Some(rest);
         Ok(onset)
     }
 
-    /// The onset along the trajectory `course` of the load up to the load factor `end`; contacts may close before the onset. `rest` is the result of
+    /// The onset along the `trajectory` of the load up to the load factor `end`; contacts may close before the onset. `rest` is the result of
     /// the search for the equilibrium at load factor 0, if that search was made.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
         rest: &SearchAtRest,
-        (course, end): (Trajectory<Wrench<3>>, f64),
+        (trajectory, end): (Trajectory<Wrench<3>>, f64),
         settings: &'a Settings,
     ) -> TurnOnset<3> {
-        let (found, rule) = match self.sticking_base(&segment, &course, rest) {
+        let (found, rule) = match self.sticking_base(&segment, &trajectory, rest) {
             Ok(base) => base,
             Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
         };
         let mut walk =
-            StickingPath { segment, course, end, settings, rule, factor: 0.0, touches: Vec::new() };
+            StickingPath { segment, trajectory, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
         let touch = |(site, angle)| Some(EdgeTouch { of: self.edge_of(site)?, angle });
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).list() }
@@ -121,8 +121,8 @@ impl Engine {
         let local = &event.local;
         let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
         let change = local.offset_rates.clone();
-        let course = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
-        let segment = Segment { grasp: self, answer_for, problem, change, course, largest: 0.0 };
+        let trajectory = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
+        let segment = Segment { grasp: self, answer_for, problem, change, trajectory, largest: 0.0 };
         let rates = segment.rates(0.0, segment.laws_of_rates(&local.active_sets, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
             (SearchOutcome::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
@@ -148,7 +148,7 @@ impl Engine {
     fn sticking_base(
         &self,
         segment: &Segment<'_>,
-        course: &Trajectory<Wrench<3>>,
+        trajectory: &Trajectory<Wrench<3>>,
         (settled, effort): &SearchAtRest,
     ) -> Result<(SearchSolution, FoundBy), Box<Onset<3>>> {
         let (problem, answer_for) = (&segment.problem, segment.answer_for);
@@ -159,7 +159,7 @@ impl Engine {
             }
             _ => {}
         }
-        Err(Box::new(match self.outcome(problem, &course.at(0.0), settled.clone(), effort, answer_for) {
+        Err(Box::new(match self.outcome(problem, &trajectory.at(0.0), settled.clone(), effort, answer_for) {
             Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
             Outcome::NoEquilibrium(none) => Onset::NoBase(none),
             Outcome::Undecided(doubt) => Onset::Undecided(doubt),

@@ -12,7 +12,7 @@ use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
 use crate::equilibrium::{AnswerFor, Cone};
 use crate::grasp::{Coordinates, Engine, Space};
 use crate::numerics::{Each, Vector};
-use crate::object::{Load, PieceState, ProblemLists, SolutionMemory};
+use crate::object::{ForcesAndTwist, Load, ProblemLists, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -24,11 +24,11 @@ pub(super) struct OnsetMemory {
     polygon: Option<((Space, PolygonCone), Arc<Polygon>)>,
     pub(super) solution: SolutionMemory,
     /// Contact forces and twist under the base load.
-    pub(super) base: PieceState,
+    pub(super) base: ForcesAndTwist,
     /// The derivatives of contact forces and twist with respect to the load factor.
-    pub(super) rate: PieceState,
+    pub(super) rate: ForcesAndTwist,
     /// Contact forces and twist at the onset.
-    pub(super) there: PieceState,
+    pub(super) there: ForcesAndTwist,
     /// The offsets of the contacts' springs at the onset: commands minus clearances and slips.
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) states: Vec<State>,
@@ -45,26 +45,30 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The ramp or turn with the load `course` as a [`Segment`]. The rates of the offsets are taken from the field `change`, and no contact has
-    /// slipped yet.
+    /// The ramp or turn of the load along `trajectory` as a [`Segment`]. The rates of the offsets are taken from the field `change`, and no contact
+    /// has slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
         settings: &Settings,
-        course: Trajectory<Vector>,
+        trajectory: Trajectory<Vector>,
     ) -> Segment<'g> {
         let answer_for = AnswerFor::of(grasp.space(), settings);
         let mut lists = core::mem::take(&mut self.lists);
         grasp.offsets_into(&mut lists.offsets);
         let polygon = self.polygon(grasp.space(), settings.cone);
-        let problem =
-            grasp.problem_in(lists, polygon, answer_for.cone == Cone::Round, &Load::from(&course.at(0.0)));
+        let problem = grasp.problem_in(
+            lists,
+            polygon,
+            answer_for.cone == Cone::Round,
+            &Load::from(&trajectory.at(0.0)),
+        );
         Segment {
             grasp,
             answer_for,
             problem,
             change: core::mem::take(&mut self.change),
-            course,
+            trajectory,
             largest: 0.0,
         }
     }

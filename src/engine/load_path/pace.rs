@@ -22,14 +22,14 @@ pub(super) struct Pace {
     /// Number of steps refused since the last accepted step.
     refused: u8,
     /// Whether steps are implicit, because directions of friction turn much faster than the object moves.
-    pub(super) stiff: bool,
+    pub(super) implicit: bool,
     /// Number of explicit steps still to be made before implicit steps are considered.
-    patience: u8,
+    explicit_steps_left: u8,
     pub(super) steps: usize,
     /// Number of times that the allowed error of a step was raised since the last node.
-    loosened: u8,
+    times_raised: u8,
     /// The allowed error of a step divided by the error that the caller's settings allow; 1 until it is raised because steps are too short.
-    pub(super) looser: f64,
+    pub(super) error_factor: f64,
 }
 
 impl Pace {
@@ -38,12 +38,12 @@ impl Pace {
             length: None,
             unit: None,
             refused: 0,
-            stiff: false,
+            implicit: false,
             // After an event the first eight steps are explicit.
-            patience: 8,
+            explicit_steps_left: 8,
             steps: 0,
-            loosened: 0,
-            looser: 1.0,
+            times_raised: 0,
+            error_factor: 1.0,
         }
     }
 
@@ -55,11 +55,11 @@ impl Pace {
     /// Called when steps have become too short to advance. Raises the allowed error of a step, at most twice between two nodes, and returns whether
     /// it did so. `rest` is the part of the leg that is still to be followed, as a fraction of the leg.
     pub(super) fn allow_larger_error(&mut self, rest: f64) -> bool {
-        let may = self.loosened < 2;
+        let may = self.times_raised < 2;
         if may {
             // Rounding may be the reason why steps are refused. Therefore the allowed error grows by this factor, at most twice. The estimated error
             // of the path includes the errors actually made.
-            (self.loosened, self.looser) = (self.loosened + 1, self.looser * 30.0);
+            (self.times_raised, self.error_factor) = (self.times_raised + 1, self.error_factor * 30.0);
             // First step after the allowed error has been raised, as a fraction of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
@@ -74,15 +74,15 @@ impl Pace {
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
         self.refused = 0;
-        self.patience = self.patience.saturating_sub(1);
+        self.explicit_steps_left = self.explicit_steps_left.saturating_sub(1);
         self.steps += 1;
     }
 
-    /// Whether explicit steps are so short that implicit steps should be made. This requires that the explicit steps counted by `patience` have been
-    /// made. Also, the arclength `rest` up to the end of the leg must be more than fifty times `stable`, the longest stable explicit step.
+    /// Whether explicit steps are so short that implicit steps should be made. This requires that the explicit steps counted by `explicit_steps_left`
+    /// have been made. Also, the arclength `rest` up to the end of the leg must be more than fifty times `stable`, the longest stable explicit step.
     pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
-        self.patience == 0 && stable * 50.0 < rest
+        self.explicit_steps_left == 0 && stable * 50.0 < rest
     }
 
     /// Records a refused step of arclength `length`, whose error is `times` times the allowed error, and chooses a shorter length.
@@ -90,8 +90,8 @@ impl Pace {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
         // If this many implicit steps in a row are refused, the next sixty-four accepted steps are explicit, unless an event comes first.
-        if self.stiff && self.refused >= 4 {
-            (self.stiff, self.patience) = (false, 64);
+        if self.implicit && self.refused >= 4 {
+            (self.implicit, self.explicit_steps_left) = (false, 64);
         }
         self.steps += 1;
     }

@@ -14,7 +14,7 @@ use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::Vector;
 use crate::numerics::tolerances::ROUNDED_SUM;
-use crate::object::{PieceState, Problem, least_spring_force};
+use crate::object::{ForcesAndTwist, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::SearchSolution;
 
@@ -48,7 +48,7 @@ impl Node {
             holds: vec![false; n],
             starts_at_apex: false,
             stopped: Vec::new(),
-            at: PieceState { forces: found.forces, twist: found.twist },
+            at: ForcesAndTwist { forces: found.forces, twist: found.twist },
             ahead: 0.0,
         };
         if forces_are_rounding(&segment.problem, &node.at.forces, &node.at.twist) {
@@ -128,10 +128,10 @@ impl Node {
         segment: &mut Segment<'_>,
         point: &PathPoint,
         factor: f64,
-        end: &PieceState,
+        end: &ForcesAndTwist,
     ) {
         self.at = end.clone();
-        if matches!(segment.course, Trajectory::Turn { .. }) {
+        if matches!(segment.trajectory, Trajectory::Turn { .. }) {
             self.drop_by_force(segment, point, factor);
         }
         segment.largest = segment.largest.max(point.sizes[0]);
@@ -195,7 +195,7 @@ impl Node {
             self.states[**i].is_sticking()
                 && segment.problem.local(**i).leaves_by_a_tangent(&point.lines[**i])
         };
-        let straight = matches!(segment.course, Trajectory::Straight { .. }) && !self.turns();
+        let straight = matches!(segment.trajectory, Trajectory::Straight { .. }) && !self.turns();
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
@@ -220,7 +220,7 @@ impl Node {
                 }
             }
         }
-        let slides = matches!(segment.course, Trajectory::Straight { .. }) && self.turns();
+        let slides = matches!(segment.trajectory, Trajectory::Straight { .. }) && self.turns();
         apart.or(slides.then_some(0.0))
     }
 }

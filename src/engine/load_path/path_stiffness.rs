@@ -18,8 +18,8 @@ use crate::prelude::*;
 pub(super) struct NarrowOrder {
     /// The position of each coordinate in this order, from 0.
     numbers: Vec<usize>,
-    /// The half width of the band: the largest distance, in this order, of two coupled coordinates.
-    reach: usize,
+    /// The half bandwidth: the largest distance, in this order, of two coupled coordinates.
+    half_bandwidth: usize,
 }
 
 impl NarrowOrder {
@@ -30,8 +30,8 @@ impl NarrowOrder {
         }
         let couplings: Vec<_> = mapped(sites, &|site| site.support.ranges());
         let numbers = narrow_order(size.count(), &couplings);
-        let reach = widest(&numbers, &couplings);
-        Some(Arc::new(Self { numbers, reach }))
+        let half_bandwidth = widest(&numbers, &couplings);
+        Some(Arc::new(Self { numbers, half_bandwidth }))
     }
 }
 
@@ -55,7 +55,7 @@ impl PathStiffness {
         match order {
             None => Self::Whole(Square::zeros(size)),
             Some(order) => {
-                let band = Band::zeros(size.count(), order.reach);
+                let band = Band::zeros(size.count(), order.half_bandwidth);
                 Self::Narrow { order, band }
             }
         }

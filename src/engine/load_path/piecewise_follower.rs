@@ -34,7 +34,7 @@ use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::numerics::{Vector, largest, mapped};
-use crate::object::{PieceState, Problem};
+use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
@@ -166,11 +166,11 @@ impl<'g> Follower<'g> for PiecewiseFollower<'g> {
     }
 
     fn is_behind(&self, leg: usize, fraction: f64) -> bool {
-        self.stretch_behind(leg, fraction).is_some()
+        self.piece_behind(leg, fraction).is_some()
     }
 
     fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
-        self.state_on(self.stretch_behind(leg, fraction)?, fraction)
+        self.state_on(self.piece_behind(leg, fraction)?, fraction)
     }
 
     fn beyond_a_jump(&self, settings: &Settings) -> Option<Beyond<3>> {
@@ -190,9 +190,9 @@ impl<'g> PiecewiseFollower<'g> {
         let found = run.start(problem)?;
         // The path has not begun, so load and commands have no rates yet.
         let change = run.grasp.offset_changes(None, None);
-        let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
+        let trajectory = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (run.grasp, run.answer_for(), problem.clone());
-        let mut segment = Segment { grasp, answer_for, problem, change, course, largest: 0.0 };
+        let mut segment = Segment { grasp, answer_for, problem, change, trajectory, largest: 0.0 };
         let node = Node::at_start(&mut segment, found);
         let mut path = Self::at_segment_start(segment, node).with_falling_friction(run)?;
         path.record_motion_ratio(run);
@@ -233,12 +233,12 @@ impl<'g> PiecewiseFollower<'g> {
 
     /// The first stored piece that contains the fraction `fraction` of the leg `leg`. `None` if the path has not passed this place. Also `None`
     /// between the load factor at which the object snaps over and the slightly larger load factor at which it rests again.
-    pub(super) fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&StoredPiece<'g>> {
+    pub(super) fn piece_behind(&self, leg: usize, fraction: f64) -> Option<&StoredPiece<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 
-    pub(super) fn state_on(&self, stretch: &StoredPiece<'g>, fraction: f64) -> Option<Equilibrium<3>> {
-        stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
+    pub(super) fn state_on(&self, piece: &StoredPiece<'g>, fraction: f64) -> Option<Equilibrium<3>> {
+        piece.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
     /// The equilibrium at the present place with the contact states of the last piece, before the event. `None` at the start, or if it cannot be
@@ -305,7 +305,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// If all contact forces at the present place are rounding, sets them to zero. Without this, rounding would decide which contacts press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
-            largest(&self.node.at.forces, &SVector::norm).max(self.segment.course.at(self.factor).norm());
+            largest(&self.node.at.forces, &SVector::norm).max(self.segment.trajectory.at(self.factor).norm());
         if most <= self.rounding_of_forces() {
             self.node.at.forces.fill(SVector::zeros());
             for (active, state) in self.node.active_sets.iter_mut().zip(&self.node.states) {
@@ -317,11 +317,11 @@ impl<'g> PiecewiseFollower<'g> {
     /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if the
     /// equilibrium cannot be computed because of rounding.
     pub(super) fn present_state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
-        self.state_on(&self.present_stretch(run)?, self.factor)
+        self.state_on(&self.present_piece(run)?, self.factor)
     }
 
     /// The present place as a piece of the path with zero length; `None` if forces and motion there cannot be computed because of rounding.
-    pub(super) fn present_stretch(&self, run: &ProgramRun<'g>) -> Option<StoredPiece<'g>> {
+    pub(super) fn present_piece(&self, run: &ProgramRun<'g>) -> Option<StoredPiece<'g>> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
@@ -331,15 +331,15 @@ impl<'g> PiecewiseFollower<'g> {
                 })?,
             };
         let end = self.state_after(&point, 0.0);
-        Some(self.stretch(run, point, self.factor, end))
+        Some(self.piece(run, point, self.factor, end))
     }
 
-    pub(super) fn stretch(
+    pub(super) fn piece(
         &self,
         run: &ProgramRun<'g>,
         point: PathPoint,
         to: f64,
-        end: PieceState,
+        end: ForcesAndTwist,
     ) -> StoredPiece<'g> {
         StoredPiece {
             leg: run.program.leg,
@@ -347,8 +347,8 @@ impl<'g> PiecewiseFollower<'g> {
             to,
             problem: self.segment.problem.clone(),
             change: self.segment.change.clone(),
-            course: self.segment.course.clone(),
-            load: run.program.course,
+            trajectory: self.segment.trajectory.clone(),
+            load: run.program.trajectory,
             bodies: run.program.bodies.clone(),
             torques: run.program.torques.clone(),
             states: self.node.states.clone(),
@@ -373,8 +373,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         self.step_error += reached.error;
         let arc_step = self.pace.unit.map(|unit| ArcStep { unit, length, rule });
-        let stretch = self.stretch(run, point.clone(), to, at.clone());
-        self.behind.push(StoredPiece { arc_step, ..stretch });
+        let piece = self.piece(run, point.clone(), to, at.clone());
+        self.behind.push(StoredPiece { arc_step, ..piece });
         self.node.move_to_end(&mut self.segment, point, to, &at);
         self.factor = to;
         self.record_motion_ratio(run);

@@ -25,7 +25,7 @@ pub(super) struct Program {
     /// The index of the present leg among all legs, from 0. When all legs are complete, it equals their number.
     pub(super) leg: usize,
     /// The load as a function of the load factor, the fraction of the present leg.
-    pub(super) course: Trajectory<Wrench<3>>,
+    pub(super) trajectory: Trajectory<Wrench<3>>,
     /// The program's load at the end of the present leg.
     goal: Wrench<3>,
     /// Commands of all contacts at the beginning and at the end of the present leg, m, in the contact frames.
@@ -51,7 +51,7 @@ impl Program {
             legs: Vec::new(),
             done: 0,
             leg: 0,
-            course: Trajectory::Straight { from: start, rate: Wrench::ZERO },
+            trajectory: Trajectory::Straight { from: start, rate: Wrench::ZERO },
             goal: start,
             commands: [commands.clone(), commands],
             joints: [joints.clone(), joints],
@@ -67,13 +67,13 @@ impl Program {
         // All legs are checked first, so that either all or none are appended.
         let mut load = self.goal;
         for leg in self.legs.iter().skip(self.leg - self.done + 1) {
-            load = leg.load.course(&load).1;
+            load = leg.load.trajectory(&load).1;
         }
         for (leg, k) in legs.iter().zip(self.done + self.legs.len()..) {
             leg.check(grasp)?;
             drop(leg.of_points(grasp)?);
             leg.load.check_beginning(&load, k, grasp.space())?;
-            load = leg.load.course(&load).1;
+            load = leg.load.trajectory(&load).1;
         }
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
@@ -90,7 +90,7 @@ impl Program {
     /// there is no such leg.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
-        (self.course, self.goal) = leg.load.course(&self.goal);
+        (self.trajectory, self.goal) = leg.load.trajectory(&self.goal);
         leg.commands.append(&mut self.commands);
         leg.joints.append(&mut self.joints);
         self.bodies.append(&self.names, &leg.bodies);
@@ -106,7 +106,7 @@ impl Program {
     pub(super) fn check_closed(&self, part: f64) -> Result<(), Error> {
         let mut after = self.clone();
         let (load, [commands, _], [joints, _]) =
-            (self.course.at(0.0), self.commands.clone(), self.joints.clone());
+            (self.trajectory.at(0.0), self.commands.clone(), self.joints.clone());
         let largest_of = |numbers: &[f64]| largest(numbers, &|x| x.abs());
         let size = |load: &Wrench<3>| largest_of(load.components());
         let on_bodies = |bodies: &BodyLoads, end: usize| largest(bodies.at_end(end), &size);
@@ -119,7 +119,7 @@ impl Program {
         ];
         let mut has_leg = after.has_leg();
         while has_leg {
-            most[0] = most[0].max(size(&after.goal)).max(size(&after.course.at(0.5)));
+            most[0] = most[0].max(size(&after.goal)).max(size(&after.trajectory.at(0.5)));
             most[1] = most[1].max(largest(&after.commands[1], &Matrix::amax));
             most[2] = most[2].max(largest_of(&after.joints[1]));
             most[3] = most[3].max(on_bodies(&after.bodies, 1));
@@ -181,8 +181,8 @@ impl Program {
 
     /// The sum of the program's load, the loads on bodies and the torques that hold joints, as a function of the load factor along the present leg.
     /// Moments are about the centroid of the contacts.
-    pub(super) fn inside_course(&self, grasp: &Engine) -> Trajectory<Vector> {
-        match &self.course {
+    pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
+        match &self.trajectory {
             Trajectory::Straight { from, .. } => {
                 let [mut from, mut to] = [from, &self.goal].each(|load| grasp.load_unchecked(load));
                 for [first, last] in self.other_loads(grasp).into_iter().flatten() {
@@ -214,6 +214,6 @@ impl Program {
 
     /// The program's load, as the caller gave it, at a fraction of the present leg.
     pub(super) fn load_at(&self, fraction: f64) -> Wrench<3> {
-        self.course.at(fraction)
+        self.trajectory.at(fraction)
     }
 }

@@ -50,7 +50,7 @@ impl<'g> ProgramRun<'g> {
 
     /// The static problem at the start of the program: its first load, the commands of the grasp, and no slips.
     pub(super) fn problem_at_start(&self) -> Problem<'g> {
-        self.problem(self.grasp.offsets(), &self.program.inside_course(self.grasp).at(0.0))
+        self.problem(self.grasp.offsets(), &self.program.inside_trajectory(self.grasp).at(0.0))
     }
 
     /// The equilibrium from which the path starts, a solution of `problem`. If no equilibrium is found, the error is the end of the path before its
@@ -69,11 +69,18 @@ impl<'g> ProgramRun<'g> {
     /// The present leg as a segment (loads and offsets along a leg, see `segment`), with the accumulated slips `slips` at its beginning. Loads and
     /// commands are computed from their values at the ends of legs, so that rounding errors do not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
-        let course = self.program.inside_course(self.grasp);
+        let trajectory = self.program.inside_trajectory(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
         offsets.iter_mut().zip(&slips).for_each(|(offset, slip)| *offset -= slip);
-        let problem = Problem { slips, ..self.problem(offsets, &course.at(0.0)) };
-        Segment { grasp: self.grasp, answer_for: self.answer_for(), problem, change, course, largest: 0.0 }
+        let problem = Problem { slips, ..self.problem(offsets, &trajectory.at(0.0)) };
+        Segment {
+            grasp: self.grasp,
+            answer_for: self.answer_for(),
+            problem,
+            change,
+            trajectory,
+            largest: 0.0,
+        }
     }
 
     /// The kind of friction cone (polygonal or round) and the limits of small motions for which equilibria are computed; they are stored with each

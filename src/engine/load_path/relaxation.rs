@@ -56,7 +56,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     stiffness: PathStiffness,
     /// The right-hand side b of `T q' = b λ'` at the start of the step, with the twist q and the load factor λ.
     load: Vector,
-    way: Direction,
+    direction: Direction,
 }
 
 /// The factors of the matrix 1 - hJ of an implicit step. Here h = `length` is the arclength of the step, and J is the matrix of [`Relaxation`].
@@ -71,13 +71,13 @@ pub(super) struct ImplicitFactors {
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
-    /// The derivative J of the rates with respect to friction forces, at the friction forces `frictions` of the sliding contacts. `way` is the
+    /// The derivative J of the rates with respect to friction forces, at the friction forces `frictions` of the sliding contacts. `direction` is the
     /// direction of the path (rates of twist and load factor) at the load factor `factor`.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],
         factor: f64,
-        way: Direction,
+        direction: Direction,
     ) -> Self {
         let tangents = arc.tangents(frictions.iter().copied());
         let (stiffness, load) = arc.balance(&tangents, factor);
@@ -92,7 +92,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             // contact force with respect to this angle, with two thirds of its digits correct.
             let small = 6e-6;
             let [[_, less], [_, more]] =
-                [-small, small].each(|angle| arc.rates(contact, &turned(angle), &way));
+                [-small, small].each(|angle| arc.rates(contact, &turned(angle), &direction));
             let change = (more - less) / (2.0 * small);
             let gradient = tangent.matrix().tr_mul(&across);
             let map = &arc.sites()[contact].map;
@@ -108,7 +108,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             }
         };
         let contacts = arc.sliding.iter().zip(frictions).zip(tangents).map(turning).list();
-        Self { arc, contacts, stiffness, load, way }
+        Self { arc, contacts, stiffness, load, direction }
     }
 
     /// The factors of the matrix 1 - hJ of an implicit step of arclength h = `length`, with the matrix J of [`Relaxation`]. `None` if the bordered
@@ -126,7 +126,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 load += push * turning.gradient.dot(&self.arc.segment.change[turning.contact]);
             }
         }
-        let (bordered, _) = self.arc.factored(stiffness, &load, &self.way)?;
+        let (bordered, _) = self.arc.factored(stiffness, &load, &self.direction)?;
         Some(ImplicitFactors { length, bordered, sizes })
     }
 
@@ -144,18 +144,18 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             left += &turning.push * angle;
             angles.push(angle);
         }
-        let way = self.arc.unscaled(damped.bordered.solve(&left, 0.0));
+        let direction = self.arc.unscaled(damped.bordered.solve(&left, 0.0));
         let (frictions, others) = side.split_at_mut(2 * self.contacts.len());
         let entries = frictions.chunks_exact_mut(2).zip(&self.contacts).zip(&damped.sizes);
         for (((entry, turning), size), angle) in entries.zip(angles) {
-            let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &way);
+            let [stretch, force] = self.arc.rates(turning.contact, &turning.tangent, &direction);
             let more = if turning.size > 0.0 { length * turning.gradient.dot(&stretch) / size } else { 0.0 };
             let change = (turning.change * (angle + more) + force) * length;
             (1..3).for_each(|a| entry[a - 1] += change[a]);
         }
         let count = self.arc.segment.grasp.size().count();
-        (0..count).for_each(|k| others[k] += length * way.twist[k]);
-        others[count] += length * way.factor;
+        (0..count).for_each(|k| others[k] += length * direction.twist[k]);
+        others[count] += length * direction.factor;
     }
 }
 
@@ -194,13 +194,13 @@ mod tests {
             let problem = grasp.problem(polygon, true, grasp.offsets(), &load);
             let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
             let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]).into();
-            let course = Trajectory::Straight { from: Vector::zeros(), rate };
+            let trajectory = Trajectory::Straight { from: Vector::zeros(), rate };
             let segment = Segment {
                 grasp: &grasp,
                 answer_for: AnswerFor::of(grasp.space(), &crate::search::Settings::default()),
                 problem,
                 change,
-                course,
+                trajectory,
                 largest: 0.0,
             };
             let angle = |i: u8| 0.7 * f64::from(i) + 0.4;
@@ -210,19 +210,23 @@ mod tests {
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
             let states: Vec<_> = core::iter::once(State::Sticking).chain(sliding).collect();
             let arc = Arc::new(&segment, &states, [], 0.5);
-            let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
-            let way = way.expect("one direction");
+            let direction =
+                arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
+            let direction = direction.expect("one direction");
 
             // Rates of friction forces, twist and load factor after a change of the friction forces.
             let rates = |y: &[f64]| {
                 let moved = frictions.iter().zip(y.chunks_exact(2));
                 let moved = moved.map(|(f, more)| f + SVector::from([0.0, more[0], more[1]]));
                 let tangents = arc.tangents(moved);
-                let way = arc.direction(&tangents, 0.0, &way).expect("one direction");
-                let own =
-                    arc.sliding.iter().zip(&tangents).map(|(&i, tangent)| arc.rates(i, tangent, &way)[1]);
+                let direction = arc.direction(&tangents, 0.0, &direction).expect("one direction");
+                let own = arc
+                    .sliding
+                    .iter()
+                    .zip(&tangents)
+                    .map(|(&i, tangent)| arc.rates(i, tangent, &direction)[1]);
                 let own = own.flat_map(|force| [force[1], force[2]]);
-                own.chain(way.twist.iter().copied()).chain([way.factor]).collect::<Vec<_>>()
+                own.chain(direction.twist.iter().copied()).chain([direction.factor]).collect::<Vec<_>>()
             };
             let n = 2 * frictions.len() + 7;
             let mut jacobian = DMatrix::zeros(n, n);
@@ -236,7 +240,7 @@ mod tests {
                     jacobian[(row, k)] = (more[row] - less[row]) / 2e-6;
                 }
             }
-            let relaxation = Relaxation::new(&arc, &frictions, 0.0, way);
+            let relaxation = Relaxation::new(&arc, &frictions, 0.0, direction);
             for length in [1e-3, 0.1, 10.0, 1e4] {
                 let given: Vec<f64> = (0..n).map(|k| (k as f64).sin()).collect();
                 let mut solved = given.clone();

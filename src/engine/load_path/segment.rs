@@ -11,7 +11,7 @@ use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
 use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
-use crate::object::{Piece, PieceState, Problem, largest_force};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
 /// The load along a leg, ramp or turn as a function of the load factor. The offset of each contact's or drive's spring (command minus clearance and
@@ -25,7 +25,7 @@ pub(super) struct Segment<'g> {
     /// For each contact and drive the rate of the offset of its spring, m per unit of the load factor; zero while the load turns.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
-    pub(super) course: Trajectory<Vector>,
+    pub(super) trajectory: Trajectory<Vector>,
     /// The largest contact force or load on the path so far, N, to which rounding errors are proportional if all forces vanish together.
     pub(super) largest: f64,
 }
@@ -44,7 +44,7 @@ pub(super) struct PathPoint {
     /// Orthonormal motions along which forces change but stay in balance.
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
-    pub(super) piece: alloc::sync::Arc<Piece>,
+    pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
     /// proportional to these sizes.
@@ -59,13 +59,13 @@ pub(super) struct PathPoint {
 impl PathPoint {
     /// Forces and twist after the step `step`: a change of the load factor, or an arclength along an arc. They are extrapolated linearly or, while
     /// the load turns, as harmonics.
-    pub(super) fn after(&self, step: f64) -> PieceState {
+    pub(super) fn after(&self, step: f64) -> ForcesAndTwist {
         if let Some(turned) = &self.turned {
-            let PieceState { forces, twist } = turned.after(step);
-            return PieceState { forces, twist: &self.twist + twist };
+            let ForcesAndTwist { forces, twist } = turned.after(step);
+            return ForcesAndTwist { forces, twist: &self.twist + twist };
         }
         let forces = mapped(&self.lines, &|line| line.force + line.rate * step);
-        PieceState { forces, twist: &self.twist + &self.twist_rate * step }
+        ForcesAndTwist { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
     /// A copy of this point in which all rates are multiplied by `part`. With `part`, the rate of the load factor per unit of arclength, it converts
@@ -97,44 +97,44 @@ impl<'g> Segment<'g> {
         near: Option<&Vector>,
         pushed: Option<&Vector>,
     ) -> Result<PathPoint, NoEquilibrium<3>> {
-        let piece = self.problem.piece(states);
-        let rate = match &self.course {
+        let linear_problem = self.problem.linear_problem(states);
+        let rate = match &self.trajectory {
             Trajectory::Straight { rate, .. } => rate,
             Trajectory::Turn { load, angle } => {
-                return self.point_on_turn(&piece, (load, *angle), factor, near);
+                return self.point_on_turn(&linear_problem, (load, *angle), factor, near);
             }
         };
-        let base = piece
+        let base = linear_problem
             .solve(self.problem.sites, &self.problem.offsets, self.problem.load())
             .map_err(|u| self.unbalanced(factor, u.motion))?;
-        let rate = piece
+        let rate = linear_problem
             .solve(self.problem.sites, &self.change, rate)
             .map_err(|u| self.unbalanced(factor, u.motion))?;
-        let rate = self.pushed_along(&piece, rate, pushed);
-        let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
+        let rate = self.pushed_along(&linear_problem, rate, pushed);
+        let at = self.state(&linear_problem, factor, near).unwrap_or_else(|| ForcesAndTwist {
             forces: paired(&base.forces, &rate.forces, &|(f, df)| f + df * factor),
             twist: &base.twist + &rate.twist * factor,
         });
-        Ok(self.point_with_rates(piece, factor, at, (&rate, 1.0), (0.0, &base)))
+        Ok(self.point_with_rates(linear_problem, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
     /// The state `at` on an arc, at the load factor `factor`. Its rates `rate`, and the rate `factor_rate` of the load factor, are per unit of
     /// arclength.
     pub(super) fn point_on_arc(
         &self,
-        piece: &alloc::sync::Arc<Piece>,
+        linear_problem: &alloc::sync::Arc<LinearProblem>,
         factor: f64,
-        at: &PieceState,
-        rate: &PieceState,
+        at: &ForcesAndTwist,
+        rate: &ForcesAndTwist,
         factor_rate: f64,
     ) -> PathPoint {
-        self.point_with_rates(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
+        self.point_with_rates(linear_problem.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
     /// The proof that no equilibrium exists beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
-        let work = v.dot(&self.course.rate_at(factor));
+        let work = v.dot(&self.trajectory.rate_at(factor));
         let proof = Proof::FreeMotion { motion: self.grasp.motion_outside(&v), work };
         NoEquilibrium { proof }
     }
@@ -143,17 +143,17 @@ impl<'g> Segment<'g> {
     /// at the load factor `since`, plus the terms of the change from `since` to `factor`. The state itself may be a small difference of these terms.
     pub(super) fn point_with_rates(
         &self,
-        piece: alloc::sync::Arc<Piece>,
+        linear_problem: alloc::sync::Arc<LinearProblem>,
         factor: f64,
-        at: PieceState,
-        (rate, factor_rate): (&PieceState, f64),
-        (since, base): (f64, &PieceState),
+        at: ForcesAndTwist,
+        (rate, factor_rate): (&ForcesAndTwist, f64),
+        (since, base): (f64, &ForcesAndTwist),
     ) -> PathPoint {
-        let PieceState { forces, twist } = at;
+        let ForcesAndTwist { forces, twist } = at;
         let change: Vec<_> = mapped(&self.change, &|a| a * factor_rate);
         let way = factor - since;
         let [base_offsets, offsets] = [since, factor].each(|factor| self.offsets(factor));
-        let base_load = self.course.at(since);
+        let base_load = self.trajectory.at(since);
         let sites = self.grasp.sites();
         let sizes = |offsets: &[SVector<f64, 3>], twist: &Vector, load: f64, forces: &[SVector<f64, 3>]| {
             let norm = twist.norm();
@@ -162,7 +162,7 @@ impl<'g> Segment<'g> {
             [largest_force(sites, offsets, twist, load, forces.iter().map(Matrix::norm)), travel]
         };
         let [base_force, base_travel] = sizes(&base_offsets, &base.twist, base_load.norm(), &base.forces);
-        let load_rate = self.course.rate_at(factor).norm() * factor_rate.abs();
+        let load_rate = self.trajectory.rate_at(factor).norm() * factor_rate.abs();
         let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
         let most = (base_force + way * rate_sizes[0]).max(self.largest);
         let [norm, norm_of_base, norm_of_rate] = [&twist, &base.twist, &rate.twist].each(Vector::norm);
@@ -191,9 +191,9 @@ impl<'g> Segment<'g> {
             twist,
             twist_rate: rate.twist.clone(),
             factor_rate,
-            free_motions: piece.free_motions().to_vec(),
-            neutral_motions: piece.neutral_motions(),
-            piece,
+            free_motions: linear_problem.free_motions().to_vec(),
+            neutral_motions: linear_problem.neutral_motions(),
+            linear_problem,
             gaps,
             sizes: [most, base_travel + way * rate_sizes[1]],
             rate_sizes,
@@ -203,10 +203,15 @@ impl<'g> Segment<'g> {
 
     /// Forces and twist at a load factor. They are solved for anew, since extrapolation from another load factor would add the rounding of larger
     /// terms. If no spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
-    pub(super) fn state(&self, piece: &Piece, factor: f64, near: Option<&Vector>) -> Option<PieceState> {
-        let wrench = self.course.at(factor);
-        let at = piece.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
-        Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
+    pub(super) fn state(
+        &self,
+        linear_problem: &LinearProblem,
+        factor: f64,
+        near: Option<&Vector>,
+    ) -> Option<ForcesAndTwist> {
+        let wrench = self.trajectory.at(factor);
+        let at = linear_problem.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
+        Some(if let Some(near) = near { self.nearest(linear_problem, at, near) } else { at })
     }
 
     /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. An exit is a place
@@ -218,7 +223,7 @@ impl<'g> Segment<'g> {
         exit: &Exit,
         point: &PathPoint,
         factor: f64,
-        at: &PieceState,
+        at: &ForcesAndTwist,
     ) -> f64 {
         if state.is_open() {
             let offset = self.problem.offsets[contact] + self.change[contact] * factor;
@@ -244,17 +249,17 @@ impl<'g> Segment<'g> {
     /// This segment with commands and load held constant at their values at the load factor `factor`, so that all their rates are zero.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
-        let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
-        Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
+        let trajectory = Trajectory::Straight { from: self.trajectory.at(factor), rate: Vector::zeros() };
+        Segment { problem: self.problem_at(factor), change, trajectory, ..self.clone() }
     }
 
     /// The static problem at a load factor, with the offsets and the load at this factor and the accumulated slips of the segment.
     pub(super) fn problem_at(&self, factor: f64) -> Problem<'g> {
-        let wrench = self.course.at(factor);
+        let wrench = self.trajectory.at(factor);
         Problem {
             offsets: self.offsets(factor),
             wrench,
-            wrench_rest: Vector::zeros(),
+            wrench_rounding_error: Vector::zeros(),
             ..self.problem.clone()
         }
     }
@@ -305,6 +310,6 @@ impl<'g> Segment<'g> {
     /// The complementarity problem for the rates of forces and motion (rate problem) on this segment at a load factor, with the laws `laws` of the
     /// contacts.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
-        self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
+        self.problem.at_rates(laws, self.change.clone(), self.trajectory.rate_at(factor))
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::equilibrium::{Equilibrium, Parameter, StickingResponse};
 use crate::grasp::{Engine, Motion, Twist};
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// Derivatives of twist, joints and contact forces of an equilibrium with respect to one parameter, as long as every contact keeps its state. Units
@@ -24,9 +24,9 @@ impl Engine {
     /// Implements [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
         let (local, problem) = (&equilibrium.local, self.problem_of(equilibrium)?);
-        let state = PieceState { forces: equilibrium.site_forces(), twist: local.twist.to() };
+        let state = ForcesAndTwist { forces: equilibrium.site_forces(), twist: local.twist.to() };
         let response = StickingResponse::of(self, problem, &local.states);
-        let PieceState { twist, mut forces } = response.derivative(&state, by)?;
+        let ForcesAndTwist { twist, mut forces } = response.derivative(&state, by)?;
         forces.truncate(self.len());
         let Motion { object: twist, joints, .. } = self.motion_outside(&twist);
         Some(Derivative { twist, joints, forces })

@@ -6,7 +6,7 @@ use crate::contact::{Mode, State, tangential, tangential_norm};
 use crate::equilibrium::{CountedMotion, MotionData};
 use crate::grasp::Engine;
 use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, solved};
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
@@ -22,7 +22,7 @@ pub(super) type SlipVector = [SVector<f64, 3>; MOST_SLIDING];
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
-    pub(super) piece: alloc::sync::Arc<Piece>,
+    pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
     /// Contact forces of all terms, one term after the other. The first two terms are the state at load factor 0 and the rate with respect to the
     /// load factor. Then follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
@@ -44,7 +44,7 @@ pub(super) struct Slips<'g> {
 
 impl Slips<'_> {
     /// Adds a term: the contact forces and twist at load factor 0, their rates with respect to the load factor, or their responses to a unit slip.
-    pub(super) fn push(&mut self, PieceState { forces, twist }: &PieceState) {
+    pub(super) fn push(&mut self, ForcesAndTwist { forces, twist }: &ForcesAndTwist) {
         self.forces.extend_from_slice(forces);
         self.twists.push(twist.clone());
     }

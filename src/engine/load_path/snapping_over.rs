@@ -187,8 +187,8 @@ impl<'g> PiecewiseFollower<'g> {
         {
             return None;
         }
-        let Segment { grasp, change, course, .. } = &self.segment;
-        let (load, rate) = (course.at(self.factor), course.rate_at(self.factor));
+        let Segment { grasp, change, trajectory, .. } = &self.segment;
+        let (load, rate) = (trajectory.at(self.factor), trajectory.rate_at(self.factor));
         // The largest force includes the load, and the force that the displacements would cause in the softest spring, since contacts may carry no
         // force at all.
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
@@ -213,7 +213,7 @@ impl<'g> PiecewiseFollower<'g> {
     fn snaps_within(&mut self, step: f64, run: &ProgramRun<'g>) -> Option<Event<3>> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
-        let goal = self.segment.course.at(beyond);
+        let goal = self.segment.trajectory.at(beyond);
         // Just before the end of a leg the rest of it would move the object by rounding only, so the object moves under the larger load.
         let rests = self.rests_again(self.factor + step)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
@@ -225,8 +225,8 @@ impl<'g> PiecewiseFollower<'g> {
         jump.run(&goal, run).ok()?;
         let event = self.caught(run, changes, state);
         // A leg that begins with a snap has no piece yet from which the state at its start can be computed.
-        let is_first = self.stretch_behind(run.program.leg, self.factor).is_none();
-        let start = is_first.then(|| self.present_stretch(run)).flatten();
+        let is_first = self.piece_behind(run.program.leg, self.factor).is_none();
+        let start = is_first.then(|| self.present_piece(run)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);
         let Ok(jump) = self.end_jump(run, &goal, jump) else {
             self.factor = end;
@@ -251,8 +251,8 @@ impl<'g> PiecewiseFollower<'g> {
     fn back_to_balance(&self, rests: StateAfterSnap<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let StateAfterSnap { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);
-        let (from, goal) = (problem.wrench.clone(), segment.course.at(0.0));
-        segment.course = Trajectory::Straight { rate: goal - &from, from };
+        let (from, goal) = (problem.wrench.clone(), segment.trajectory.at(0.0));
+        segment.trajectory = Trajectory::Straight { rate: goal - &from, from };
         segment.problem = problem;
         let forces = contacts.iter().map(|contact| contact.force).collect();
         let found =

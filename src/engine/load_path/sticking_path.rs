@@ -20,7 +20,7 @@ use crate::search::{Doubt, FoundBy, SearchOutcome, SearchSolution, Settings, set
 pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
     /// The caller's load as a function of the load factor.
-    pub(super) course: Trajectory<Wrench<3>>,
+    pub(super) trajectory: Trajectory<Wrench<3>>,
     /// The load factor up to which the onset is searched: infinite along a ramp, the last angle of a turn.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
@@ -136,7 +136,7 @@ impl StickingPath<'_> {
             sizes: point.sizes,
             ..SearchSolution::new(states, forces, point.twist.clone())
         };
-        let place = (self.factor, self.course.at(self.factor));
+        let place = (self.factor, self.trajectory.at(self.factor));
         let event = OnsetEvent::new(
             segment.clone(),
             place,

@@ -14,7 +14,7 @@ use crate::contact::{Line, State};
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, mapped, paired};
-use crate::object::{PieceState, Problem};
+use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{FoundBy, SearchCounts, SearchSolution, reported_at_rest};
 
@@ -29,7 +29,7 @@ pub(super) struct StoredPiece<'g> {
     /// The rates of the contacts' spring offsets in `problem`, m per unit of the fraction.
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The load of `problem` as a function of the fraction of the leg.
-    pub(super) course: Trajectory<Vector>,
+    pub(super) trajectory: Trajectory<Vector>,
     /// The caller's load as a function of the fraction of the leg.
     pub(super) load: Trajectory<Wrench<3>>,
     /// Loads on single bodies at the beginning and at the end of the leg.
@@ -40,7 +40,7 @@ pub(super) struct StoredPiece<'g> {
     /// Forces, twist and gaps at the fraction `from` of the leg, with their rates along the piece.
     pub(super) here: PathPoint,
     /// Forces and twist at the fraction `to`.
-    pub(super) there: PieceState,
+    pub(super) there: ForcesAndTwist,
     /// The integration step that made this piece; `None` unless a contact slides on the round cone.
     pub(super) arc_step: Option<ArcStep>,
     /// The jump after which this piece, of zero length, was stored; `None` for all other pieces.
@@ -125,7 +125,8 @@ impl<'g> StoredPiece<'g> {
         let between = |line: &Line, there: &SVector<f64, 3>| line.force * (1.0 - part) + there * part;
         let (forces, twist) = match &self.here.turned {
             Some(_) if part < 1.0 => {
-                let at = segment.state(&self.here.piece, fraction, Some(&self.here.after(step).twist))?;
+                let at =
+                    segment.state(&self.here.linear_problem, fraction, Some(&self.here.after(step).twist))?;
                 (at.forces, at.twist)
             }
             _ => (
@@ -181,7 +182,12 @@ impl<'g> StoredPiece<'g> {
 
     /// Forces and twist at a fraction of the leg within the integration step. If a single step to this fraction fails because of rounding, several
     /// shorter steps lead to it. `None` if these fail, too.
-    fn part_of_a_step(&self, arc_step: &ArcStep, segment: &Segment<'g>, fraction: f64) -> Option<PieceState> {
+    fn part_of_a_step(
+        &self,
+        arc_step: &ArcStep,
+        segment: &Segment<'g>,
+        fraction: f64,
+    ) -> Option<ForcesAndTwist> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
         // A step that cannot be made as a whole is divided into at most sixty parts, each half as long as the part before.
@@ -213,11 +219,11 @@ impl<'g> StoredPiece<'g> {
 
     fn segment(&self, grasp: &'g Engine, answer_for: AnswerFor) -> Segment<'g> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
-        Segment { grasp, answer_for, problem, change, course: self.course.clone(), largest: 0.0 }
+        Segment { grasp, answer_for, problem, change, trajectory: self.trajectory.clone(), largest: 0.0 }
     }
 }
 
 /// Forces and twist of the state `point`, without its rates.
-fn start_of(point: &PathPoint) -> PieceState {
-    PieceState { forces: mapped(&point.lines, &|line| line.force), twist: point.twist.clone() }
+fn start_of(point: &PathPoint) -> ForcesAndTwist {
+    ForcesAndTwist { forces: mapped(&point.lines, &|line| line.force), twist: point.twist.clone() }
 }

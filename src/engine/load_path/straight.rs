@@ -9,7 +9,7 @@ use super::program_run::ProgramRun;
 use super::segment::PathPoint;
 use super::tolerances::LARGEST_CORRECTION;
 use crate::contact::Exit;
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 use crate::search::Doubt;
 
@@ -56,7 +56,7 @@ impl<'g> PiecewiseFollower<'g> {
         if let Some(energy) = self.energy.last_mut() {
             energy.add(&self.segment, &self.node.states, &point, self.factor, step);
         }
-        self.behind.push(self.stretch(run, point.clone(), to, end.clone()));
+        self.behind.push(self.piece(run, point.clone(), to, end.clone()));
         self.node.move_to_end(&mut self.segment, &point, to, &end);
         self.node.add_exits(self.segment.problem.space().axes(), &reached);
         if piled_up {
@@ -70,9 +70,9 @@ impl<'g> PiecewiseFollower<'g> {
 
     /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. The state is solved for at the
     /// new load factor, or extrapolated if that fails.
-    pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> PieceState {
+    pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> ForcesAndTwist {
         let near = point.after(step);
-        self.segment.state(&point.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
+        self.segment.state(&point.linear_problem, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
     /// The step `step` (change of the load factor) to the exits `reached`, corrected with the state at its end, which is solved for directly. Without

@@ -43,8 +43,8 @@ impl Engine {
             };
             return Ok(TurnOnset { onset, touches: Vec::new() });
         }
-        let course = Trajectory::Turn { load: turn.load, angle: 1.0 };
+        let trajectory = Trajectory::Turn { load: turn.load, angle: 1.0 };
         let rest = settle_at_rest(&segment.problem, settings);
-        Ok(self.onset_with_closing(segment, &rest, (course, turn.angle), settings))
+        Ok(self.onset_with_closing(segment, &rest, (trajectory, turn.angle), settings))
     }
 }

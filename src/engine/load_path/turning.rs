@@ -66,7 +66,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         let length = self.pace.length.unwrap_or_else(|| self.first_length(&point));
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
-        let tolerance = run.settings.step_error * self.pace.looser;
+        let tolerance = run.settings.step_error * self.pace.error_factor;
         let (length, rule) = self.stable(&point, length, tolerance);
         // Steps shorter than this fraction of the load factor do not advance. The arc then cannot be followed further with the present contact
         // states.
@@ -110,7 +110,7 @@ impl<'g> PiecewiseFollower<'g> {
             }
             let ends = [point, &end.reached.point];
             // The bounds on margins within a step are used on a straight leg only. While the load turns, these bounds would shorten steps needlessly.
-            let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
+            let is_straight = matches!(self.segment.trajectory, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
@@ -138,7 +138,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a contact could violate
     /// the condition of its state, and yet satisfy it again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
-        match self.segment.course {
+        match self.segment.trajectory {
             // In one step the load turns by at most this angle, rad.
             Trajectory::Turn { angle, .. } => 0.25 / (angle * point.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
@@ -154,8 +154,8 @@ impl<'g> PiecewiseFollower<'g> {
         // integration is unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
-        self.pace.stiff |= self.pace.needs_implicit_steps(stable, rest);
-        if self.pace.stiff && length > stable {
+        self.pace.implicit |= self.pace.needs_implicit_steps(stable, rest);
+        if self.pace.implicit && length > stable {
             (length, Rule::Implicit { tolerance })
         } else {
             (length.min(stable), Rule::Explicit)
@@ -237,7 +237,7 @@ impl<'g> PiecewiseFollower<'g> {
         point: &PathPoint,
         end: &StepEnd,
     ) -> Result<bool, PathEnd<3>> {
-        let tolerance = run.settings.step_error * self.pace.looser;
+        let tolerance = run.settings.step_error * self.pace.error_factor;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;

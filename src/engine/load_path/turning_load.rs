@@ -12,12 +12,12 @@ use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
-use crate::object::{Piece, PieceState};
+use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
-        let Trajectory::Turn { load, angle } = &self.course else { return false };
+        let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
         // A rate of the load below this fraction of its fastest rate is taken as zero, because rounding of the angle makes a rate of about this size.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
@@ -27,7 +27,7 @@ impl Segment<'_> {
     /// `near`.
     pub(super) fn point_on_turn(
         &self,
-        piece: &Arc<Piece>,
+        linear_problem: &Arc<LinearProblem>,
         (load, angle): (&Harmonic<Vector>, f64),
         factor: f64,
         near: Option<&Vector>,
@@ -35,19 +35,22 @@ impl Segment<'_> {
         let turned_load = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let solved = |offsets: &[SVector<f64, 3>], load: &Vector| {
-            piece.solve(self.problem.sites, offsets, load).map_err(|u| self.unbalanced(factor, u.motion))
+            linear_problem
+                .solve(self.problem.sites, offsets, load)
+                .map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {
             constant: solved(&self.problem.offsets, &turned_load.constant)?,
             cosine: solved(&at_rest, &turned_load.cosine)?,
             sine: solved(&at_rest, &turned_load.sine)?,
         };
-        let rate = PieceState {
+        let rate = ForcesAndTwist {
             forces: mapped(&parts.sine.forces, &|force| force * angle),
             twist: &parts.sine.twist * angle,
         };
-        let at = self.state(piece, factor, near).unwrap_or_else(|| at_start(&parts));
-        let mut point = self.point_with_rates(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
+        let at = self.state(linear_problem, factor, near).unwrap_or_else(|| at_start(&parts));
+        let mut point =
+            self.point_with_rates(linear_problem.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
         // A quantity that vanishes at some angle still has a rounding error in proportion to its size at other angles.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
@@ -77,7 +80,7 @@ impl Segment<'_> {
         &self,
         load: &Harmonic<Vector>,
         angle: f64,
-        parts: &Harmonic<PieceState>,
+        parts: &Harmonic<ForcesAndTwist>,
     ) -> TurningState {
         let (sites, problem) = (self.problem.sites, &self.problem);
         let at_rest = vec![SVector::zeros(); sites.len()];
@@ -107,8 +110,8 @@ impl Segment<'_> {
 }
 
 /// Forces and twist at angle zero: the sum of the solutions in `parts` under the constant and the cosine term of the load.
-pub(super) fn at_start(parts: &Harmonic<PieceState>) -> PieceState {
+pub(super) fn at_start(parts: &Harmonic<ForcesAndTwist>) -> ForcesAndTwist {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);
-    PieceState { forces, twist: &constant.twist + &cosine.twist }
+    ForcesAndTwist { forces, twist: &constant.twist + &cosine.twist }
 }

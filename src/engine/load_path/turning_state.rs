@@ -4,7 +4,7 @@
 use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
 use crate::numerics::{Harmonic, Vector, mapped};
-use crate::object::{PieceState, Problem};
+use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 
 /// Forces, stretches and twist as harmonic functions of the angle by which the load has turned from a place on the path. Contacts keep their states.
@@ -20,10 +20,10 @@ pub(super) struct TurningState {
 
 impl TurningState {
     /// Contact forces after the change `step` of the load factor. The field of the twist holds the change of the twist in this step.
-    pub(super) fn after(&self, step: f64) -> PieceState {
+    pub(super) fn after(&self, step: f64) -> ForcesAndTwist {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
-        PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
+        ForcesAndTwist { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
     /// The first place, within the change `rest` of the load factor, at which one of the contact states `states` ends, and the edges of cones that

@@ -4,7 +4,7 @@
 use super::segment::Segment;
 use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::object::{Piece, PieceState};
+use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
     /// The rates `rate` of forces and twist, in which the object moves at the twist rate `pushed` along all motions that leave forces in balance.
@@ -12,37 +12,37 @@ impl Segment<'_> {
     /// force may push.
     pub(super) fn pushed_along(
         &self,
-        piece: &Piece,
-        rate: PieceState,
+        linear_problem: &LinearProblem,
+        rate: ForcesAndTwist,
         pushed: Option<&Vector>,
-    ) -> PieceState {
+    ) -> ForcesAndTwist {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
         // A velocity along a free motion below this fraction of the pushing velocity is rounding.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
-        let moves =
-            piece.free_motions().iter().any(is_driven) || piece.neutral_motions().iter().any(is_driven);
-        if moves { self.nearest(piece, rate, pushed) } else { rate }
+        let moves = linear_problem.free_motions().iter().any(is_driven)
+            || linear_problem.neutral_motions().iter().any(is_driven);
+        if moves { self.nearest(linear_problem, rate, pushed) } else { rate }
     }
 
-    /// A state or a rate, shifted along free and neutral motions of `piece` until its twist is nearest to `near`. Free motions stretch no spring;
-    /// along neutral motions contact forces change but stay in balance.
+    /// A state or a rate, shifted along free and neutral motions of `linear_problem` until its twist is nearest to `near`. Free motions stretch no
+    /// spring; along neutral motions contact forces change but stay in balance.
     pub(super) fn nearest(
         &self,
-        piece: &Piece,
-        PieceState { mut forces, mut twist }: PieceState,
+        linear_problem: &LinearProblem,
+        ForcesAndTwist { mut forces, mut twist }: ForcesAndTwist,
         near: &Vector,
-    ) -> PieceState {
-        for v in piece.free_motions() {
+    ) -> ForcesAndTwist {
+        for v in linear_problem.free_motions() {
             twist += v * v.dot(&(near - &twist));
         }
-        for v in &piece.neutral_motions() {
+        for v in &linear_problem.neutral_motions() {
             let shift = v * v.dot(&(near - &twist));
             twist += &shift;
-            for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
+            for (f, change) in forces.iter_mut().zip(linear_problem.forces_along(&self.problem, &shift)) {
                 *f += change;
             }
         }
-        PieceState { forces, twist }
+        ForcesAndTwist { forces, twist }
     }
 }

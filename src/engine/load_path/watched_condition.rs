@@ -94,7 +94,7 @@ pub(super) fn watch(
     ];
     // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero at this
     // point may grow, so the value is not taken as constant.
-    let straight = matches!(segment.course, Trajectory::Straight { .. });
+    let straight = matches!(segment.trajectory, Trajectory::Straight { .. });
     // The change of a value over the rest of the leg is compared with rounding. The rest is taken as at least a hundredth of the leg.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {

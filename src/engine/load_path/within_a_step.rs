@@ -27,9 +27,9 @@ pub(super) struct BoundedCubic {
     /// normal force or a gap.
     cone: Option<Coulomb>,
     /// The factor g, N or m, of a bound on the error that the cubic makes in the margin: `s²(1 - s)² g` at the fraction s of the step.
-    bend: f64,
+    error_factor: f64,
     /// The condition is taken as satisfied if its margin is at least minus this number, in N or m.
-    nothing: f64,
+    allowed_violation: f64,
 }
 
 /// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates its condition; the condition may hold again
@@ -83,21 +83,21 @@ impl BoundedCubic {
         let within_the_error = 0.02;
         // The rounding error of a margin, relative to the terms whose difference it is. A smaller violation is ignored.
         let rounded = 2e-13;
-        let nothing = (within_the_error * step_error).max(rounded) * size * weight;
+        let allowed_violation = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
         // The interpolating cubic neglects the term of fourth order. The neglected term is estimated from above by the larger of the term of third
         // order and 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
-        let bend = third.norm().max(0.05 * second.norm()) * weight;
-        Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
+        let error_factor = third.norm().max(0.05 * second.norm()) * weight;
+        Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, error_factor, allowed_violation }
     }
 
     fn margin(&self, point: &SVector<f64, 3>) -> f64 {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// A fraction of the step at which the margin is certainly negative by more than `nothing`, the error of margins; one half if this is not
-    /// decided. `None` if the margin is nowhere negative by more than `nothing`.
+    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`, the error of margins; one half if this is
+    /// not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
     pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // At most two hundred pieces of the cubic are examined; then the step is taken as too long.
@@ -105,12 +105,12 @@ impl BoundedCubic {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));
             let farthest = if to <= 0.5 { to } else { from.max(0.5) };
-            if least - self.margin_error(farthest) >= -self.nothing {
+            if least - self.margin_error(farthest) >= -self.allowed_violation {
                 continue;
             }
             let middle = 0.5 * (from + to);
             let [before, after] = halves(&points);
-            if self.margin(&after[0]) + self.margin_error(middle) < -self.nothing {
+            if self.margin(&after[0]) + self.margin_error(middle) < -self.allowed_violation {
                 return Some(middle);
             }
             pieces.push((middle, to, after));
@@ -123,7 +123,7 @@ impl BoundedCubic {
     /// Bound, N or m, on the error that the cubic makes in the margin at the fraction `part` of the step.
     fn margin_error(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
-        self.bend * square * square
+        self.error_factor * square * square
     }
 }
 

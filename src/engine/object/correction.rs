@@ -1,11 +1,11 @@
 //! The error of given contact forces and twist: the exact solution with the same contact states, minus the given values.
 //!
 //! Contact i has the offset a_i, the grasp map G_i, the stiffness matrix K_i and the given force F_i. The given twist is q, and the load W. Spring r
-//! of a contact is stretched along right_r, a vector that contains the square root of its stiffness. Three residuals are evaluated in twice the
+//! of a contact is stretched along s_r, a vector that contains the square root of its stiffness. Three residuals are evaluated in twice the
 //! working precision: the residual displacement w_i of each contact, the scaled residual e_r of each spring, and the imbalance ρ.
 //!
 //! ```text
-//! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
+//! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = s_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
 //! The linear problem is then solved with e_r and ρ as right-hand side. This gives the error itself, not only a bound. On the round cone it is the
@@ -14,7 +14,7 @@
 
 use nalgebra::SVector;
 
-use super::piece::Piece;
+use super::linear_problem::LinearProblem;
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED};
@@ -34,9 +34,9 @@ pub(crate) struct Correction {
     pub(crate) doubt: f64,
 }
 
-impl Piece {
-    /// The exact solution in the contact states `states`, from which this [`Piece`] was made, minus the given forces and twist. `size` is the largest
-    /// force of the problem, N.
+impl LinearProblem {
+    /// The exact solution in the contact states `states`, from which this [`LinearProblem`] was made, minus the given forces and twist. `size` is the
+    /// largest force of the problem, N.
     pub(crate) fn correction(
         &self,
         problem: &Problem,
@@ -50,14 +50,14 @@ impl Piece {
         let mut doubt = 0.0;
         for _ in 0..MOST_CORRECTIONS {
             let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
-            let push = |(spring, x): (&Spring, &f64)| spring.left.amax() * x.abs();
+            let push = |(spring, x): (&Spring, &f64)| spring.push_direction.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
             // Stiff springs turn the rounding of the twist into forces of this size, N.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
                 for (spring, change) in springs.iter().zip(&change[range]) {
-                    for (force, push) in forces[contact].iter_mut().zip(&spring.left) {
+                    for (force, push) in forces[contact].iter_mut().zip(&spring.push_direction) {
                         force.add(push * change);
                     }
                 }
@@ -80,7 +80,7 @@ impl Piece {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves the friction forces of sliding contacts onto their cones and writes the residual `e_r = right_r · w_i` of each spring r to `e`. Returns
+    /// Moves the friction forces of sliding contacts onto their cones and writes the residual `e_r = s_r · w_i` of each spring r to `e`. Returns
     /// the imbalance `ρ = Σ G_i F_i + W` of contact forces and load.
     fn residual_of(
         &self,
@@ -97,11 +97,14 @@ impl Piece {
             let mut across = TransverseResidual::of(&states[contact], force);
             let mut along = [DoubleDouble::default(); 3];
             for (a, force) in force.iter().enumerate().take(site.springs.axes()) {
-                if across.is_some() || springs.iter().any(|s| s.right[a] != 0.0) {
+                if across.is_some() || springs.iter().any(|s| s.stretch_direction[a] != 0.0) {
                     let mut w = twist.stretch(site, a, problem.offsets[contact][a]);
                     w.subtract(site.springs.precise_deflection_along(a, *force));
                     for (along, spring) in along.iter_mut().zip(springs) {
-                        along.add_product_of_twice((spring.right[a], spring.right_rest[a]), w);
+                        along.add_product_of_twice(
+                            (spring.stretch_direction[a], spring.stretch_direction_error[a]),
+                            w,
+                        );
                     }
                     if let Some(across) = &mut across {
                         across.add(a, w);
@@ -146,7 +149,7 @@ impl TransverseResidual {
     /// `c·w` times the square root of the stiffness of the spring in the direction c: the residual of this spring. Zero without a spring or without
     /// friction force.
     fn times(&self, spring: Option<&Spring>) -> DoubleDouble {
-        let root = spring.map_or(0.0, |spring| spring.right.norm());
+        let root = spring.map_or(0.0, |spring| spring.stretch_direction.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
         DoubleDouble::new(self.sum.value() * part)
     }

@@ -38,7 +38,7 @@ enum SlideDirections {
 struct AtLimit {
     friction: SVector<f64, 3>,
     /// Stiffness in the tangential directions in which friction still changes with the stretch, N/m.
-    holds: SMatrix<f64, 3, 3>,
+    tangent: SMatrix<f64, 3, 3>,
     state: Mode<u16>,
 }
 
@@ -46,9 +46,9 @@ struct AtLimit {
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
-    pub(super) holds: SMatrix<f64, 3, 3>,
-    /// The spring stiffness minus `holds`, N/m: the part that is lost because the contact slides or opens.
-    pub(super) gives: SMatrix<f64, 3, 3>,
+    pub(super) tangent: SMatrix<f64, 3, 3>,
+    /// The spring stiffness minus `tangent`, N/m: the part that is lost because the contact slides or opens.
+    pub(super) lost_stiffness: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }
 
@@ -92,23 +92,23 @@ impl Limited {
         let springs = SMatrix::from_diagonal(&self.stiffness);
         let mut answer = LimitedAnswer {
             force: springs * stretch,
-            holds: springs,
-            gives: SMatrix::zeros(),
+            tangent: springs,
+            lost_stiffness: SMatrix::zeros(),
             state: Mode::Sticking,
         };
-        if let Some(AtLimit { friction, holds, state }) = self.at_limit(&answer.force, limit) {
+        if let Some(AtLimit { friction, tangent, state }) = self.at_limit(&answer.force, limit) {
             let normal = answer.force[0];
             answer.force = friction;
             answer.force[0] = normal;
-            answer.holds = holds;
-            answer.holds[(0, 0)] = self.stiffness[0];
-            answer.gives = springs - answer.holds;
+            answer.tangent = tangent;
+            answer.tangent[(0, 0)] = self.stiffness[0];
+            answer.lost_stiffness = springs - answer.tangent;
             answer.state = state;
         }
         if self.opens && stretch[0] <= 0.0 {
             answer.force[0] = 0.0;
-            answer.holds[(0, 0)] = 0.0;
-            answer.gives[(0, 0)] = self.stiffness[0];
+            answer.tangent[(0, 0)] = 0.0;
+            answer.lost_stiffness[(0, 0)] = self.stiffness[0];
             answer.state = Mode::Open;
         }
         if self.stiffness == SVector::<f64, 3>::zeros() {
@@ -129,7 +129,7 @@ impl Limited {
         };
         let on_axis = |facet: u16, friction: f64| AtLimit {
             friction: unit::<3>(1) * friction,
-            holds: SMatrix::zeros(),
+            tangent: SMatrix::zeros(),
             state: Mode::Facet(facet),
         };
         match &self.slides {
@@ -140,7 +140,7 @@ impl Limited {
                 let (tangential, size) = (tangential(force), tangential_norm(force));
                 (size > limit).then(|| AtLimit {
                     friction: tangential * (limit / size),
-                    holds: along(&(tangential / size)) * (limit / size),
+                    tangent: along(&(tangential / size)) * (limit / size),
                     state: Mode::Facet(0),
                 })
             }
@@ -165,12 +165,12 @@ impl Limited {
                 Some(match corner {
                     Some(corner) => AtLimit {
                         friction: corners[corner] * limit,
-                        holds: SMatrix::zeros(),
+                        tangent: SMatrix::zeros(),
                         state: Mode::Corner(u16::try_from(corner).ok()?),
                     },
                     None => AtLimit {
                         friction: nearest,
-                        holds: along(&(normals[j] / size)),
+                        tangent: along(&(normals[j] / size)),
                         state: Mode::Facet(u16::try_from(j).ok()?),
                     },
                 })

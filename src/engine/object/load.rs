@@ -12,7 +12,7 @@ pub(crate) struct Load {
     /// The load, rounded to working precision.
     pub(crate) wrench: Vector,
     /// The rounding error of the caller's moments in `wrench`: exact minus rounded.
-    pub(crate) rest: Vector,
+    pub(crate) rounding_error: Vector,
 }
 
 impl Engine {
@@ -21,7 +21,7 @@ impl Engine {
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` is the name of the load in this error.
     pub(crate) fn load(&self, load: &Wrench<3>, what: &'static str) -> Result<Load, Error> {
-        Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
+        Ok(Load { wrench: self.load_alone(load, what)?, rounding_error: self.inside_rounding_error(load) })
     }
 
     /// The field `wrench` of [`Self::load`]: the sum of all loads in working precision, without its rounding error. Same errors.
@@ -48,6 +48,6 @@ impl Engine {
 
 impl From<&Vector> for Load {
     fn from(wrench: &Vector) -> Self {
-        Self { wrench: wrench.clone(), rest: Vector::zeros() }
+        Self { wrench: wrench.clone(), rounding_error: Vector::zeros() }
     }
 }

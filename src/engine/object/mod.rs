@@ -7,8 +7,8 @@
 //! | file | idea |
 //! |---|---|
 //! | `problem` | laws, offsets and load: the static problem and the rate problem that the engine solves |
-//! | `piece` | the linear problem in known contact states, by orthogonal factors; `trial`: the linear problem in which everything sticks |
-//! | `band_piece` | the same linear problem for 36 or more coordinates, by the tangent stiffness as a band matrix |
+//! | `linear_problem` | the linear problem in known contact states, by orthogonal factors; `trial`: the linear problem in which everything sticks |
+//! | `banded_tangent` | the same linear problem for 36 or more coordinates, by the tangent stiffness as a band matrix |
 //! | `null_motions` | null vectors of the tangent stiffness, if it is a band matrix |
 //! | `solution` | contact forces and twist that solve the linear problem, by iterative refinement |
 //! | `free_motions` | motions that no spring resists |
@@ -19,14 +19,14 @@
 //! | `sizes` | sizes of forces (N) and displacements (m) to which rounding errors are proportional |
 //! | `tresca`, `limited` | proposed states of many contacts, with friction limits that do not depend on the normal force |
 
-mod band_piece;
+mod banded_tangent;
 mod correction;
 mod free_motions;
 mod limited;
+mod linear_problem;
 mod load;
 mod newton;
 mod null_motions;
-mod piece;
 mod precise;
 mod problem;
 mod relaxing;
@@ -37,15 +37,15 @@ mod tolerances;
 mod tresca;
 mod trial;
 
-pub(crate) use band_piece::uses_band;
+pub(crate) use banded_tangent::uses_band;
+pub(crate) use linear_problem::{LinearProblem, least_forces};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, newton, newton_on_cones};
-pub(crate) use piece::{Piece, least_forces};
 pub(crate) use precise::PreciseTwist;
 pub(crate) use problem::{Problem, ProblemLists};
-pub(crate) use relaxing::ViscousRelaxation;
+pub(crate) use relaxing::SpringDashpotRelaxation;
 pub(crate) use sizes::{largest_force, least_spring_force};
-pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
+pub(crate) use solution::{ForcesAndTwist, SolutionMemory, Unbalanced};
 pub(crate) use tangent::{balance, tangent_stiffness};
 pub(crate) use tolerances::NO_FORCE;
 pub(crate) use tresca::{states_by_tresca, twist_by_tresca};

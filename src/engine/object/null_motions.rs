@@ -1,7 +1,7 @@
 //! Null vectors of the tangent stiffness T = BᵀA as a band matrix, and their mechanical meaning.
 //!
 //! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps the scaled forces of the springs to a wrench on the object (see
-//! `piece`).
+//! `linear_problem`).
 //!
 //! ```text
 //! A n = 0             the motion n stretches no spring: free
@@ -10,7 +10,7 @@
 //! B z ≠ 0, Tᵀz = 0    no motion changes the work of the springs along z: without balance along z there is no solution
 //! ```
 
-use super::band_piece::{BandPiece, StiffnessFactor};
+use super::banded_tangent::{BandedTangent, SpringRows};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{
@@ -44,7 +44,7 @@ struct SortedNullVectors {
 impl NullMotions {
     /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; empty if T is regular. `None` if T is nearly, but not
     /// exactly, singular.
-    pub(super) fn of(band: &BandPiece) -> Option<Self> {
+    pub(super) fn of(band: &BandedTangent) -> Option<Self> {
         let nothing = Self {
             free: Vec::new(),
             neutral: Vec::new(),
@@ -54,12 +54,12 @@ impl NullMotions {
         if !band.factors.is_singular() {
             return Some(nothing);
         }
-        let (right, left) = (&band.right, band.left.as_ref().unwrap_or(&band.right));
+        let (stretches, pushes) = (&band.stretches, band.pushes.as_ref().unwrap_or(&band.stretches));
         let of_right =
-            sorted_null_vectors(band, [right, left], band.factors.null_vectors(), BandFactors::solve)?;
+            sorted_null_vectors(band, [stretches, pushes], band.factors.null_vectors(), BandFactors::solve)?;
         let of_left = sorted_null_vectors(
             band,
-            [left, right],
+            [pushes, stretches],
             band.factors.left_null_vectors(),
             BandFactors::solve_transposed,
         )?;
@@ -78,7 +78,8 @@ impl NullMotions {
     }
 
     /// The sum of the left null vectors in `without_response`, each weighted by the work that the load and the spring forces `x` do along it. `None`
-    /// if all these weights are zero. `x` holds the scaled force `right·a` of each spring that the contact offsets a cause at zero twist.
+    /// if all these weights are zero. `x` holds the scaled force `s·a` (see `linear_problem`) of each spring that the contact offsets a cause at zero
+    /// twist.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -107,8 +108,8 @@ impl NullMotions {
 /// B for null vectors of the transpose; `other` is the other of these two matrices. The entries of `vectors` refer to columns of `side` that are
 /// scaled to length one. `None` if a vector that stretches springs is not a null vector to within rounding.
 fn sorted_null_vectors(
-    band: &BandPiece,
-    [side, other]: [&StiffnessFactor; 2],
+    band: &BandedTangent,
+    [side, other]: [&SpringRows; 2],
     vectors: Vec<Vec<f64>>,
     solve: fn(&BandFactors, &mut [f64]),
 ) -> Option<SortedNullVectors> {

@@ -120,7 +120,7 @@ pub(super) struct PreciseBalance(Precise);
 
 impl PreciseBalance {
     pub(super) fn new(size: Size, load: &Load) -> Self {
-        Self(Precise::new(size, load.wrench.clone(), load.rest.clone()))
+        Self(Precise::new(size, load.wrench.clone(), load.rounding_error.clone()))
     }
 
     /// Adds the wrench of a contact's force component `force`, N, along its axis `axis`.

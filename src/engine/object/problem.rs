@@ -43,7 +43,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
     /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
-    pub(crate) wrench_rest: Vector,
+    pub(crate) wrench_rounding_error: Vector,
     /// Flag: true if a contact with infinite friction is treated like a contact with a very large coefficient, which has facets of a friction cone
     /// and may slide.
     pub(crate) infinite_friction_has_edges: bool,
@@ -125,7 +125,7 @@ impl<'g> Problem<'g> {
             slips,
             offsets,
             wrench: load.wrench.clone(),
-            wrench_rest: load.rest.clone(),
+            wrench_rounding_error: load.rounding_error.clone(),
             infinite_friction_has_edges: false,
             round,
             trial: None,
@@ -138,17 +138,25 @@ impl<'g> Problem<'g> {
     /// contact on the edge of its cone has a plane facet instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
-        let wrench_rest = Vector::zeros();
-        let mut rates =
-            Self { laws, offsets, slips, wrench, wrench_rest, trial: None, near: &[], ..self.clone() };
+        let wrench_rounding_error = Vector::zeros();
+        let mut rates = Self {
+            laws,
+            offsets,
+            slips,
+            wrench,
+            wrench_rounding_error,
+            trial: None,
+            near: &[],
+            ..self.clone()
+        };
         let round = rates.locals().any(|local| local.may_slide());
         rates.round &= round;
         rates
     }
 
-    /// The load `wrench` and its rounding error `wrench_rest`: together the load in twice the working precision.
+    /// The load `wrench` and its rounding error `wrench_rounding_error`: together the load in twice the working precision.
     pub(crate) fn load(&self) -> Load {
-        Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
+        Load { wrench: self.wrench.clone(), rounding_error: self.wrench_rounding_error.clone() }
     }
 
     /// Number of coordinates of the twist: the coordinates of the object, of all joints and of further bodies.
@@ -181,7 +189,7 @@ impl<'g> Problem<'g> {
 
     /// For each contact, whether its present friction differs from its static friction, because the contact slides with kinetic friction. Empty if
     /// `cones` is empty.
-    pub(crate) fn weaker(&self) -> Vec<bool> {
+    pub(crate) fn has_kinetic_friction(&self) -> Vec<bool> {
         self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).list()
     }
 

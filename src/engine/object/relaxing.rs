@@ -16,7 +16,7 @@
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
 use super::tangent::TangentFactors;
-use super::tolerances::{LONGEST_PACE, NEARLY_RELAXED, RELAXING_STEPS, STRAIGHT_ON};
+use super::tolerances::{MOST_STEP_FACTOR, NEARLY_RELAXED, RELAXING_STEPS, STRAIGHT_ON};
 use crate::contact::ContactResponse;
 use crate::numerics::Vector;
 use crate::prelude::*;
@@ -27,7 +27,7 @@ use crate::prelude::*;
 /// displacement so far, at the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the imbalance R of
 /// forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no
 /// equilibrium from such a twist, the caller asks for the next twist.
-pub(crate) struct ViscousRelaxation<'p, 'a> {
+pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
     contacts: Vec<ContactResponse>,
@@ -36,33 +36,33 @@ pub(crate) struct ViscousRelaxation<'p, 'a> {
     last: Option<Vector>,
     /// Factor, at least 1, by which the last step was longer than `T⁻¹R`, the displacement that the imbalance R causes in the stuck grasp of
     /// stiffness T.
-    pace: f64,
+    step_factor: f64,
     steps: usize,
     /// The next twist is returned once the estimated remaining displacement is at most this fraction of the displacement from the twist at which
     /// everything sticks.
     nearly: f64,
 }
 
-impl<'p, 'a> ViscousRelaxation<'p, 'a> {
+impl<'p, 'a> SpringDashpotRelaxation<'p, 'a> {
     /// The relaxation from the twist `stuck`, at which forces balance if everything sticks. `None` if some motion of the stuck grasp meets no
     /// resistance from springs.
     pub(crate) fn from_stuck(problem: &'p Problem<'a>, stuck: &Vector) -> Option<Self> {
         let factors = problem.tangent_factors(&|i| problem.local(i).trial_state());
         let contacts = vec![ContactResponse::open(); problem.len()];
         let (stuck, twist) = (stuck.clone(), stuck.clone());
-        let (last, pace, steps, nearly) = (None, 1.0, 0, NEARLY_RELAXED);
-        let of = Self { problem, factors, contacts, stuck, twist, last, pace, steps, nearly };
+        let (last, step_factor, steps, nearly) = (None, 1.0, 0, NEARLY_RELAXED);
+        let of = Self { problem, factors, contacts, stuck, twist, last, step_factor, steps, nearly };
         of.factors.is_regular().then_some(of)
     }
 
     /// The distance of `twist` from the present twist of the relaxation, divided by the distance of the present twist from the twist at which
     /// everything sticks.
-    pub(crate) fn part_of_the_way(&self, twist: &Vector) -> f64 {
+    pub(crate) fn relative_distance_from(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }
 }
 
-impl Iterator for ViscousRelaxation<'_, '_> {
+impl Iterator for SpringDashpotRelaxation<'_, '_> {
     type Item = Vector;
 
     fn next(&mut self) -> Option<Vector> {
@@ -80,14 +80,14 @@ impl Iterator for ViscousRelaxation<'_, '_> {
             if let Some(last) = &self.last {
                 let before = last.norm();
                 if size < before {
-                    whole = self.pace * before / (before - size);
+                    whole = self.step_factor * before / (before - size);
                 }
                 if step.dot(last) >= STRAIGHT_ON * size * before {
-                    next = (2.0 * self.pace).min(LONGEST_PACE).min(whole);
+                    next = (2.0 * self.step_factor).min(MOST_STEP_FACTOR).min(whole);
                 }
             }
             self.twist += &step * next;
-            (self.last, self.pace) = (Some(step), next);
+            (self.last, self.step_factor) = (Some(step), next);
             self.steps += 1;
             if size == 0.0 {
                 self.steps = RELAXING_STEPS;

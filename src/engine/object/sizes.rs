@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 use super::newton::Imbalance;
 use super::problem::Problem;
-use super::solution::PieceState;
+use super::solution::ForcesAndTwist;
 use super::tolerances::NO_FORCE;
 use crate::contact::SpringState;
 use crate::grasp::Site;
@@ -48,7 +48,12 @@ impl Problem<'_> {
 
     /// For each contact the size, N, to which the rounding error of its force in `state` is proportional. The problem has the offsets `offsets` and a
     /// load of norm `load`.
-    pub(crate) fn force_sizes(&self, offsets: &[SVector<f64, 3>], load: f64, state: &PieceState) -> Vec<f64> {
+    pub(crate) fn force_sizes(
+        &self,
+        offsets: &[SVector<f64, 3>],
+        load: f64,
+        state: &ForcesAndTwist,
+    ) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, offsets, &state.twist, load, norms);
         let norm = state.twist.norm();

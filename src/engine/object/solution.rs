@@ -1,18 +1,18 @@
-//! Contact forces and twist that solve the linear problem of a [`Piece`], accurate to the last digits.
+//! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along the vector right_r, pushes along left_r and has the scaled force x_r (see `piece`). With the offsets a_i,
+//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). With the offsets a_i,
 //! the grasp maps G_i, the twist q and the load W, each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
 //! working precision, and the linear problem is solved for them again (iterative refinement):
 //!
 //! ```text
-//! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
+//! e_r = s_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i p_r x_r + W
 //! ```
 
 use nalgebra::SVector;
 
 use super::free_motions::motion_of_work;
+use super::linear_problem::{LinearProblem, OrthogonalFactors};
 use super::load::Load;
-use super::piece::{OrthogonalPiece, Piece};
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED, NO_WORK};
@@ -20,16 +20,17 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Contact forces and twist that solve the linear problem of a [`Piece`] under given offsets and a given load; in the rate problem their rates.
+/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load; in the rate problem their
+/// rates.
 #[derive(Debug, Clone)]
-pub(crate) struct PieceState {
+pub(crate) struct ForcesAndTwist {
     /// The contact force F_i of each contact in its contact frame, N.
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The twist about the centroid of the contacts, with arms in the engine's unit of length; of least norm if some motions stretch no spring.
     pub(crate) twist: Vector,
 }
 
-impl Default for PieceState {
+impl Default for ForcesAndTwist {
     fn default() -> Self {
         Self { forces: Vec::new(), twist: Vector::zeros() }
     }
@@ -42,7 +43,7 @@ pub(crate) struct SolutionMemory {
     change: Vec<f64>,
 }
 
-/// The error if the linear problem of a [`Piece`] has no solution under the given offsets and load.
+/// The error if the linear problem of a [`LinearProblem`] has no solution under the given offsets and load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced {
     /// A unit motion along which the load does work and no spring pushes. `None` if there is no such motion, but sliding contacts push in directions
@@ -50,16 +51,16 @@ pub(crate) struct Unbalanced {
     pub(crate) motion: Option<Vector>,
 }
 
-impl Piece {
+impl LinearProblem {
     /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if no forces balance the load. `sites` are the
-    /// contacts and drives from which this [`Piece`] was made.
+    /// contacts and drives from which this [`LinearProblem`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
         load: impl Into<Load>,
-    ) -> Result<PieceState, Unbalanced> {
-        let mut state = PieceState::default();
+    ) -> Result<ForcesAndTwist, Unbalanced> {
+        let mut state = ForcesAndTwist::default();
         self.solve_into(sites, offsets, load, (&mut SolutionMemory::default(), &mut state))?;
         Ok(state)
     }
@@ -70,7 +71,7 @@ impl Piece {
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
         load: impl Into<Load>,
-        (memory, state): (&mut SolutionMemory, &mut PieceState),
+        (memory, state): (&mut SolutionMemory, &mut ForcesAndTwist),
     ) -> Result<(), Unbalanced> {
         let load = load.into();
         if let Some(motion) = motion_of_work(&self.unbalanced, &load.wrench) {
@@ -97,7 +98,7 @@ impl Piece {
         self.stretched_into(x, |contact| offsets[contact]);
         let loaded = balance.load_coordinates(&load.wrench);
         let pushed = balance.coordinates(x);
-        let step = match &factors.left {
+        let step = match &factors.pushes {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
@@ -110,8 +111,8 @@ impl Piece {
                 step
             }
         };
-        factors.right.subtract(x, &step);
-        let mut twist = PreciseTwist::new(self.size(), factors.right.preimage(&step));
+        factors.stretches.subtract(x, &step);
+        let mut twist = PreciseTwist::new(self.size(), factors.stretches.preimage(&step));
         let respond = |x: &mut [f64], rest: &Vector| factors.respond(x, rest);
         self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
         state.twist = without(twist.value(), &self.free);
@@ -136,7 +137,7 @@ impl Piece {
             let (mut largest, mut changed) = (0.0_f64, 0.0_f64);
             for ((x, change), spring) in x.iter_mut().zip(change.iter()).zip(&self.springs) {
                 *x += change;
-                let push = spring.left.amax();
+                let push = spring.push_direction.amax();
                 largest = largest.max(push * x.abs());
                 changed = changed.max(push * change.abs());
             }
@@ -147,10 +148,10 @@ impl Piece {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a [`Piece`] in which all contacts stick and springs resist every motion. The spring forces are
+    /// [`Self::solve`] without refinement, for a [`LinearProblem`] in which all contacts stick and springs resist every motion. The spring forces are
     /// projected onto the balance of forces twice; the remaining error is a few roundings of the largest force.
-    pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> PieceState {
-        let mut state = PieceState::default();
+    pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> ForcesAndTwist {
+        let mut state = ForcesAndTwist::default();
         self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));
         state
     }
@@ -160,7 +161,7 @@ impl Piece {
         &self,
         offsets: &[SVector<f64, 3>],
         wrench: &Vector,
-        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState),
+        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut ForcesAndTwist),
     ) {
         self.stretched_into(x, |contact| offsets[contact]);
         if let Some((band, _)) = &self.band {
@@ -169,15 +170,15 @@ impl Piece {
             self.forces_into(&mut state.forces, x, offsets.len());
             return;
         }
-        let right = self.factor();
-        let load = right.load_coordinates(wrench);
+        let stretches = self.factor();
+        let load = stretches.load_coordinates(wrench);
         let mut travelled = Vector::zeros();
         for _ in 0..2 {
-            let step = right.coordinates(x) + &load;
-            right.subtract(x, &step);
+            let step = stretches.coordinates(x) + &load;
+            stretches.subtract(x, &step);
             travelled += &step;
         }
-        state.twist = right.preimage(&travelled);
+        state.twist = stretches.preimage(&travelled);
         self.forces_into(&mut state.forces, x, offsets.len());
     }
 
@@ -204,7 +205,7 @@ impl Piece {
         self.forces(&x, problem.len())
     }
 
-    /// The scaled forces of all springs if the contacts have these stretches v: `x_r = right_r · v` for each spring r of a contact.
+    /// The scaled forces of all springs if the contacts have these stretches v: `x_r = s_r · v` for each spring r of a contact.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -216,7 +217,7 @@ impl Piece {
         for (contact, springs, _) in self.of_each_contact() {
             let stretch = stretch(contact);
             for spring in springs {
-                x.push(spring.right.dot(&stretch));
+                x.push(spring.stretch_direction.dot(&stretch));
             }
         }
     }
@@ -232,13 +233,13 @@ impl Piece {
         forces.resize(contacts, SVector::zeros());
         for (contact, springs, range) in self.of_each_contact() {
             for (spring, x) in springs.iter().zip(&x[range]) {
-                forces[contact] += spring.left * *x;
+                forces[contact] += spring.push_direction * *x;
             }
         }
     }
 
-    /// Writes the residual of each spring r into `e`: `e_r = right_r · (a_i - G_iᵀ q) - x_r`. Here x_r is the scaled spring force, a_i the offset of
-    /// its contact and q the twist. Returns the residual of equilibrium under the load W, `ρ = Σ G_i left_r x_r + W`.
+    /// Writes the residual of each spring r into `e`: `e_r = s_r · (a_i - G_iᵀ q) - x_r`. Here x_r is the scaled spring force, a_i the offset of
+    /// its contact and q the twist. Returns the residual of equilibrium under the load W, `ρ = Σ G_i p_r x_r + W`.
     fn excess(
         &self,
         sites: &[Site],
@@ -256,15 +257,23 @@ impl Piece {
             }
             for a in 0..3 {
                 // Most springs lie along the axes and have one component each.
-                if springs.iter().any(|spring| spring.right[a] != 0.0) {
+                if springs.iter().any(|spring| spring.stretch_direction[a] != 0.0) {
                     let v = twist.stretch(site, a, offsets[contact][a]);
-                    for (left, spring) in left.iter_mut().zip(springs).filter(|(_, s)| s.right[a] != 0.0) {
-                        left.add_product_of_twice((spring.right[a], spring.right_rest[a]), v);
+                    for (left, spring) in
+                        left.iter_mut().zip(springs).filter(|(_, s)| s.stretch_direction[a] != 0.0)
+                    {
+                        left.add_product_of_twice(
+                            (spring.stretch_direction[a], spring.stretch_direction_error[a]),
+                            v,
+                        );
                     }
                 }
                 let mut force = DoubleDouble::default();
-                for (spring, &x) in springs.iter().zip(x).filter(|(s, _)| s.left[a] != 0.0) {
-                    force.add_product_of_twice((spring.left[a], spring.left_rest[a]), DoubleDouble::new(x));
+                for (spring, &x) in springs.iter().zip(x).filter(|(s, _)| s.push_direction[a] != 0.0) {
+                    force.add_product_of_twice(
+                        (spring.push_direction[a], spring.push_direction_error[a]),
+                        DoubleDouble::new(x),
+                    );
                 }
                 if force.high != 0.0 {
                     balance.add(site, a, force);
@@ -278,17 +287,17 @@ impl Piece {
     }
 }
 
-impl OrthogonalPiece {
+impl OrthogonalFactors {
     /// Moves the object until forces balance. The scaled spring forces x become `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` under the load W. The matrices
     /// of stretches and push directions are A = Q_A R_A and B = Q_B R_B. Returns the twist of this motion.
     fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
-        let step = match &self.left {
+        let step = match &self.pushes {
             None => excess,
             Some((_, coupling)) => coupling.solve(&excess).0,
         };
-        self.right.subtract(x, &step);
-        self.right.preimage(&step)
+        self.stretches.subtract(x, &step);
+        self.stretches.preimage(&step)
     }
 }

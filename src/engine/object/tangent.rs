@@ -6,17 +6,17 @@
 //! ```
 //!
 //! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
-//! After a step R is mere rounding, so that a few steps give the last digits if T is regular. For a singular T see [`super::Piece`].
+//! After a step R is mere rounding, so that a few steps give the last digits if T is regular. For a singular T see [`super::LinearProblem`].
 
 use crate::numerics::{Each, Square, Vector};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
 
-use super::band_piece::{BandPiece, uses_band};
+use super::banded_tangent::{BandedTangent, uses_band};
 use super::newton::Imbalance;
 use super::problem::Problem;
-use super::solution::PieceState;
+use super::solution::ForcesAndTwist;
 use crate::contact::State;
 use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
@@ -25,7 +25,7 @@ use crate::prelude::*;
 /// LU factors of the tangent stiffness T; with many coordinates ([`uses_band`]) T is factorised as a band matrix.
 pub(crate) enum TangentFactors {
     Whole(Factors),
-    Band(Box<BandPiece>),
+    Band(Box<BandedTangent>),
 }
 
 impl TangentFactors {
@@ -75,7 +75,7 @@ impl Problem<'_> {
             self.local(contact).for_each_spring(&state(contact), |spring| springs.push(spring));
             first.push(springs.len());
         }
-        BandPiece::new(self.sites, &springs, &first).map(|band| TangentFactors::Band(Box::new(band)))
+        BandedTangent::new(self.sites, &springs, &first).map(|band| TangentFactors::Band(Box::new(band)))
     }
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn balance(
     springs: &[SpringTangent],
     tangent: &PartialPivoting,
     wrench: &Vector,
-    state: &mut PieceState,
+    state: &mut ForcesAndTwist,
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;

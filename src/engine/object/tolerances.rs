@@ -41,4 +41,4 @@ pub(super) const STRAIGHT_ON: f64 = 0.99;
 
 /// Upper limit of the factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow
 /// relaxation takes longer.
-pub(super) const LONGEST_PACE: f64 = 64.0;
+pub(super) const MOST_STEP_FACTOR: f64 = 64.0;

@@ -19,7 +19,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::band_piece::uses_band;
+use super::banded_tangent::uses_band;
 use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
@@ -141,7 +141,8 @@ impl GivenLimits {
         let Self { coupled, first, band, .. } = self;
         band.clear();
         for (answer, ends) in answers.iter().zip(first.windows(2)) {
-            let (springs, coupled) = (answer.holds + answer.gives * kept, &coupled[ends[0]..ends[1]]);
+            let (springs, coupled) =
+                (answer.tangent + answer.lost_stiffness * kept, &coupled[ends[0]..ends[1]]);
             for (j, h) in coupled {
                 let pushed = springs * h;
                 for (i, g) in coupled.iter().filter(|(i, _)| i >= j) {
@@ -156,8 +157,13 @@ impl GivenLimits {
     /// matrix is not positive definite.
     fn iterated(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited, stretch: &SVector<f64, 3>| {
-            let holds = SMatrix::from_diagonal(&contact.stiffness);
-            LimitedAnswer { force: holds * stretch, holds, gives: SMatrix::zeros(), state: Mode::Sticking }
+            let tangent = SMatrix::from_diagonal(&contact.stiffness);
+            LimitedAnswer {
+                force: tangent * stretch,
+                tangent,
+                lost_stiffness: SMatrix::zeros(),
+                state: Mode::Sticking,
+            }
         };
         let mut q = vec![0.0; self.load.len()];
         let mut answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));

@@ -1,16 +1,16 @@
-//! The elastic trial: the linear problem of `piece` in which every contact sticks, except those whose law says that they stay open.
+//! The elastic trial: the linear problem in which every contact sticks, except those whose law says that they stay open.
 
 use alloc::sync::Arc;
 
-use super::piece::Piece;
+use super::linear_problem::LinearProblem;
 use super::problem::Problem;
 use crate::contact::State;
 
 impl Problem<'_> {
     /// The factorised linear problem in which every contact sticks, except absent contacts, which stay open. In the static problem it depends on
     /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later loads and commands.
-    pub(crate) fn trial(&self) -> Arc<Piece> {
-        let make = || Piece::new(self, &self.trial_states());
+    pub(crate) fn trial(&self) -> Arc<LinearProblem> {
+        let make = || LinearProblem::new(self, &self.trial_states());
         match self.trial {
             // Only grasps with few contacts and drives keep these factors, which take memory: searches are most often repeated for small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
@@ -20,8 +20,12 @@ impl Problem<'_> {
 
     /// The factorised linear problem with these contact states. For the states of the elastic trial it is the linear problem of `trial`, which the
     /// grasp may have kept.
-    pub(crate) fn piece(&self, states: &[State]) -> Arc<Piece> {
+    pub(crate) fn linear_problem(&self, states: &[State]) -> Arc<LinearProblem> {
         let trial_states = || self.locals().zip(states).all(|(local, state)| local.trial_state() == *state);
-        if self.trial.is_some() && trial_states() { self.trial() } else { Arc::new(Piece::new(self, states)) }
+        if self.trial.is_some() && trial_states() {
+            self.trial()
+        } else {
+            Arc::new(LinearProblem::new(self, states))
+        }
     }
 }

@@ -8,12 +8,12 @@
 use super::tolerances::{ESCAPE, LEAST_WORK};
 
 /// Whether a unit vector y contradicts equilibrium under all loads on the line from one load to another, except very near its start. `value` is the
-/// work of the first load along y, `past` the work of the second load. `against` is the largest magnitude of negative work that a generator does
-/// along y; in a proof it is mere rounding. `data` is the size of load and commands together, N. The load's work at the fraction t of the line is
-/// `(1 - t) value + t past`. A contradiction is accepted if an equilibrium that rounding hides from it would have forces larger than `data` by the
+/// work of the first load along y, `past` the work of the second load. `negative_work` is the largest magnitude of negative work that a generator
+/// does along y; in a proof it is mere rounding. `data` is the size of load and commands together, N. The load's work at the fraction t of the line
+/// is `(1 - t) value + t past`. A contradiction is accepted if an equilibrium that rounding hides from it would have forces larger than `data` by the
 /// factor [`ESCAPE`].
-pub(crate) fn counts_from_here_on(value: f64, past: f64, against: f64, data: f64) -> bool {
+pub(crate) fn counts_from_here_on(value: f64, past: f64, negative_work: f64, data: f64) -> bool {
     // If this condition holds, loads at fractions t >= 1e-6 of the line are contradicted. Loads at a smaller t differ only by rounding from the load
     // at which the path ended.
-    ESCAPE * data * against.max(LEAST_WORK) - value <= 1e-6 * (past - value)
+    ESCAPE * data * negative_work.max(LEAST_WORK) - value <= 1e-6 * (past - value)
 }

@@ -42,9 +42,9 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
             Resistance::Unlimited => return None,
             Resistance::ByFriction(0.0) => continue,
             Resistance::ByFriction(c) => {
-                let reach = reach(site.space, &site.map.column(0));
-                if reach > 0.0 {
-                    openings.push((stretch[0].max(0.0) / reach, c * reach));
+                let largest_product = largest_product(site.space, &site.map.column(0));
+                if largest_product > 0.0 {
+                    openings.push((stretch[0].max(0.0) / largest_product, c * largest_product));
                 }
                 // The bound h (see the top of the file) has a negative term for a contact that is open at `at`. This term is cancelled here, since an
                 // open contact does no negative work at `at`. Elsewhere it does at most c times the distance by which it closes.
@@ -63,7 +63,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     if left <= 0.0 {
         return None;
     }
-    let (mut rho, mut growth) = (0.0, reach(problem.space(), &slope));
+    let (mut rho, mut growth) = (0.0, largest_product(problem.space(), &slope));
     for next in increasing(&mapped(&openings, &|(from, _)| *from)) {
         let (from, faster) = openings[next];
         if growth * (from - rho) >= left {
@@ -78,7 +78,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
 
 /// The largest scalar product of `row`, a wrench, with a displacement δ within the radius ρ = 1, see [`nothing_near`]. It is the sum of the norms of
 /// the force and moment parts of `row` and of the sizes of all other entries.
-fn reach(space: Space, row: &Vector) -> f64 {
+fn largest_product(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();
     let joints = row.as_slice().iter().skip(object).map(|x| x.abs()).sum::<f64>();

@@ -145,7 +145,7 @@ fn proved(columns: &[DVector<f64>], here: &DVector<f64>, past: &DVector<f64>) ->
     let settings = Settings { enumerate_up_to: 0, ..Settings::default() };
     let Outcome::Solved(solution) = lcp.solve_with(&settings) else { return false };
     let y = (&gamma * &solution.z + &w).normalize();
-    let against = largest(columns, &|column| -y.dot(column));
+    let negative_work = largest(columns, &|column| -y.dot(column));
     let (here, past) = (y.dot(here) / size, y.dot(&w));
-    past > 0.0 && counts_from_here_on(here, past, against, 1.0)
+    past > 0.0 && counts_from_here_on(here, past, negative_work, 1.0)
 }

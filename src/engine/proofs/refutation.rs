@@ -18,7 +18,7 @@ use super::tolerances::{ESCAPE, LEAST_WORK};
 use crate::contact::{Label, LocalLaw, State};
 use crate::grasp::Site;
 use crate::numerics::Vector;
-use crate::object::{Piece, Problem};
+use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 
 /// A step of the proof, for the present case. Steps are in depth-first order: a division is followed by all steps of its second case, then by all
@@ -72,7 +72,8 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
 /// contact state, the contacts do no more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
-    let motion = Piece::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
+    let motion =
+        LinearProblem::new(problem, &states).motion_without_response(&problem.offsets, &problem.wrench)?;
     let forces = |sign: f64| {
         let force = |((site, local), state): ((&Site, LocalLaw<'_>), &State)| {
             local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign

@@ -55,10 +55,10 @@ impl PenalisedCone {
         }
         let (normal, along) = (unit::<3>(0), tangential(x) / size);
         let edge = normal + along * mu;
-        let share = edge.dot(x) / edge.norm_squared();
+        let coefficient = edge.dot(x) / edge.norm_squared();
         let across = SMatrix::identity() - normal * normal.transpose() - along * along.transpose();
-        let derivative = edge * edge.transpose() / edge.norm_squared() + across * (mu * share / size);
-        (edge * share, derivative)
+        let derivative = edge * edge.transpose() / edge.norm_squared() + across * (mu * coefficient / size);
+        (edge * coefficient, derivative)
     }
 
     fn motion_at(&self, v: &[f64]) -> SVector<f64, 3> {
@@ -75,7 +75,7 @@ struct AugmentedLagrangian {
     load: Vec<f64>,
     band: PositiveBand,
     /// The penalty ρ.
-    stiffness: f64,
+    penalty: f64,
 }
 
 /// The part of a load of many coordinates that no admissible contact forces balance.
@@ -102,7 +102,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
         // A round ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with the penalty ρ,
         // afterwards the least value.
         let least = 1e-14;
-        let enough = if proof.is_some() { least } else { (1e-3 / pushed.stiffness).max(least) };
+        let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
         // A residual below this fraction of the load is taken as zero, and the load as balanced.
         if left < 1e-5 {
@@ -114,8 +114,8 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
         }
         clearer += usize::from(proof.is_some());
         // The penalty ρ grows tenfold in each round, up to this value. With a larger ρ the Newton steps would lose their digits.
-        if pushed.stiffness < 1e8 {
-            pushed.stiffness *= 10.0;
+        if pushed.penalty < 1e8 {
+            pushed.penalty *= 10.0;
         } else {
             more += 1;
         }
@@ -163,8 +163,8 @@ impl AugmentedLagrangian {
         let mut load = vec![0.0; count];
         let size = problem.wrench.norm();
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
-        // `stiffness` is the penalty ρ, here its value in the first round.
-        Some(Self { contacts, numbers, load, band, stiffness: 1e1 })
+        // The penalty ρ of the first round.
+        Some(Self { contacts, numbers, load, band, penalty: 1e1 })
     }
 
     /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns the norm of the load that
@@ -196,7 +196,7 @@ impl AugmentedLagrangian {
         }
         let mut left = self.load.clone();
         for contact in &mut self.contacts {
-            let asked = contact.multiplier - contact.motion_at(v) * self.stiffness;
+            let asked = contact.multiplier - contact.motion_at(v) * self.penalty;
             contact.multiplier = contact.nearest(&asked).0;
             contact.coupled.iter().for_each(|(k, g)| left[*k] += g.dot(&contact.multiplier));
         }
@@ -207,7 +207,7 @@ impl AugmentedLagrangian {
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
-            let asked = contact.multiplier - contact.motion_at(v) * self.stiffness;
+            let asked = contact.multiplier - contact.motion_at(v) * self.penalty;
             let force = contact.nearest(&asked).0;
             contact.coupled.iter().for_each(|(k, g)| sum[*k] += g.dot(&force));
         }
@@ -217,12 +217,12 @@ impl AugmentedLagrangian {
     /// Factorises the Newton matrix `1 + ρ Σ G P' Gᵀ` at the residual v, with penalty ρ and grasp maps G. P' are the derivatives of the projections
     /// onto the cones. `None` if the matrix is not positive definite.
     fn factor(&mut self, v: &[f64]) -> Option<()> {
-        let Self { contacts, band, stiffness, .. } = self;
+        let Self { contacts, band, penalty, .. } = self;
         band.clear();
         (0..v.len()).for_each(|k| band.add(k, k, 1.0));
         for contact in contacts {
-            let asked = contact.multiplier - contact.motion_at(v) * *stiffness;
-            let derivative = contact.nearest(&asked).1 * *stiffness;
+            let asked = contact.multiplier - contact.motion_at(v) * *penalty;
+            let derivative = contact.nearest(&asked).1 * *penalty;
             if derivative.amax() == 0.0 {
                 continue;
             }

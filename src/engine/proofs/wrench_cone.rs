@@ -54,9 +54,9 @@ pub(crate) struct NearestForces {
     /// The wrench of these forces minus the target wrench, taken as a motion: no generator does negative work along it, except for rounding.
     pub(crate) motion: Vector,
     /// The largest magnitude of negative work that any generator, a unit wrench, does along the motion.
-    pub(crate) against: f64,
+    pub(crate) negative_work: f64,
     /// The generators whose weighted sum these forces are, each with its coefficient β > 0.
-    pub(crate) shares: Vec<(Generator, f64)>,
+    pub(crate) coefficients: Vec<(Generator, f64)>,
 }
 
 /// The sum of generators nearest to a target. `straight` lists the generators of polygonal or one-dimensional cones. For a motion, `round` returns
@@ -78,7 +78,7 @@ pub(crate) fn nearest_forces(
     // each new generator reduces the distance only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
-    let (motion, against) = loop {
+    let (motion, negative_work) = loop {
         let residual = nearest.residual();
         let v = Vector::from_fn(size, |k| -residual[k]);
         let (round, next) = (round(&v), straight.len() + joined.len());
@@ -105,8 +105,8 @@ pub(crate) fn nearest_forces(
         nearest.move_to_closest(target.as_slice());
     };
     let of_tag = |tag: usize| straight.get(tag).unwrap_or_else(|| &joined[tag - straight.len()]).clone();
-    let shares = nearest.shares().map(|(tag, share)| (of_tag(tag), share)).list();
-    NearestForces { motion, against, shares }
+    let coefficients = nearest.coefficients().map(|(tag, coefficient)| (of_tag(tag), coefficient)).list();
+    NearestForces { motion, negative_work, coefficients }
 }
 
 /// A load, and the friction cones of all contacts, whose forces might balance it.
@@ -139,11 +139,11 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
 
     /// Whether a motion, however it was found, separates the load from all admissible forces, clearly beyond rounding.
     fn is_proof(&self, v: &Vector) -> bool {
-        let mut against = 0.0_f64;
-        self.straight.iter().for_each(|g| against = against.max(g.works_against(v)));
-        round_generators(self.problem, v).for_each(|g| against = against.max(g.works_against(v)));
+        let mut negative_work = 0.0_f64;
+        self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));
+        round_generators(self.problem, v).for_each(|g| negative_work = negative_work.max(g.works_against(v)));
         let (distance, works) = (v.norm(), self.problem.wrench.dot(v) / self.load);
-        let escape = works * self.load / against.max(LEAST_WORK * distance);
+        let escape = works * self.load / negative_work.max(LEAST_WORK * distance);
         distance > CLEAR_RESIDUAL && escape >= ESCAPE * self.data
     }
 }
@@ -196,11 +196,11 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
-    let against = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
+    let negative_work = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
     // `counts_from_here_on` compares the work of two loads: the present load, and a load that has grown by `data` along the rate.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
-    gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, against, data)
+    gained > CLEAR_RESIDUAL && counts_from_here_on(here, here + data * gained, negative_work, data)
 }
 
 /// The unit wrenches that generate the cones that are not round. `None` if a contact law is not a cone of forces, as in a rate problem (for

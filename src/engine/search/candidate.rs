@@ -8,7 +8,7 @@ use super::answer::SearchSolution;
 use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
-use crate::object::{Piece, PieceState, Problem, largest_force};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
 /// Result of checking proposed contact states.
@@ -28,9 +28,9 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
         return CandidateOutcome::Violated { doubtful: false };
     }
-    let piece = Piece::new(problem, &states);
-    match piece.solve(problem.sites, &problem.offsets, problem.load()) {
-        Ok(state) => match admit(problem, states, &piece, state) {
+    let linear_problem = LinearProblem::new(problem, &states);
+    match linear_problem.solve(problem.sites, &problem.offsets, problem.load()) {
+        Ok(state) => match admit(problem, states, &linear_problem, state) {
             Ok(found) => CandidateOutcome::Holds(found),
             Err(RejectedStates { doubtful, .. }) => CandidateOutcome::Violated { doubtful },
         },
@@ -41,18 +41,18 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 /// Proposed contact states whose solution `at` breaks a condition, or does not balance the load.
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
-    pub(super) at: PieceState,
+    pub(super) at: ForcesAndTwist,
     /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
-/// Checks every inequality for `at`, the solution of the linear problem `piece` in these contact states. If the solution is not unique and breaks an
+/// Checks every inequality for `at`, the solution of `linear_problem` in these contact states. If the solution is not unique and breaks an
 /// inequality, another solution that satisfies all inequalities is returned, if one exists. The error holds the rejected states.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,
-    piece: &Piece,
-    at: PieceState,
+    linear_problem: &LinearProblem,
+    at: ForcesAndTwist,
 ) -> Result<SearchSolution, RejectedStates> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
@@ -60,11 +60,11 @@ pub(super) fn admit(
     // factor, so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
         // A violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
-        worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| piece.growth())
+        worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| linear_problem.growth())
     };
     let mut shifted = None;
-    let free_motions = piece.free_motions().to_vec();
-    let neutral_motions = piece.neutral_motions();
+    let free_motions = linear_problem.free_motions().to_vec();
+    let neutral_motions = linear_problem.neutral_motions();
     // An inequality counts as satisfied if its value, divided by the size of its terms, is at least minus a tolerance. The tolerance is this number,
     // times the factor by which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero
     // is computed as a few roundings of 1e-16.
@@ -72,7 +72,7 @@ pub(super) fn admit(
         // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
         // inequalities.
         let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
-        motions.extend(mapped(&neutral_motions, &|v| (v.clone(), piece.forces_along(problem, v))));
+        motions.extend(mapped(&neutral_motions, &|v| (v.clone(), linear_problem.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
         if let Some(tau) = least_admissible_shift(problem, &states, &values, &sizes, &motions) {
             let there = shifted.insert(at.clone());
@@ -97,7 +97,7 @@ pub(super) fn admit(
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(RejectedStates { states, at, doubtful: true });
     }
-    let PieceState { forces, twist } = shifted.unwrap_or(at);
+    let ForcesAndTwist { forces, twist } = shifted.unwrap_or(at);
     Ok(SearchSolution { free_motions, neutral_motions, ..SearchSolution::new(states, forces, twist) })
 }
 
@@ -106,7 +106,7 @@ pub(super) fn admit(
 pub(super) fn admit_regular(
     problem: &Problem,
     states: Vec<State>,
-    state: PieceState,
+    state: ForcesAndTwist,
 ) -> Option<SearchSolution> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
@@ -117,7 +117,7 @@ pub(super) fn admit_regular(
 }
 
 /// The contacts and drives that break a condition of their states by more than rounding, by index in ascending order.
-pub(super) fn breaking(problem: &Problem, states: &[State], at: &PieceState) -> Vec<usize> {
+pub(super) fn breaking(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> Vec<usize> {
     let largest = problem.largest_force(&at.forces, &at.twist);
     let norm = problem.size_of_motion(&at.twist, largest);
     let breaks = |contact: &usize| {
@@ -157,7 +157,7 @@ fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector)
 }
 
 /// Values of the inequalities of all contacts and drives, which should not be negative, and for each value the size of its terms.
-fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Vec<f64>) {
+fn slacks(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
         values.push(value);
@@ -168,7 +168,7 @@ fn slacks(problem: &Problem, states: &[State], at: &PieceState) -> (Vec<f64>, Ve
 
 /// The largest violation of an inequality by any contact or drive, relative to the size of its terms. Zero if all inequalities hold, infinite if a
 /// value is NaN.
-fn violation(problem: &Problem, states: &[State], at: &PieceState) -> f64 {
+fn violation(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
         worst = worse(worst, value, size);

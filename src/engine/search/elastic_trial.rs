@@ -9,7 +9,7 @@ use super::answer::{Doubt, SearchCounts, SearchOutcome, SearchSolution};
 use super::settings::Settings;
 use crate::contact::{Polygon, PolygonCone, State, tangential_norm};
 use crate::numerics::mapped;
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
 /// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every contact
@@ -19,8 +19,8 @@ pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) settings: &'s Settings,
     /// The contact states of the elastic trial: every contact sticks, except those that their law keeps open.
     pub(super) trial_states: Vec<State>,
-    pub(super) trial: Arc<Piece>,
-    pub(super) state: PieceState,
+    pub(super) trial: Arc<LinearProblem>,
+    pub(super) state: ForcesAndTwist,
     proposing: OnceCell<Problem<'g>>,
     with_edges: OnceCell<Option<Problem<'g>>>,
 }
@@ -30,8 +30,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         problem: &'s Problem<'g>,
         settings: &'s Settings,
         trial_states: Vec<State>,
-        trial: Arc<Piece>,
-        state: PieceState,
+        trial: Arc<LinearProblem>,
+        state: ForcesAndTwist,
     ) -> Self {
         let (proposing, with_edges) = (OnceCell::new(), OnceCell::new());
         Self { problem, settings, trial_states, trial, state, proposing, with_edges }

@@ -15,13 +15,13 @@ use super::proposals::{dense_is_affordable, enumerable, equilibrium_by_proposals
 #[cfg(feature = "std")]
 use super::record::record;
 use super::settings::Settings;
-use super::tolerances::{BESIDE_THE_WAY, MANY_CONTACTS, MOST_WORK, SEVERAL_CONTACTS};
+use super::tolerances::{MANY_CONTACTS, MOST_WORK, NEAR_THE_RELAXED_STATE, SEVERAL_CONTACTS};
 use super::touching::touching_contacts;
 use super::tree::{BranchAndBound, has_round_cones, most_cases, search_tree};
 use crate::forms;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{WHOLE, mapped};
-use crate::object::{Problem, ViscousRelaxation, newton_on_cones, twist_by_tresca};
+use crate::object::{Problem, SpringDashpotRelaxation, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
 use crate::proofs;
 
@@ -190,11 +190,11 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
 /// Newton's method starts from points of this motion. If it ends far from its start, the next point is tried, and the distant equilibrium is returned
 /// only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
-    let mut way = ViscousRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
+    let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
-    while let Some(twist) = way.next() {
+    while let Some(twist) = relaxation.next() {
         let Some(found) = polish_from(scene.problem, twist) else { continue };
-        if way.part_of_the_way(&found.twist) <= BESIDE_THE_WAY {
+        if relaxation.relative_distance_from(&found.twist) <= NEAR_THE_RELAXED_STATE {
             return Some(found);
         }
         another = another.or(Some(found));

@@ -16,23 +16,23 @@ use super::tolerances::MOST_WORK;
 use crate::contact::{Mode, State};
 use crate::forms::{UnitDisplacements, kinematic_form_among, kinematic_states};
 use crate::numerics::chosen;
-use crate::object::{Piece, PieceState, Problem, states_by_tresca};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a run of Lemke's method: contact states, the linear problem `piece` in these states, and its solution `at`. The contacts that pivot
+/// The start of a run of Lemke's method: contact states, `linear_problem` in these states, and its solution `at`. The contacts that pivot
 /// stick.
 struct PivotStart {
     states: Vec<State>,
-    piece: Arc<Piece>,
-    at: PieceState,
+    linear_problem: Arc<LinearProblem>,
+    at: ForcesAndTwist,
 }
 
 impl PivotStart {
     /// The start with these states; `None` if no forces balance the load in these states.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
-        let piece = problem.piece(&states);
-        let at = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-        Some(Self { states, piece, at })
+        let linear_problem = problem.linear_problem(&states);
+        let at = linear_problem.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
+        Some(Self { states, linear_problem, at })
     }
 
     /// This start with the contacts in `among` sticking; unchanged if they stick already. Otherwise `moved` is cleared: displacements per unit gap or
@@ -73,8 +73,8 @@ pub(super) fn propose_of_the_leaving(
             return Some(states);
         }
     }
-    let (states, piece, at) = (scene.trial_states.clone(), scene.trial.clone(), scene.state.clone());
-    pivoted(problem, scene.settings, (PivotStart { states, piece, at }, leaving, 0), log)
+    let (states, linear_problem, at) = (scene.trial_states.clone(), scene.trial.clone(), scene.state.clone());
+    pivoted(problem, scene.settings, (PivotStart { states, linear_problem, at }, leaving, 0), log)
 }
 
 /// Contact states in which no contact breaks a condition, from Lemke's method that starts at the states of a similar grasp. `None` if it finds no
@@ -108,7 +108,7 @@ fn pivoted(
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
-        let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
+        let form = kinematic_form_among(problem, &base.linear_problem, &base.at, &among, &mut moved)?;
         // Each run of Lemke's method may take 20 times the usual number of multiplications, if the caller sets no limit on pivots. That takes some
         // seconds; every other method would then take minutes. A quick search may stay undecided and stops earlier.
         let work = MOST_WORK.saturating_mul(if settings.is_quick { 5 } else { 20 });
@@ -122,7 +122,9 @@ fn pivoted(
         };
         let is_among = |i: &usize| among.binary_search(i).is_ok();
         (0..states.len()).filter(|i| !is_among(i)).for_each(|i| states[i] = base.states[i]);
-        let at = Piece::new(problem, &states).solve(problem.sites, &problem.offsets, problem.load()).ok()?;
+        let at = LinearProblem::new(problem, &states)
+            .solve(problem.sites, &problem.offsets, problem.load())
+            .ok()?;
         let joins: Vec<_> = breaking(problem, &states, &at).into_iter().filter(|i| !is_among(i)).list();
         if joins.is_empty() {
             return Some(states);

@@ -11,7 +11,7 @@ use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, PartialPivoting, Vector, paired};
-use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
 /// Checks proposed contact states: their solution with polygonal friction cones must satisfy every condition. With round cones Newton's method
@@ -22,7 +22,7 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
     }
     match try_states(problem, states) {
         CandidateOutcome::Holds(found) => {
-            let near = PieceState { forces: found.forces, twist: found.twist };
+            let near = ForcesAndTwist { forces: found.forces, twist: found.twist };
             polish(problem, &found.states, &near)
                 .map_or(CandidateOutcome::Violated { doubtful: false }, CandidateOutcome::Holds)
         }
@@ -32,26 +32,26 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
 
 /// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. This solution may
 /// break inequalities of the contact states. `None` if no forces in these states balance the load.
-pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<PieceState> {
+pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
     }
     match try_states(problem, states.to_vec()) {
-        CandidateOutcome::Holds(found) => Some(PieceState { forces: found.forces, twist: found.twist }),
+        CandidateOutcome::Holds(found) => Some(ForcesAndTwist { forces: found.forces, twist: found.twist }),
         CandidateOutcome::Violated { .. } => {
-            Piece::new(problem, states).solve(problem.sites, &problem.offsets, problem.load()).ok()
+            LinearProblem::new(problem, states).solve(problem.sites, &problem.offsets, problem.load()).ok()
         }
         CandidateOutcome::Unbalanced => None,
     }
 }
 
 /// The solution of the linear problem with these contact states; `None` if the tangent stiffness is singular, or too ill-conditioned for balance.
-fn regular_solution(problem: &Problem, states: &[State]) -> Option<PieceState> {
+fn regular_solution(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).list();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
-    let mut near = PieceState { forces, twist: Vector::zeros() };
+    let mut near = ForcesAndTwist { forces, twist: Vector::zeros() };
     // The refinement ends at this imbalance, a fraction of the forces, with which Newton's method may start.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
@@ -64,7 +64,7 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<SearchSolu
 
 /// The solution with round friction cones that is close to `near`, the solution with polygonal cones in the contact states `states`. Newton's method
 /// starts from the twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
-pub(crate) fn polish(problem: &Problem, states: &[State], near: &PieceState) -> Option<SearchSolution> {
+pub(crate) fn polish(problem: &Problem, states: &[State], near: &ForcesAndTwist) -> Option<SearchSolution> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;

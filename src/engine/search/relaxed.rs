@@ -25,7 +25,7 @@ use nalgebra::SVector;
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{IntoList, NearestPoint, Vector, by_axis, mapped, numbered, summed};
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
@@ -57,7 +57,7 @@ pub(super) enum Relaxed {
 impl BalanceEquation {
     /// Sets up the equation for a problem, given the solution `state` of its elastic trial `trial`, in which every contact sticks. `None` if the
     /// elastic trial carries no force.
-    pub(super) fn new(problem: &Problem, trial: &Piece, state: &PieceState) -> Option<Self> {
+    pub(super) fn new(problem: &Problem, trial: &LinearProblem, state: &ForcesAndTwist) -> Option<Self> {
         let size = 3 * problem.len();
         let roots: Vec<_> = mapped(problem.sites, &|site| site.springs.root());
         let energy = |(root, force): (&SVector<f64, 3>, &SVector<f64, 3>)| {
@@ -190,10 +190,10 @@ impl BalanceEquation {
     fn sum(&self, hulls: &[impl AsRef<[HullRay]>], nearest: &NearestPoint<GeneratorIndex>) -> Relaxed {
         let mut stretches = vec![SVector::zeros(); hulls.len()];
         let mut forces = stretches.clone();
-        for ((contact, ray), share) in nearest.shares() {
+        for ((contact, ray), coefficient) in nearest.coefficients() {
             let ray = &hulls[contact].as_ref()[ray];
-            stretches[contact] += ray.stretch * (share * self.unit);
-            forces[contact] += ray.force * (share * self.unit);
+            stretches[contact] += ray.stretch * (coefficient * self.unit);
+            forces[contact] += ray.force * (coefficient * self.unit);
         }
         for ((stretch, force), root) in stretches.iter_mut().zip(&mut forces).zip(&self.roots) {
             force.component_mul_assign(root);
@@ -208,7 +208,7 @@ impl BalanceEquation {
     /// virtual forces of the contacts that balance one another.
     pub(super) fn contradiction(
         &self,
-        trial: &Piece,
+        trial: &LinearProblem,
         nearest: &NearestPoint<GeneratorIndex>,
     ) -> (Vector, Vec<SVector<f64, 3>>) {
         let y = nearest.residual();

@@ -11,7 +11,7 @@ use super::candidate::{admit, admit_regular};
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Vector, by_axis};
-use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
+use crate::object::{ForcesAndTwist, LinearProblem, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
 /// An iterate of Newton's method: a state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
@@ -45,7 +45,7 @@ impl RoundPieces {
     }
 
     /// The start from a solution with polygonal friction cones: its contact states are converted to states on round cones.
-    pub(super) fn on_polygons(problem: &Problem, states: &[State], near: &PieceState) -> Self {
+    pub(super) fn on_polygons(problem: &Problem, states: &[State], near: &ForcesAndTwist) -> Self {
         let state = |(local, (state, force)): (LocalLaw<'_>, (&State, &SVector<f64, 3>))| {
             if state.slides() && !local.is_on_an_edge() {
                 // Without a friction force the direction of the slide is unknown.
@@ -67,30 +67,30 @@ impl RoundPieces {
     /// breaks a condition of a contact's state.
     pub(super) fn solve(mut self, problem: &Problem) -> Option<SearchSolution> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
-        let mut piece = Piece::new(problem, &self.states);
+        let mut linear_problem = LinearProblem::new(problem, &self.states);
         // Upper limit of the number of Newton steps.
         let most_steps = 20;
         for step in 1..=most_steps {
-            let NewtonChange { sharp, near, settled } = self.step(problem, &piece);
+            let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);
             // A twist longer than this multiple of the initial twist and offsets is refused: hardly a digit of the contacts' stretches is then
             // correct. Near a jamming angle the twist may grow so much, although another method finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
             let last = (sharp || step == most_steps && settled) && self.on_cones(problem);
-            if last && let Some(found) = self.admitted(problem, &piece) {
+            if last && let Some(found) = self.admitted(problem, &linear_problem) {
                 return Some(found);
             }
             // If nothing resists some motion, the gaps that it changes are arbitrary: open contacts then stay open until Newton's method has
             // converged.
-            let closing = sharp || piece.free_motions().is_empty();
+            let closing = sharp || linear_problem.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
                 return None;
             }
             // Close to the solution the present factorisation is good enough: steps then shrink by a constant factor, without a new factorisation.
             if left || !near {
-                piece = Piece::new(problem, &self.states);
+                linear_problem = LinearProblem::new(problem, &self.states);
             }
         }
         None
@@ -108,11 +108,11 @@ impl RoundPieces {
         })
     }
 
-    /// One Newton step: adds the corrections of forces and twist that follow from the linear problem `piece`. Returns the sizes of these corrections.
-    fn step(&mut self, problem: &Problem, piece: &Piece) -> NewtonChange {
+    /// One Newton step: adds the corrections of forces and twist that follow from `linear_problem`. Returns the sizes of these corrections.
+    fn step(&mut self, problem: &Problem, linear_problem: &LinearProblem) -> NewtonChange {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
-        let missing = piece.correction(problem, &self.states, (&self.forces, &self.twist), largest);
+        let missing = linear_problem.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
         // The step is the last if it changes the twist and each force by less than this fraction of themselves.
@@ -134,21 +134,21 @@ impl RoundPieces {
     }
 
     /// The solution with the present states, if every inequality holds and forces balance the load; otherwise `None`.
-    fn admitted(&self, problem: &Problem, piece: &Piece) -> Option<SearchSolution> {
+    fn admitted(&self, problem: &Problem, linear_problem: &LinearProblem) -> Option<SearchSolution> {
         let Self { states, forces, twist } = self.clone();
-        let at = PieceState { forces, twist: twist.value() };
+        let at = ForcesAndTwist { forces, twist: twist.value() };
         // After convergence an imbalance can only remain along motions that no spring resists.
-        if !piece.resists(&problem.wrench) || !balanced(problem, &at) {
+        if !linear_problem.resists(&problem.wrench) || !balanced(problem, &at) {
             return None;
         }
-        if piece.free_motions().iter().any(|motion| self.turns(problem, motion)) {
+        if linear_problem.free_motions().iter().any(|motion| self.turns(problem, motion)) {
             return None;
         }
-        let whole = piece.free_motions().is_empty() && piece.neutral_motions().is_empty();
+        let whole = linear_problem.free_motions().is_empty() && linear_problem.neutral_motions().is_empty();
         if whole && states.iter().any(|state| state.slide().is_some()) {
             return admit_regular(problem, states, at);
         }
-        admit(problem, states, piece, at).ok()
+        admit(problem, states, linear_problem, at).ok()
     }
 
     /// Whether a motion that no spring seems to resist turns the friction force of a sliding contact. The resistance of friction to such a motion is
@@ -227,7 +227,7 @@ fn next_state(
 
 /// Whether contact forces balance the load up to rounding, relative to load and forces. Without a load all forces may be rounding errors; the scale
 /// then includes the fraction `NO_FORCE` of the least force that springs could have. With a load that scale would accept a huge twist.
-fn balanced(problem: &Problem, at: &PieceState) -> bool {
+fn balanced(problem: &Problem, at: &ForcesAndTwist) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };

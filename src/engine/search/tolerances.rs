@@ -29,4 +29,4 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 ///
 /// If smaller, equilibria are refused if the motion is slow and more of it remains than its steps suggest. If larger, other equilibria, to which only
 /// a jump of Newton's method leads, are taken for that equilibrium.
-pub(super) const BESIDE_THE_WAY: f64 = 0.3;
+pub(super) const NEAR_THE_RELAXED_STATE: f64 = 0.3;

@@ -3,7 +3,7 @@
 use super::answer::SearchSolution;
 use super::candidate::admit;
 use crate::contact::{Mode, State};
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
 /// Starting from the contact states `states` with the solution `trial`, opens contacts that pull and closes open contacts that penetrate, until there
@@ -12,11 +12,11 @@ use crate::prelude::*;
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
-    trial: PieceState,
+    trial: ForcesAndTwist,
 ) -> Option<SearchSolution> {
     let mut solved = trial;
-    // `piece` is `None` in the first round: the initial states have already failed, and are not checked again.
-    let mut piece = None;
+    // `linear_problem` is `None` in the first round: the initial states have already failed, and are not checked again.
+    let mut linear_problem = None;
     let mut changed = Vec::new();
     // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With more,
     // all of them change together.
@@ -48,12 +48,12 @@ pub(super) fn touching_contacts(
             }
         }
         if changed.is_empty() {
-            return admit(problem, states, &piece?, solved).ok();
+            return admit(problem, states, &linear_problem?, solved).ok();
         }
         for &i in &changed {
             states[i] = next;
         }
-        let changed = piece.insert(Piece::new(problem, &states));
+        let changed = linear_problem.insert(LinearProblem::new(problem, &states));
         solved = changed.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     }
     None

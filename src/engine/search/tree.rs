@@ -16,7 +16,7 @@ use super::relaxed::{BalanceEquation, GeneratorIndex, Relaxed};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
 use crate::numerics::{IntoList, NearestPoint, Vector, paired};
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
 
@@ -66,8 +66,8 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
 /// sticks. If the result is `Contradicted`, `record` has received the steps of the proof.
 pub(super) fn search_tree(
     problem: &Problem,
-    trial: &Piece,
-    state: &PieceState,
+    trial: &LinearProblem,
+    state: &ForcesAndTwist,
     most_cases: usize,
     mut record: Option<&mut Vec<ProofStep>>,
 ) -> BranchAndBound {

@@ -10,7 +10,7 @@ use super::settings::Settings;
 use super::solution_interval::on_the_solution_interval;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 
 /// Searches for an equilibrium of a static problem with [`settle`]. In the solution that is returned, all contacts without force that may open are
 /// open.
@@ -57,11 +57,12 @@ fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     if !(0..states.len()).filter(opens).all(gap_is_none) {
         return None;
     }
-    let piece = Piece::new(problem, &states);
-    let PieceState { forces, .. } = piece.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
+    let linear_problem = LinearProblem::new(problem, &states);
+    let ForcesAndTwist { forces, .. } =
+        linear_problem.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     // Forces that differ by less than this fraction of the largest are the same.
     let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
-    let free_motions = piece.free_motions().to_vec();
-    let neutral_motions = piece.neutral_motions();
+    let free_motions = linear_problem.free_motions().to_vec();
+    let neutral_motions = linear_problem.neutral_motions();
     are_the_same.then(|| SearchSolution { states, forces, free_motions, neutral_motions, ..found.clone() })
 }

@@ -114,9 +114,9 @@ fn in_space() {
         // Contacts lie around a circle. In most draws their heights, stiffnesses and friction are equal, so that often all of them slide or open at
         // once.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
-        let place = draw.normal();
+        let first_angle = draw.normal();
         let contact = |i: usize| {
-            let (sin, cos) = (place + TAU * i as f64 / number as f64).sin_cos();
+            let (sin, cos) = (first_angle + TAU * i as f64 / number as f64).sin_cos();
             let lean = if leans { whole(&mut draw, 1.0) } else { 0.0 };
             let height = if differ { whole(&mut draw, 2.0) } else { 0.0 };
             let mut own = |most: f64| if differ { whole(&mut draw, most).abs() } else { 0.0 };

@@ -2,7 +2,7 @@
 
 use super::palette::{BLACK, GREY};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
-use super::sheet::{Place, Sheet};
+use super::sheet::{PaperPoint, Sheet};
 use super::window::Window;
 use crate::numerics::Each;
 use nalgebra::Vector2;
@@ -36,14 +36,14 @@ impl EqualScales {
         self.scale > 0.0 && self.scale.is_finite() && self.middle.iter().all(|x| x.is_finite())
     }
 
-    pub(super) fn place(&self, point: Vector2<f64>) -> Place {
+    pub(super) fn place(&self, point: Vector2<f64>) -> PaperPoint {
         let (x, y) = self.window.middle();
         let away = (point - self.middle) * self.scale;
         (x + away.x, y - away.y)
     }
 
     /// The two points on paper, pixels, between which the straight line through `point` (m) in the direction `along` runs inside the window.
-    pub(super) fn line_ends(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
+    pub(super) fn line_ends(&self, point: Vector2<f64>, along: Vector2<f64>) -> [PaperPoint; 2] {
         let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..2 {

@@ -3,7 +3,7 @@
 use super::layout::CHART;
 use super::palette::{BLACK, GREY};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
-use super::sheet::{Place, Sheet};
+use super::sheet::{PaperPoint, Sheet};
 
 /// The rectangle of a chart on the paper, pixels, and the range of numbers that it shows, its `window`.
 pub(super) struct Canvas {
@@ -17,7 +17,7 @@ pub(super) struct Canvas {
 
 impl Canvas {
     /// The position on paper, pixels, of a point (x, y) of the chart.
-    pub(super) fn place(&self, (x, y): (f64, f64)) -> Place {
+    pub(super) fn place(&self, (x, y): (f64, f64)) -> PaperPoint {
         let [x0, x1, y0, y1] = self.window;
         (self.left + (x - x0) / (x1 - x0) * self.wide, self.top + (y1 - y) / (y1 - y0) * self.high)
     }

@@ -6,10 +6,10 @@ use super::chart_strokes::{
 };
 use super::error::PictureError;
 use super::layout::CHART;
-use super::legend_corner::{emptiest_corner, legend_width, most_letters};
+use super::legend_position::{best_legend_position, legend_width, most_letters};
 use super::palette::{BLACK, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
-use super::sheet::{Place, Sheet, plaque_size, sheet};
+use super::sheet::{PaperPoint, Sheet, plaque_size, sheet};
 
 /// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
 /// a line is interrupted at such a point.
@@ -120,7 +120,7 @@ impl Chart {
         fault.map_or(Ok(svg), Err)
     }
 
-    fn draw_on(&self, paper: &mut Sheet, corner: Place) -> Result<(), PictureError> {
+    fn draw_on(&self, paper: &mut Sheet, corner: PaperPoint) -> Result<(), PictureError> {
         let mut chart = if self.logarithmic { self.in_decades() } else { self.clone() };
         chart.marks.retain(|(x, _)| x.is_finite());
         let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
@@ -167,7 +167,7 @@ impl Chart {
         chart
     }
 
-    fn draw(&self, paper: &mut Sheet, (left, top): Place, window: [f64; 4]) {
+    fn draw(&self, paper: &mut Sheet, (left, top): PaperPoint, window: [f64; 4]) {
         let (wide, high) = CHART.size;
         // The title has smaller letters if it would not fit.
         let size = CHART.title.min((wide - 36.0) / (0.6 * self.title.chars().count() as f64));
@@ -216,7 +216,7 @@ impl Chart {
     /// Draws the names of the series in the corner in which they hide least.
     fn draw_legend(&self, paper: &mut Sheet, canvas: &Canvas) {
         let (marked, shaded) = (!self.marks.is_empty(), self.shaded.is_some());
-        let (side, anchor) = emptiest_corner(canvas.window, &self.series, marked, shaded);
+        let (side, anchor) = best_legend_position(canvas.window, &self.series, marked, shaded);
         let longest = "x".repeat(most_letters(&self.series, CHART.longest_inside));
         let line = 1.3 * CHART.letters;
         let (wide, high) =

@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::layout::CHART;
 use super::palette::{BLACK, GREY, PALETTE, Rgb, WHITE};
 use super::series::{ChartSeries, Stroke};
-use super::sheet::{Place, Sheet, plaque_size};
+use super::sheet::{PaperPoint, Sheet, plaque_size};
 use super::words::{lines, shortened};
 use crate::numerics::mapped;
 
@@ -28,7 +28,7 @@ pub(super) fn draw_series(paper: &mut Sheet, canvas: &Canvas, series: &ChartSeri
 }
 
 /// Draws consecutive finite points of a series, and the line through these points.
-fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
+fn draw_piece(paper: &mut Sheet, places: &[PaperPoint], stroke: Stroke, color: Rgb) {
     match stroke {
         Stroke::Line | Stroke::Marked | Stroke::Directed => paper.line(places, color, 2.0),
         Stroke::Dashed => paper.dashes(places, color, 2.0),
@@ -50,7 +50,7 @@ fn draw_piece(paper: &mut Sheet, places: &[Place], stroke: Stroke, color: Rgb) {
 }
 
 /// An arrow in the middle of one segment of a line, if the segment is long enough.
-fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
+fn draw_arrow(paper: &mut Sheet, a: PaperPoint, b: PaperPoint, color: Rgb) {
     let (x, y) = (b.0 - a.0, b.1 - a.1);
     let size = x.hypot(y);
     // A segment shorter than this (pixels) has no room for an arrow.
@@ -69,7 +69,7 @@ fn draw_arrow(paper: &mut Sheet, a: Place, b: Place, color: Rgb) {
 /// height of each line, pixels.
 pub(super) fn draw_names(
     paper: &mut Sheet,
-    (x, y): Place,
+    (x, y): PaperPoint,
     series: &[ChartSeries],
     letters: usize,
     (size, line): (f64, f64),
@@ -92,13 +92,13 @@ pub(super) fn draw_names(
 }
 
 /// The four corners of a rectangle with these two opposite corners.
-pub(super) fn rectangle(a: Place, b: Place) -> [Place; 4] {
+pub(super) fn rectangle(a: PaperPoint, b: PaperPoint) -> [PaperPoint; 4] {
     [a, (b.0, a.1), b, (a.0, b.1)]
 }
 
 /// Draws a light background for a text between two opposite corners, with a line around it. The last argument has the opacities of background and
 /// line.
-pub(super) fn draw_ground(paper: &mut Sheet, a: Place, b: Place, [ground, around]: [f64; 2]) {
+pub(super) fn draw_ground(paper: &mut Sheet, a: PaperPoint, b: PaperPoint, [ground, around]: [f64; 2]) {
     let corners = rectangle(a, b);
     paper.area(&corners, WHITE.mix(ground));
     paper.line(&[&corners[..], &corners[..1]].concat(), GREY.mix(around), 1.0);
@@ -128,7 +128,7 @@ pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, Stri
 }
 
 /// Writes a sentence that ends at the foot of a chart, broken into lines, and returns the height of these lines.
-pub(super) fn draw_note(paper: &mut Sheet, (left, foot): Place, words: &str) -> f64 {
+pub(super) fn draw_note(paper: &mut Sheet, (left, foot): PaperPoint, words: &str) -> f64 {
     let note = lines(words, 105);
     let high = CHART.note_line * note.len() as f64;
     for (k, words) in note.iter().enumerate() {
@@ -139,7 +139,7 @@ pub(super) fn draw_note(paper: &mut Sheet, (left, foot): Place, words: &str) -> 
 }
 
 /// Writes a short label on a light background at a point of the chart.
-pub(super) fn draw_label(paper: &mut Sheet, (x, y): Place, words: &str) {
+pub(super) fn draw_label(paper: &mut Sheet, (x, y): PaperPoint, words: &str) {
     let (wide, high) = plaque_size(words, CHART.plaque);
     let (across, up) = (0.45 * wide.max(0.8 * high), 0.5 * high);
     draw_ground(paper, (x - across, y - up), (x + across, y + up), [0.9, 1.0]);

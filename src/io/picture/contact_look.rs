@@ -11,16 +11,16 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 pub(super) const STEEPEST_CONE: f64 = 1e3;
 
 /// Ratio of radius to height of the drawn friction cone of a contact: the coefficient of friction, limited to [`STEEPEST_CONE`].
-pub(super) fn slope<const C: usize>(contact: &Contact<C>) -> f64 {
+pub(super) fn cone_ratio<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.friction_coefficient().min(STEEPEST_CONE)
 }
 
 /// Height and radius of the drawn friction cone of a contact whose normal force is an arrow of length `arrow`; `None` without friction or force.
-/// `slope` is the ratio of radius to height. A cone with a radius above `widest` is drawn shorter, because it would hide everything else.
-pub(super) fn cone_size(slope: f64, arrow: f64, widest: f64) -> Option<[f64; 2]> {
+/// `cone_ratio` is the ratio of radius to height. A cone with a radius above `widest` is drawn shorter, because it would hide everything else.
+pub(super) fn cone_size(cone_ratio: f64, arrow: f64, widest: f64) -> Option<[f64; 2]> {
     let high = MARKS.cone * arrow;
-    let wide = (slope * high).min(widest);
-    (slope > 0.0 && high > 0.0).then(|| [wide / slope, wide])
+    let wide = (cone_ratio * high).min(widest);
+    (cone_ratio > 0.0 && high > 0.0).then(|| [wide / cone_ratio, wide])
 }
 
 /// The states of contacts in words, in the order of legends.

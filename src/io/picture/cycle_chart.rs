@@ -65,7 +65,7 @@ pub fn charts_of_cycles<const C: usize>(
     let others = if order.len() > MOST_CURVES { "slide less, or nowhere" } else { "slide nowhere" };
     order.truncate(MOST_CURVES);
     order.sort_unstable();
-    let (leg, fraction) = drawn.reach(&path);
+    let (leg, fraction) = drawn.followed_to(&path);
     let last = place(leg, fraction).ceil().max(1.0);
     let mut slips = Chart::new(format!("{title}: slip"), drawn.axis, "slip (mm)");
     let mut loops = Chart::new(format!("{title}: friction in cycle {last}"), "slip (mm)", "friction (N)");

@@ -37,8 +37,9 @@ impl<const C: usize> DrawnProgram<'_, C> {
         let tips = self.grasp.engine.wholes();
         let states = self.states(&path, &events);
         let curve = |tip: &ContactPoints| -> Vec<(f64, f64)> {
-            let used =
-                |(x, state): &(f64, Equilibrium<C>)| (*x, part_used(tip, self.grasp.contacts(), state));
+            let used = |(x, state): &(f64, Equilibrium<C>)| {
+                (*x, friction_fraction(tip, self.grasp.contacts(), state))
+            };
             mapped(&states, &used)
         };
         let named = tips
@@ -59,14 +60,14 @@ impl<const C: usize> DrawnProgram<'_, C> {
     }
 
     /// The point up to which the load program was followed: the index of the last leg, from 0, and the fraction of this leg.
-    pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
+    pub(super) fn followed_to(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
     /// Equilibria along the load path, for the curves of the chart, each with its position on the horizontal axis.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
-        let (last, end) = self.reach(path);
+        let (last, end) = self.followed_to(path);
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
@@ -100,7 +101,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
         let left = events
             .iter()
             .find_map(|event| Some(((self.place)(event.leg, event.fraction), change_in_words(event, tips)?)));
-        let (last, part) = self.reach(path);
+        let (last, part) = self.followed_to(path);
         let to = (self.place)(last, part);
         let end = match path.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -127,7 +128,11 @@ impl<const C: usize> DrawnProgram<'_, C> {
 
 /// The fraction of its friction that a fingertip uses: the friction forces of its points over the sum of their limits μ F_n. It is 1 if all points
 /// slide, and NaN if no point sticks or slides with finite friction, or if the forces are rounding errors.
-fn part_used<const C: usize>(tip: &ContactPoints, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
+fn friction_fraction<const C: usize>(
+    tip: &ContactPoints,
+    contacts: &[Contact<C>],
+    state: &Equilibrium<C>,
+) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.range.clone()], &contacts[tip.range.clone()]);
     let force = largest(answers, &|answer| answer.force.norm());
     if force > 0.0 && without_rounding(force, state) == 0.0 {

@@ -1,13 +1,13 @@
 //! Placement of names beside their points, so that a name covers no other name and as few strokes as possible.
 
 use super::palette::GREY;
-use super::sheet::{Place, Sheet, plaque_size};
+use super::sheet::{PaperPoint, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
 use crate::numerics::{largest, mapped, summed};
 
 /// The rectangle of a name: its middle, and its width and height, pixels.
-type NamePlate = (Place, (f64, f64));
+type NamePlate = (PaperPoint, (f64, f64));
 
 /// Distance of a name from its point, pixels, beyond which a line joins them; without this line a name could seem to belong to another point.
 const NEAR: f64 = 16.0;
@@ -19,14 +19,14 @@ const COVERS_MUCH: f64 = 60.0;
 pub(super) struct Labels {
     window: Window,
     /// Points on strokes that names should not cover, with the cost of covering each.
-    ink: Vec<(Place, f64)>,
+    ink: Vec<(PaperPoint, f64)>,
     taken: Vec<NamePlate>,
     /// Number of names for which no free position was left.
     pub(super) left_out: usize,
 }
 
 impl Labels {
-    pub(super) fn new(window: Window, ink: Vec<(Place, f64)>) -> Self {
+    pub(super) fn new(window: Window, ink: Vec<(PaperPoint, f64)>) -> Self {
         Self { window, ink, taken: Vec::new(), left_out: 0 }
     }
 
@@ -43,7 +43,7 @@ impl Labels {
     }
 
     /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
-    pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
+    pub(super) fn write(&mut self, paper: &mut Sheet, point: PaperPoint, words: &[&str], size: f64) {
         let words: Vec<_> = mapped(words, &|line| shortened(line, 36));
         for count in [words.len(), 1] {
             let sizes: Vec<_> = mapped(&words[..count], &|line| plaque_size(line, size));
@@ -62,7 +62,7 @@ impl Labels {
 
     /// The best position of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins
     /// a name to a point that is not near. `None` if no free position is left on the paper.
-    fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
+    fn place(&mut self, paper: &mut Sheet, point: PaperPoint, size: (f64, f64)) -> Option<PaperPoint> {
         let beside = self.best(point, self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;
         let plate = match beside {
@@ -83,13 +83,13 @@ impl Labels {
     }
 
     /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
-    fn best(&self, point: Place, plates: Vec<NamePlate>) -> Option<NamePlate> {
+    fn best(&self, point: PaperPoint, plates: Vec<NamePlate>) -> Option<NamePlate> {
         let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
         best.map(|(_, plate)| plate)
     }
 
-    fn plates_beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<NamePlate> {
+    fn plates_beside(&self, point: PaperPoint, (wide, high): (f64, f64)) -> Vec<NamePlate> {
         // Directions from a point to its name in order of preference, each with its components to the right and downwards.
         let sides = [
             (1.0, -1.0),
@@ -131,7 +131,7 @@ impl Labels {
         plates
     }
 
-    fn inside(&self, (x, y): Place, (wide, high): (f64, f64)) -> Place {
+    fn inside(&self, (x, y): PaperPoint, (wide, high): (f64, f64)) -> PaperPoint {
         let Window { left, top, .. } = self.window;
         let within =
             |at: f64, low: f64, room: f64, size: f64| at.min(low + room - size / 2.0).max(low + size / 2.0);
@@ -146,9 +146,9 @@ impl Labels {
         })
     }
 
-    fn cost(&self, point: Place, (middle, (wide, high)): &NamePlate) -> f64 {
-        let aside = |other: Place| ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
-        let covered = |at: Place| aside(at).0 < wide / 2.0 && aside(at).1 < high / 2.0;
+    fn cost(&self, point: PaperPoint, (middle, (wide, high)): &NamePlate) -> f64 {
+        let aside = |other: PaperPoint| ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
+        let covered = |at: PaperPoint| aside(at).0 < wide / 2.0 && aside(at).1 < high / 2.0;
         let ink: f64 = self.ink.iter().filter(|(at, _)| covered(*at)).map(|(_, weight)| weight).sum();
         let (x, y) = aside(point);
         let away = (x - wide / 2.0).max(0.0).hypot((y - high / 2.0).max(0.0));

@@ -3,7 +3,7 @@
 //! Lengths are in pixels unless they are said to be fractions of the span of a grasp, which is its largest extent along an axis.
 
 use super::palette::Rgb;
-use super::sheet::Place;
+use super::sheet::PaperPoint;
 
 /// Sizes of marks that planar and spatial pictures of a grasp share.
 pub(super) struct MarkLayout {
@@ -88,7 +88,7 @@ pub(super) const LEGEND: LegendLayout = LegendLayout { left: 624.0, sample: 40.0
 /// Sizes in a chart with two axes.
 pub(super) struct ChartLayout {
     /// Size of one chart.
-    pub(super) size: Place,
+    pub(super) size: PaperPoint,
     /// Height of letters of the title.
     pub(super) title: f64,
     /// Height of letters of axes and legend.
@@ -130,7 +130,7 @@ pub(super) const CHART: ChartLayout = ChartLayout {
 
 /// Sizes in a chart over directions in the plane.
 pub(super) struct PolarLayout {
-    pub(super) middle: Place,
+    pub(super) middle: PaperPoint,
     /// Radius of the rim of the chart.
     pub(super) radius: f64,
     /// Left edge of the legend.
@@ -150,7 +150,7 @@ pub(super) struct SphereLayout {
     /// Radius of both discs.
     pub(super) radius: f64,
     /// Middles of both discs.
-    pub(super) discs: [Place; 2],
+    pub(super) discs: [PaperPoint; 2],
     /// Vertical position of the first line of notes below the map.
     pub(super) foot: f64,
     /// Colour of directions with an infinite value.

@@ -17,7 +17,7 @@ mod friction_chart;
 mod grasp_picture;
 mod labels;
 mod layout;
-mod legend_corner;
+mod legend_position;
 mod page;
 mod painting;
 mod palette;

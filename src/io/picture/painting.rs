@@ -3,7 +3,7 @@
 use super::palette::{Ink, Rgb, WHITE};
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use super::sheet::{Place, Sheet};
+use super::sheet::{PaperPoint, Sheet};
 use crate::numerics::{Each, IntoList, increasing, mapped};
 use nalgebra::{Vector2, Vector3};
 
@@ -18,10 +18,10 @@ pub(super) type EyePoint = Vector3<f64>;
 
 /// The shape of one stroke of a painting: a line, an area or a dot.
 enum Shape {
-    Line { places: Vec<Place>, ink: Rgb, width: f64 },
-    Dashes { ends: [Place; 2], ink: Rgb, width: f64 },
-    Area { corners: Vec<Place>, ink: Ink },
-    Dot { at: Place, radius: f64, ink: Rgb, open: bool },
+    Line { places: Vec<PaperPoint>, ink: Rgb, width: f64 },
+    Dashes { ends: [PaperPoint; 2], ink: Rgb, width: f64 },
+    Area { corners: Vec<PaperPoint>, ink: Ink },
+    Dot { at: PaperPoint, radius: f64, ink: Rgb, open: bool },
 }
 
 /// Strokes with their depths, pixels; a larger depth is nearer to the eye and drawn later.
@@ -31,7 +31,7 @@ pub(super) struct Painting {
 }
 
 /// A point on paper with depth zero.
-pub(super) fn flat((x, y): Place) -> EyePoint {
+pub(super) fn flat((x, y): PaperPoint) -> EyePoint {
     EyePoint::new(x, y, 0.0)
 }
 
@@ -43,22 +43,22 @@ impl Painting {
     }
 
     /// A closed line.
-    pub(super) fn contour(&mut self, mut places: Vec<Place>, ink: Rgb, width: f64, depth: f64) {
+    pub(super) fn contour(&mut self, mut places: Vec<PaperPoint>, ink: Rgb, width: f64, depth: f64) {
         places.extend(places.first().copied());
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
     /// A dashed line just behind depth zero.
-    pub(super) fn dashes(&mut self, ends: [Place; 2], ink: Rgb, width: f64) {
+    pub(super) fn dashes(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }
 
     /// A dashed line at depth zero.
-    pub(super) fn dashed_line(&mut self, ends: [Place; 2], ink: Rgb, width: f64) {
+    pub(super) fn dashed_line(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((0.0, Shape::Dashes { ends, ink, width }));
     }
 
-    pub(super) fn area(&mut self, corners: Vec<Place>, ink: Ink, depth: f64) {
+    pub(super) fn area(&mut self, corners: Vec<PaperPoint>, ink: Ink, depth: f64) {
         self.strokes.push((depth, Shape::Area { corners, ink }));
     }
 
@@ -106,7 +106,7 @@ impl Painting {
     /// counterclockwise from the right.
     pub(super) fn arc(
         &mut self,
-        middle: Place,
+        middle: PaperPoint,
         radius: f64,
         gap: f64,
         clockwise: bool,
@@ -154,7 +154,7 @@ impl Painting {
     }
 
     /// Points that names should not cover, with the cost of covering each.
-    pub(super) fn ink(&self) -> Vec<(Place, f64)> {
+    pub(super) fn ink(&self) -> Vec<(PaperPoint, f64)> {
         let mut inked = Vec::new();
         for (_, shape) in &self.strokes {
             match shape {
@@ -180,7 +180,7 @@ impl Painting {
 }
 
 /// Adds points about 3 pixels apart on a line. The cost of covering each is the area of the line divided by the number of points.
-fn along(from: Place, to: Place, width: f64, inked: &mut Vec<(Place, f64)>) {
+fn along(from: PaperPoint, to: PaperPoint, width: f64, inked: &mut Vec<(PaperPoint, f64)>) {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);
     let steps = (size / 3.0).ceil().clamp(1.0, 1e4);
@@ -192,6 +192,6 @@ fn along(from: Place, to: Place, width: f64, inked: &mut Vec<(Place, f64)>) {
     }
 }
 
-fn place(point: &EyePoint) -> Place {
+fn place(point: &EyePoint) -> PaperPoint {
     (point.x, point.y)
 }

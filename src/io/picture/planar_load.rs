@@ -5,7 +5,7 @@ use super::labels::Labels;
 use super::layout::MARKS;
 use super::painting::{Painting, flat};
 use super::palette::{BLACK, GREY};
-use super::sheet::{Place, Sheet};
+use super::sheet::{PaperPoint, Sheet};
 use super::words::short;
 use crate::grasp::Wrench;
 use crate::numerics::Each;
@@ -48,8 +48,8 @@ impl PlanarLoad {
 /// A load in pixels.
 pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
-    from: Place,
-    tip: Place,
+    from: PaperPoint,
+    tip: PaperPoint,
     /// True if the arrow has the scale of the other forces; false if it would be too short to be visible and is lengthened.
     is_to_scale: bool,
 }

@@ -6,7 +6,7 @@ use super::layout::POLAR;
 use super::palette::PALETTE;
 use super::polar_plane::{at, width_of};
 use super::series::{ChartSeries, Stroke};
-use super::sheet::{Place, Sheet};
+use super::sheet::{PaperPoint, Sheet};
 
 /// Draws the curve with this index, which determines its colour.
 pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &ChartSeries) {
@@ -21,13 +21,13 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
         Stroke::Marked => inside.for_each(|p| paper.circle(place(p), 3.0, ink, None)),
         Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
     }
-    let draw = |paper: &mut Sheet, line: Vec<Place>| match stroke {
+    let draw = |paper: &mut Sheet, line: Vec<PaperPoint>| match stroke {
         Stroke::Dashed => paper.dashes(&line, ink, 2.0),
         _ => paper.line(&line, ink, width_of(index)),
     };
     // Every curve has its own arc radius, so that arcs of several curves lie side by side.
     let arc_radius = POLAR.radius + 3.0 + 4.0 * index as f64;
-    let (mut line, mut arc): (Vec<Place>, Vec<Place>) = (Vec::new(), Vec::new());
+    let (mut line, mut arc): (Vec<PaperPoint>, Vec<PaperPoint>) = (Vec::new(), Vec::new());
     for (k, &(angle, radius)) in points.iter().enumerate() {
         let (next_angle, next) = points[(k + 1) % points.len()];
         let at_crossing = angle + crossing(radius, next, rim) * (next_angle - angle).rem_euclid(TAU);

@@ -3,10 +3,10 @@
 use std::f64::consts::{PI, TAU};
 
 use super::layout::POLAR;
-use super::sheet::Place;
+use super::sheet::PaperPoint;
 
 /// The position on paper, pixels, at an angle (rad, counterclockwise from the right) and a distance from the middle of the chart (pixels).
-pub(super) fn at(angle: f64, radius: f64) -> Place {
+pub(super) fn at(angle: f64, radius: f64) -> PaperPoint {
     (POLAR.middle.0 + radius * angle.cos(), POLAR.middle.1 - radius * angle.sin())
 }
 

@@ -3,10 +3,10 @@
 //! The function is linear on each triangle. The part of a triangle on which the function is at least the level is therefore a polygon. Edges that two
 //! of these polygons share cancel. The other edges surround the whole region, which is drawn as one area and has no visible seams.
 
-use super::sheet::{Pixel, Place, pixel};
+use super::sheet::{PaperPoint, Pixel, pixel};
 
 /// A corner of a triangle: its position on paper, and the value of the function there.
-pub(super) type Corner = (Place, f64);
+pub(super) type Corner = (PaperPoint, f64);
 
 /// The closed lines around the region in which the function is at least `level`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
@@ -76,7 +76,7 @@ fn above(triangle: &[Corner; 3], level: f64) -> Vec<Pixel> {
 }
 
 /// The point on an edge at which the function equals `level`, bit for bit the same for both triangles at the edge.
-fn cut(a: &Corner, b: &Corner, level: f64) -> Place {
+fn cut(a: &Corner, b: &Corner, level: f64) -> PaperPoint {
     let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
     let part = (level - low.1) / (high.1 - low.1);
     (low.0.0 + part * (high.0.0 - low.0.0), low.0.1 + part * (high.0.1 - low.0.1))

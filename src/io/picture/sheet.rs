@@ -10,7 +10,7 @@ use super::words::escaped;
 const PARTS_OF_A_PIXEL: f64 = 100.0;
 
 /// A position on the paper, pixels to the right and downwards.
-pub(super) type Place = (f64, f64);
+pub(super) type PaperPoint = (f64, f64);
 
 /// A length in whole hundredths of a pixel. There is no −0, and a point that two shapes share is written with the same numbers for both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,7 +20,7 @@ pub(super) struct HundredthsOfPixel(i32);
 pub(super) type Pixel = (HundredthsOfPixel, HundredthsOfPixel);
 
 /// The nearest position that can be written; positions far outside are clamped.
-pub(super) fn pixel((x, y): Place) -> Pixel {
+pub(super) fn pixel((x, y): PaperPoint) -> Pixel {
     (fine(x), fine(y))
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Sheet {
 }
 
 /// Draws on a white sheet of the given size, pixels, and returns the SVG text.
-pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> String {
+pub(super) fn sheet((wide, high): PaperPoint, draw: impl FnOnce(&mut Sheet)) -> String {
     let size = pixel((wide, high));
     let mut paper = Sheet { svg: String::new(), wide };
     let (w, h) = size;
@@ -64,16 +64,16 @@ impl Sheet {
     }
 
     /// A line through points on paper.
-    pub(super) fn line(&mut self, places: &[Place], ink: impl Into<Ink>, width: f64) {
+    pub(super) fn line(&mut self, places: &[PaperPoint], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, "");
     }
 
     /// A dashed line.
-    pub(super) fn dashes(&mut self, places: &[Place], ink: impl Into<Ink>, width: f64) {
+    pub(super) fn dashes(&mut self, places: &[PaperPoint], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, " stroke-dasharray=\"7,5\"");
     }
 
-    fn stroke(&mut self, places: &[Place], ink: Ink, width: f64, dashes: &str) {
+    fn stroke(&mut self, places: &[PaperPoint], ink: Ink, width: f64, dashes: &str) {
         let points = points(places);
         // A line needs at least two points, which are separated by a space in `points`.
         if points.contains(' ') {
@@ -85,7 +85,7 @@ impl Sheet {
     }
 
     /// A filled area.
-    pub(super) fn area(&mut self, corners: &[Place], ink: impl Into<Ink>) {
+    pub(super) fn area(&mut self, corners: &[PaperPoint], ink: impl Into<Ink>) {
         let (ink, points) = (paint("fill", ink.into()), points(corners));
         self.put(format_args!("<polygon{ink} points=\"{points}\"/>"));
     }
@@ -101,7 +101,7 @@ impl Sheet {
     }
 
     /// A circle, filled or as a line of the given width.
-    pub(super) fn circle(&mut self, middle: Place, radius: f64, ink: impl Into<Ink>, line: Option<f64>) {
+    pub(super) fn circle(&mut self, middle: PaperPoint, radius: f64, ink: impl Into<Ink>, line: Option<f64>) {
         let ink = ink.into();
         let style = match line {
             Some(width) => {
@@ -114,17 +114,17 @@ impl Sheet {
     }
 
     /// A line of text, vertically centred at the position `place`; `left` (0, 1/2 or 1) is the fraction of its width to the left of this position.
-    pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: Rgb) {
+    pub(super) fn text(&mut self, place: PaperPoint, words: &str, size: f64, left: f64, color: Rgb) {
         self.letters(place, words, size, left, color, "");
     }
 
     /// A line of text that runs upwards; its middle is at the position `place`.
-    pub(super) fn text_upwards(&mut self, place: Place, words: &str, size: f64, color: Rgb) {
+    pub(super) fn text_upwards(&mut self, place: PaperPoint, words: &str, size: f64, color: Rgb) {
         let (x, y) = pixel(place);
         self.letters(place, words, size, 0.5, color, &format!(" transform=\"rotate(-90 {x} {y})\""));
     }
 
-    fn letters(&mut self, place: Place, words: &str, size: f64, left: f64, color: Rgb, turn: &str) {
+    fn letters(&mut self, place: PaperPoint, words: &str, size: f64, left: f64, color: Rgb, turn: &str) {
         let anchor = match left {
             l if l < 0.25 => "start",
             l if l > 0.75 => "end",
@@ -151,7 +151,7 @@ impl Sheet {
     }
 
     /// A line of text on a light background, legible on any ground.
-    pub(super) fn plaque(&mut self, place: Place, words: &str, size: f64, left: f64) {
+    pub(super) fn plaque(&mut self, place: PaperPoint, words: &str, size: f64, left: f64) {
         let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
         let half = high / 2.0;
@@ -167,7 +167,7 @@ pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
     (0.57 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 
-fn points(places: &[Place]) -> String {
+fn points(places: &[PaperPoint]) -> String {
     let mut points = String::new();
     for place in places {
         let (x, y) = pixel(*place);

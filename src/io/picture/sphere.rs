@@ -9,7 +9,7 @@ use super::error::PictureError;
 use super::layout::SPHERE;
 use super::palette::{BLACK, GREY, VERMILION, WHITE};
 use super::regions::{Corner, outlines};
-use super::sheet::{Place, Sheet, sheet};
+use super::sheet::{PaperPoint, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
 use super::words::lines;
 
@@ -126,7 +126,7 @@ impl SphereMap {
         }))
     }
 
-    fn draw_disc(&self, paper: &mut Sheet, side: usize, middle: Place, bands: &Bands) {
+    fn draw_disc(&self, paper: &mut Sheet, side: usize, middle: PaperPoint, bands: &Bands) {
         // Regions without finite values are painted over afterwards.
         let filled = self.filled();
         let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
@@ -204,7 +204,7 @@ impl SphereMap {
     }
 
     /// Triangles that cover one hemisphere, all of the same orientation. Each corner has the value `field(k)`, where k is the index of its direction.
-    fn triangles(&self, side: usize, middle: Place, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
+    fn triangles(&self, side: usize, middle: PaperPoint, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {
             let from_pole = self.grid.polar_angle(ring);

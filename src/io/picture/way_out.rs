@@ -6,7 +6,7 @@ use nalgebra::{Point2, Vector2};
 
 use super::painting::{Painting, flat};
 use super::palette::VERMILION;
-use super::sheet::Place;
+use super::sheet::PaperPoint;
 use crate::grasp::{Face, Motion};
 use crate::numerics::{largest, mapped, moved};
 use crate::planar::Twist;
@@ -60,8 +60,8 @@ impl MovedOutlines {
     pub(super) fn paint(
         &self,
         painting: &mut Painting,
-        place: impl Fn(Vector2<f64>) -> Place,
-    ) -> Option<Place> {
+        place: impl Fn(Vector2<f64>) -> PaperPoint,
+    ) -> Option<PaperPoint> {
         for corners in self.closed.iter().map(|range| &self.to[range.clone()]) {
             for (k, corner) in corners.iter().enumerate() {
                 let next = corners[(k + 1) % corners.len()];

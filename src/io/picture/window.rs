@@ -1,6 +1,6 @@
 //! A rectangle of the paper in which something is drawn.
 
-use super::sheet::Place;
+use super::sheet::PaperPoint;
 
 /// A rectangle on the paper: distances from its upper left corner, and size, pixels.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ impl Window {
         Self { left: left + border, top: top + border, wide: wide - 2.0 * border, high: high - 2.0 * border }
     }
 
-    pub(super) fn middle(&self) -> Place {
+    pub(super) fn middle(&self) -> PaperPoint {
         (self.left + self.wide / 2.0, self.top + self.high / 2.0)
     }
 }

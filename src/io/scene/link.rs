@@ -8,7 +8,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::setup::Setup;
 use crate::error::Error;
-use crate::grasp::{Contact, Link, LinkPlace, Space};
+use crate::grasp::{Contact, Link, LinkGeometry, Space};
 use crate::serial::object;
 use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
 
@@ -167,18 +167,18 @@ impl<const C: usize> Serialize for LinkSetup<C> {
             tension: link.tension,
             slack: unless_zero(link.slack),
         };
-        match link.place {
-            LinkPlace::Hinge { point, bearings } => {
+        match link.geometry {
+            LinkGeometry::Hinge { point, bearings } => {
                 let (axis, length) = bearings.map(|(axis, length)| (row(axis), length)).unzip();
                 written.hinge = Some(Hinge { point: row(point), axis, length });
             }
-            LinkPlace::Ball { point } => written.ball = Some(Point { point: row(point) }),
-            LinkPlace::Slide { point, direction, length } => {
+            LinkGeometry::Ball { point } => written.ball = Some(Point { point: row(point) }),
+            LinkGeometry::Slide { point, direction, length } => {
                 written.slide = Some(Slide { point: row(point), direction: row(direction), length });
             }
-            LinkPlace::Rigid { point, size } => written.rigid = Some(Rigid { point: row(point), size }),
-            LinkPlace::Spring { from, to } => written.spring = line(from, to),
-            LinkPlace::Cable { from, to } => written.cable = line(from, to),
+            LinkGeometry::Rigid { point, size } => written.rigid = Some(Rigid { point: row(point), size }),
+            LinkGeometry::Spring { from, to } => written.spring = line(from, to),
+            LinkGeometry::Cable { from, to } => written.cable = line(from, to),
         }
         written.serialize(serializer)
     }
@@ -198,9 +198,9 @@ impl<const C: usize> LinkSetup<C> {
         let space = space_of_text::<C>();
         let Written { hinge, ball, slide, rigid, spring, cable, .. } = written;
         let line = |Line { from, to }: &Line<C>| (from.0, to.0);
-        let mut places = Vec::new();
+        let mut geometries = Vec::new();
         if let Some(hinge) = hinge {
-            places.push(hinge.place(space)?);
+            geometries.push(hinge.geometry(space)?);
         }
         if let Some(Point { point }) = ball {
             if space == Space::Planar {
@@ -208,25 +208,25 @@ impl<const C: usize> LinkSetup<C> {
                     "ball: given, must be left out in the plane, where a hinge is what turns".to_owned()
                 );
             }
-            places.push(LinkPlace::Ball { point: point.0 });
+            geometries.push(LinkGeometry::Ball { point: point.0 });
         }
-        places.extend(slide.map(|Slide { point, direction, length }| LinkPlace::Slide {
+        geometries.extend(slide.map(|Slide { point, direction, length }| LinkGeometry::Slide {
             point: point.0,
             direction: direction.0,
             length,
         }));
-        places.extend(rigid.map(|Rigid { point, size }| LinkPlace::Rigid { point: point.0, size }));
+        geometries.extend(rigid.map(|Rigid { point, size }| LinkGeometry::Rigid { point: point.0, size }));
         if spring.is_some() && written.stiffness.is_none() {
             return Err("stiffness: left out, must be given of a spring, N/m".to_owned());
         }
-        places.extend(spring.as_ref().map(line).map(|(from, to)| LinkPlace::Spring { from, to }));
-        places.extend(cable.as_ref().map(line).map(|(from, to)| LinkPlace::Cable { from, to }));
-        let [place] = places[..] else {
+        geometries.extend(spring.as_ref().map(line).map(|(from, to)| LinkGeometry::Spring { from, to }));
+        geometries.extend(cable.as_ref().map(line).map(|(from, to)| LinkGeometry::Cable { from, to }));
+        let [geometry] = geometries[..] else {
             let ball = if space == Space::Spatial { "ball, " } else { "" };
             let kinds = format!("one of hinge, {ball}slide, rigid, spring, cable");
-            return Err(format!("{} kinds of link given, must be {kinds}", places.len()));
+            return Err(format!("{} kinds of link given, must be {kinds}", geometries.len()));
         };
-        let mut link = Link::at(place);
+        let mut link = Link::at(geometry);
         link.name = written.name;
         (link.on, link.against) = match (written.between, written.on) {
             (Some(_), Some(_)) => return Err("between and on: a link has one of them".to_owned()),
@@ -254,7 +254,7 @@ impl<const C: usize> LinkSetup<C> {
 }
 
 impl<const C: usize> Hinge<C> {
-    fn place(self, space: Space) -> Result<LinkPlace<C>, String> {
+    fn geometry(self, space: Space) -> Result<LinkGeometry<C>, String> {
         let Self { point, axis, length } = self;
         let bearings = match (space, axis, length) {
             (Space::Spatial, Some(axis), Some(length)) => Some((axis.0, length)),
@@ -264,7 +264,7 @@ impl<const C: usize> Hinge<C> {
             }
             _ => return Err("hinge: axis or length left out, must both be given in space".to_owned()),
         };
-        Ok(LinkPlace::Hinge { point: point.0, bearings })
+        Ok(LinkGeometry::Hinge { point: point.0, bearings })
     }
 }
 

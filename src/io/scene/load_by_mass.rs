@@ -1,6 +1,6 @@
 //! A load that is given by its mass: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
 
-use super::wrench::part;
+use super::wrench::vector_of_field;
 use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
 use crate::serial::{Given, Number, ShortList};
@@ -50,11 +50,12 @@ impl WrittenMass<'_> {
                 None => Ok(None),
             };
         };
-        let along = |given: Option<&ShortList<Given, 3>>, name: &str| part(given, space.axes(), name);
+        let along =
+            |given: Option<&ShortList<Given, 3>>, name: &str| vector_of_field(given, space.axes(), name);
         // In the plane the rotation is about z, the last axis of space; its number therefore comes last.
         let planes = space.planes().len();
         let about_axes = |given: Option<&ShortList<Given, 3>>, name: &str| {
-            let listed = part(given, planes, name)?;
+            let listed = vector_of_field(given, planes, name)?;
             let mut axes = [0.0; 3];
             axes[3 - planes..].copy_from_slice(&listed[..planes]);
             Ok::<_, String>(axes)

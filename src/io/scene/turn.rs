@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use super::wrench::part;
+use super::wrench::vector_of_field;
 use crate::grasp::{Space, Wrench};
 use crate::load_path::Turn;
 #[cfg(feature = "schema")]
@@ -93,7 +93,7 @@ impl<const C: usize> WrittenTurn<C> {
     /// The axis of the turn; in the plane z, since the turn goes from x to y.
     fn axis(&self) -> Result<[f64; 3], String> {
         match (space_of_text::<C>().axes(), &self.axis) {
-            (3, Some(axis)) => part(Some(axis), 3, "axis"),
+            (3, Some(axis)) => vector_of_field(Some(axis), 3, "axis"),
             (3, None) => Err("missing field `axis` of a turn in space".to_owned()),
             (_, Some(_)) => Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
             (_, None) => Ok([0.0, 0.0, 1.0]),
@@ -108,7 +108,8 @@ impl<const C: usize> WrittenTurn<C> {
         }
         let space = space_of_text::<C>();
         let axes = space.axes();
-        let (force, at) = (part(Some(force), axes, name)?, part(self.at.as_ref(), axes, "at")?);
+        let (force, at) =
+            (vector_of_field(Some(force), axes, name)?, vector_of_field(self.at.as_ref(), axes, "at")?);
         let turn = Turn::<3>::force_at(force, at, self.axis()?).map_err(|error| error.to_string())?;
         let [constant, cosine, sine] =
             turn.parts().each(|part| Wrench::among(space, &part.coordinates(space)));

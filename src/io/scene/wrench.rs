@@ -31,7 +31,7 @@ fn write<S: Serializer>(
 }
 
 /// The components, `expected` in number, of the vector in the field `name`; zero if it is left out.
-pub(super) fn part<K>(
+pub(super) fn vector_of_field<K>(
     given: Option<&ShortList<K, 3>>,
     expected: usize,
     name: &str,
@@ -51,7 +51,8 @@ pub(super) fn part<K>(
 /// The linear and the angular part in one vector; `names` are the names of the parts, for messages.
 fn join<K>(space: Space, parts: [Option<&ShortList<K, 3>>; 2], names: [&str; 2]) -> Result<Vector, String> {
     let (axes, turns) = (space.axes(), space.planes().len());
-    let (linear, angular) = (part(parts[0], axes, names[0])?, part(parts[1], turns, names[1])?);
+    let (linear, angular) =
+        (vector_of_field(parts[0], axes, names[0])?, vector_of_field(parts[1], turns, names[1])?);
     let mut coordinates = Vector::zeros();
     for a in 0..axes {
         coordinates[a] = linear[a];
@@ -105,7 +106,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             let mut wrench = join(space, parts, ["force", "moment"])?;
             let mut points = None;
             if at.is_some() {
-                let at = part(at.as_ref(), axes, "at")?;
+                let at = vector_of_field(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
                 let force: SVector<f64, 3> = by_axis(force);
                 points = Some(PointsOfAction::of(&force, &at.into()));

@@ -39,7 +39,7 @@ pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
 }
 
 /// Whether a condition with the coefficients `row` involves friction, and not only the normal force or the gap.
-pub(crate) fn rubs(row: &SVector<f64, 3>) -> bool {
+pub(crate) fn involves_friction(row: &SVector<f64, 3>) -> bool {
     row[1] != 0.0 || row[2] != 0.0
 }
 

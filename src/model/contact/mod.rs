@@ -11,7 +11,7 @@
 //! | `law` | the conditions that apply in an equilibrium and to the rates of force and stretch |
 //! | `answer` | stretch → state and force |
 //! | `kinetic` | the smaller cone of a sliding contact, and the loss of friction as it begins to slide |
-//! | `springs` | the springs of a contact in a known state: left and right factors |
+//! | `springs` | the springs of a contact in a known state: the directions along which they are stretched and push |
 //! | `straight_stretch` | the force after a stretch that grows along a straight line, while the slip direction turns |
 //! | `relaxing_slide` | the slip direction after a straight stretch with unequal tangential springs |
 //! | `tangent` | the tangent stiffness: derivative of the force with respect to the stretch |
@@ -55,7 +55,7 @@ pub(crate) use answer::ContactResponse;
 pub(crate) use compliance::Compliance;
 pub(crate) use conditions::SpringState;
 pub(crate) use coulomb::Coulomb;
-pub(crate) use edges::{Edges, is_broken, round_rows, rubs};
+pub(crate) use edges::{Edges, involves_friction, is_broken, round_rows};
 pub(crate) use exits::{Exit, GapLine, Line};
 #[cfg(test)]
 pub(crate) use hull::Sector;

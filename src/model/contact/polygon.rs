@@ -111,12 +111,12 @@ impl Polygon {
     /// The polygon of a cone. The polygons of the plane and of the default cone are computed once and shared.
     pub(crate) fn shared(space: Space, cone: &PolygonCone) -> Arc<Self> {
         let made = || Arc::new(Self::new(space, cone));
-        let place = match space {
+        let position = match space {
             Space::Planar => 0,
             Space::Spatial if *cone == PolygonCone::default() => 1,
             Space::Spatial => return made(),
         };
-        let shared = SHARED[place].get_or_init(|| made()).clone();
+        let shared = SHARED[position].get_or_init(|| made()).clone();
         shared.downcast().unwrap_or_else(|_| made())
     }
 

@@ -1,11 +1,11 @@
 //! A contact in a known state is equivalent to a few springs. Let v_i be the stretch of contact i, a_i its offset (commanded displacement), G_i its
-//! grasp map and q the motion of the object. Let k_a be the stiffness along axis a of the contact frame and e_a the unit vector of this axis. Each
-//! spring is stretched along the direction `right` and pushes along the direction `left`.
+//! grasp map and q the motion of the object. Let k_a be the stiffness along axis a of the contact frame and e_a the unit vector of this axis. Spring
+//! r is stretched along the vector stretch_r (`stretch_direction`) and pushes along push_r (`push_direction`).
 //!
 //! ```text
-//! F_i = Σ_r left_r (right_r · v_i),     v_i = a_i - G_iᵀq
-//! sticking         left = right = √k_a e_a on every axis with a spring
-//! sliding          F_t = μ F_n p on a corner p:   right = √k_n e_n,  left = √k_n (e_n + μ p)
+//! F_i = Σ_r push_r (stretch_r · v_i),     v_i = a_i - G_iᵀq
+//! sticking         push = stretch = √k_a e_a on every axis with a spring
+//! sliding          F_t = μ F_n p on a corner p:   stretch = √k_n e_n,  push = √k_n (e_n + μ p)
 //!                  on a facet h (space):          p = K_t h / (h·K_t h) and the spring across h stays
 //!                  on the round cone:             p = S h / (h·S h) with S softened by the slip, see `slide`
 //! open             none
@@ -21,23 +21,28 @@ use crate::numerics::rounding_of;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A spring of a contact: the force `F = left (right · v)` for the stretch v of the contact.
+/// A spring of a contact: the force `F = push_direction (stretch_direction · v)` for the stretch v of the contact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Spring {
-    pub(crate) right: SVector<f64, 3>,
-    pub(crate) left: SVector<f64, 3>,
-    /// Rounding error of `right`. With this correction the product of `left` and `right` along an axis equals the stiffness along this axis to the
-    /// last digit.
-    pub(crate) right_rest: SVector<f64, 3>,
-    /// Rounding error of `left`. With this correction the friction force of a sliding contact equals μ F_n to the last digit.
-    pub(crate) left_rest: SVector<f64, 3>,
+    pub(crate) stretch_direction: SVector<f64, 3>,
+    pub(crate) push_direction: SVector<f64, 3>,
+    /// Rounding error of `stretch_direction`. With this correction the product of `push_direction` and `stretch_direction` along an axis equals the
+    /// stiffness along this axis to the last digit.
+    pub(crate) stretch_direction_error: SVector<f64, 3>,
+    /// Rounding error of `push_direction`. With this correction the friction force of a sliding contact equals μ F_n to the last digit.
+    pub(crate) push_direction_error: SVector<f64, 3>,
 }
 
 impl Spring {
-    /// A spring whose force points along its own stretch: `left = right`.
+    /// A spring whose force points along its own stretch: `push_direction = stretch_direction`.
     pub(crate) fn straight(along: SVector<f64, 3>) -> Self {
         let none = SVector::zeros();
-        Self { right: along, left: along, right_rest: none, left_rest: none }
+        Self {
+            stretch_direction: along,
+            push_direction: along,
+            stretch_direction_error: none,
+            push_direction_error: none,
+        }
     }
 
     /// A spring of stiffness k along an axis.
@@ -45,27 +50,27 @@ impl Spring {
         let mut along = SVector::zeros();
         along[axis] = k.sqrt();
         let mut spring = Self::straight(along);
-        spring.right_rest[axis] = rest_of_factor(k, along[axis], along[axis]);
+        spring.stretch_direction_error[axis] = rest_of_factor(k, along[axis], along[axis]);
         spring
     }
 
     /// The normal spring of a sliding contact: its force also has the friction component `μ F_n pull`.
     fn dragging(k: f64, mu: f64, pull: &SVector<f64, 3>) -> Self {
         let root = k.sqrt();
-        // The factors of the spring are scaled to `c right` and `left / c`. With a large μ the left factor would otherwise be far longer than the
-        // right factor.
+        // The factors of the spring are scaled to `c stretch_direction` and `push_direction / c`. With a large μ `push_direction` would otherwise be
+        // far longer than `stretch_direction`.
         let balance = (1.0 + mu * pull.norm()).sqrt();
-        let (mut right, mut left) = (SVector::zeros(), SVector::zeros());
-        (right[0], left[0]) = (root * balance, root / balance);
-        let (mut right_rest, mut left_rest) = (SVector::zeros(), SVector::zeros());
-        right_rest[0] = rest_of_factor(k, left[0], right[0]);
+        let (mut stretch_direction, mut push_direction) = (SVector::zeros(), SVector::zeros());
+        (stretch_direction[0], push_direction[0]) = (root * balance, root / balance);
+        let (mut stretch_direction_error, mut push_direction_error) = (SVector::zeros(), SVector::zeros());
+        stretch_direction_error[0] = rest_of_factor(k, push_direction[0], stretch_direction[0]);
         for axis in 1..3 {
             let drag = mu * pull[axis];
-            left[axis] = drag * left[0];
-            left_rest[axis] =
-                rounding_of(left[axis], drag, left[0]) + rounding_of(drag, mu, pull[axis]) * left[0];
+            push_direction[axis] = drag * push_direction[0];
+            push_direction_error[axis] = rounding_of(push_direction[axis], drag, push_direction[0])
+                + rounding_of(drag, mu, pull[axis]) * push_direction[0];
         }
-        Self { right, left, right_rest, left_rest }
+        Self { stretch_direction, push_direction, stretch_direction_error, push_direction_error }
     }
 }
 

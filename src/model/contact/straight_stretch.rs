@@ -107,14 +107,21 @@ impl LocalLaw<'_> {
     }
 
     /// State and force of a contact that slides along `direction` with the normal force `normal` and the friction limit r, N. The slip reduces the
-    /// stiffness of the spring across the slip to the fraction `holds`, taken as at least [`SOLVED_ROUNDING`] and at most 1.
-    fn sliding_at(&self, normal: f64, direction: &SVector<f64, 3>, r: f64, holds: f64) -> ContactResponse {
+    /// stiffness of the spring across the slip to the fraction `stiffness_fraction`, taken as at least [`SOLVED_ROUNDING`] and at most 1.
+    fn sliding_at(
+        &self,
+        normal: f64,
+        direction: &SVector<f64, 3>,
+        r: f64,
+        stiffness_fraction: f64,
+    ) -> ContactResponse {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();
             force[0] = normal;
             return ContactResponse { state: Mode::Sticking, force };
         }
-        let lambda = self.springs.deflection_along(1, 1.0 / holds.clamp(SOLVED_ROUNDING, 1.0) - 1.0);
+        let lambda =
+            self.springs.deflection_along(1, 1.0 / stiffness_fraction.clamp(SOLVED_ROUNDING, 1.0) - 1.0);
         let slide = Slide::new(direction, lambda);
         let mut force = slide.direction * r;
         force[0] = normal;

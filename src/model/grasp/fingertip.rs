@@ -85,12 +85,12 @@ pub struct SoftFingertip<const C: usize> {
 pub(super) struct PatchPoint<const C: usize> {
     /// Position relative to the centre, in the contact frame, m; its normal component is zero.
     pub(super) offset: SVector<f64, C>,
-    pub(super) share: f64,
+    pub(super) weight: f64,
 }
 
 face_of_struct! {
     SoftFingertip { radius, points }
-    PatchPoint { offset, share }
+    PatchPoint { offset, weight }
 }
 
 /// Points across a line contact of half width 1, in ascending order: position, and fraction of the load. Each quadrature node of `layers`, given by
@@ -98,10 +98,10 @@ face_of_struct! {
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
     let mut all = Vec::with_capacity(2 * layers.len());
     for layer in layers.iter().rev() {
-        all.push((-layer.distance, 0.5 * layer.share));
+        all.push((-layer.distance, 0.5 * layer.weight));
     }
     for layer in layers {
-        all.push((layer.distance, 0.5 * layer.share));
+        all.push((layer.distance, 0.5 * layer.weight));
     }
     all
 }
@@ -126,7 +126,7 @@ impl SoftFingertip<3> {
     /// would tilt freely) to [`Self::MOST_POINTS`].
     pub fn ring(radius: f64, points: usize) -> Result<Self, Error> {
         Self::check_points(1, points)?;
-        Self::of_rings(radius, &[Layer { distance: 1.0, share: 1.0 }], points)
+        Self::of_rings(radius, &[Layer { distance: 1.0, weight: 1.0 }], points)
     }
 
     /// A disc of this radius (m), divided into `annuli` of equal width. Two rings of `points` points represent each annulus. Every other ring is
@@ -161,7 +161,7 @@ impl SoftFingertip<3> {
             let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
             PatchPoint {
                 offset: SVector::from([0.0, clean(cos), clean(sin)]) * (ring.distance * radius),
-                share: ring.share / points as f64,
+                weight: ring.weight / points as f64,
             }
         };
         let mut all = Vec::new();
@@ -236,7 +236,7 @@ impl SoftFingertip<2> {
 impl SoftFingertip<3> {
     /// [`SoftFingertip::pair`] in the engine's three components.
     pub(crate) fn pair_inside(width: f64) -> Result<Self, Error> {
-        Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
+        Self::of_layers(width, &[Layer { distance: 1.0, weight: 1.0 }])
     }
 
     /// [`SoftFingertip::pad`] in the engine's three components.
@@ -255,10 +255,10 @@ impl SoftFingertip<3> {
             name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
             point: contact.point + frame * place.offset,
             tangent: Some(frame.column(1).into_owned()),
-            stiffness: contact.stiffness.scaled(place.share),
-            press: contact.press.map(|force| force * place.share),
-            force: contact.force.map(|force| force * place.share),
-            suction: contact.suction * place.share,
+            stiffness: contact.stiffness.scaled(place.weight),
+            press: contact.press.map(|force| force * place.weight),
+            force: contact.force.map(|force| force * place.weight),
+            suction: contact.suction * place.weight,
             point_of_pad: Some(i),
             ..contact.clone()
         };
@@ -268,7 +268,7 @@ impl SoftFingertip<3> {
     /// A fingertip of the plane with points in ascending order along the tangent, from the quadrature nodes of its half width.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
-        let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius, 0.0]), share };
+        let place = |(at, weight)| PatchPoint { offset: SVector::from([0.0, at * radius, 0.0]), weight };
         let points = moved(along_a_line(layers), &place);
         Ok(Self { radius, points })
     }
@@ -301,7 +301,7 @@ impl<const C: usize> SoftFingertip<C> {
     /// and its fraction w_i of the stiffness. The normal coordinate is zero.
     #[must_use]
     pub fn points(&self) -> impl ExactSizeIterator<Item = (SVector<f64, C>, f64)> {
-        self.points.iter().map(|place| (place.offset, place.share))
+        self.points.iter().map(|place| (place.offset, place.weight))
     }
 
     /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness, and ⟨r²⟩ and
@@ -330,7 +330,7 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// Mean of a function of the position over all points, weighted by their fractions of the stiffness.
     fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
-        self.points.iter().map(|place| place.share * f(&place.offset)).sum()
+        self.points.iter().map(|place| place.weight * f(&place.offset)).sum()
     }
 
     fn largest(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {

@@ -37,7 +37,7 @@ impl Engine {
     }
 
     /// Rounding error of a wrench in the engine's coordinates: exact minus rounded moments. Not computed, and zero, if several bodies share the load.
-    pub(crate) fn inside_rest(&self, wrench: &Wrench<3>) -> Vector {
+    pub(crate) fn inside_rounding_error(&self, wrench: &Wrench<3>) -> Vector {
         let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
         let axes = self.space.axes();
         let mut rest = Vector::zeros();

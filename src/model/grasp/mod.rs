@@ -56,7 +56,7 @@ mod wrench;
 
 pub(crate) use crate::numerics::Space;
 #[cfg(feature = "serde")]
-pub(crate) use bodies::LinkPlace;
+pub(crate) use bodies::LinkGeometry;
 pub use bodies::{Bodies, Body, BodyLoad, BodyMotion, Link};
 pub(crate) use cached_value::CachedValue;
 #[cfg(feature = "serde")]

@@ -33,7 +33,7 @@ pub(super) struct Layer {
     /// Distance from the centre, in units of the radius.
     pub(super) distance: f64,
     /// Fraction of the normal load that acts at this distance; the fractions of all nodes sum to one.
-    pub(super) share: f64,
+    pub(super) weight: f64,
 }
 
 impl Pressure {
@@ -58,8 +58,8 @@ impl Pressure {
             let [m0, m1, m2] = [0, 1, 2].each(|k| moment(k, a, b) / total);
             let x = (b * m1 - m2) / (b * m0 - m1);
             let inner = (b * m0 - m1) / (b - x);
-            layers.push(Layer { distance: x, share: inner });
-            layers.push(Layer { distance: b, share: m0 - inner });
+            layers.push(Layer { distance: x, weight: inner });
+            layers.push(Layer { distance: b, weight: m0 - inner });
         }
         layers
     }
@@ -108,7 +108,7 @@ mod tests {
                 let layers = pressure.layers(space, bands);
                 for (band, samples) in layers.chunks(2).zip(samples.chunks(steps as usize / bands)) {
                     for k in 0..=2 {
-                        let from_layers: f64 = band.iter().map(|l| l.share * l.distance.powi(k)).sum();
+                        let from_layers: f64 = band.iter().map(|l| l.weight * l.distance.powi(k)).sum();
                         let integral = samples.iter().map(|(r, p)| p * r.powi(k)).sum::<f64>() / total;
                         assert!((from_layers - integral).abs() < 1e-8, "{pressure:?} {bands} {k}");
                     }
@@ -136,9 +136,9 @@ mod tests {
                     for (j, band) in layers.chunks(2).enumerate() {
                         let (a, b) = (j as f64 / bands as f64, (j + 1) as f64 / bands as f64);
                         assert!(a < band[0].distance && band[0].distance < b && band[1].distance == b);
-                        assert!(band.iter().all(|layer| layer.share > 0.0), "{pressure:?} {bands} {band:?}");
+                        assert!(band.iter().all(|layer| layer.weight > 0.0), "{pressure:?} {bands} {band:?}");
                     }
-                    let sum: f64 = layers.iter().map(|layer| layer.share).sum();
+                    let sum: f64 = layers.iter().map(|layer| layer.weight).sum();
                     assert!((sum - 1.0).abs() < 1e-13, "{sum}");
                 }
             }

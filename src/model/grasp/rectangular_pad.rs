@@ -51,10 +51,10 @@ impl SoftFingertip<3> {
         check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")?;
         let layers = strips.each(|count| Pressure::Uniform.layers(Space::Planar, count));
         let mut points = Vec::with_capacity(all);
-        for (x, share) in along_a_line(&layers[0]) {
+        for (x, weight) in along_a_line(&layers[0]) {
             for (y, other) in along_a_line(&layers[1]) {
                 let offset = SVector::from([0.0, x * halves[0], y * halves[1]]);
-                points.push(PatchPoint { offset, share: share * other });
+                points.push(PatchPoint { offset, weight: weight * other });
             }
         }
         Ok(Self { radius: halves[0].hypot(halves[1]), points })

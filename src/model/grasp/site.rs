@@ -20,7 +20,7 @@ pub(crate) struct Site {
     /// Grasp map G_i of this site. A column holds the forces in all coordinates due to a unit force of the site along one axis of its frame.
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
-    pub(crate) map_rest: Map,
+    pub(crate) map_rounding_error: Map,
     /// Norm of the grasp map G_i, which scales rounding errors of displacements at the contact.
     size: f64,
     /// Coordinates in which the grasp map G_i has nonzero entries.
@@ -53,12 +53,13 @@ impl Site {
         let frame = contact.frame(index)?;
         let axes = contact.springs();
         let series = contact.stiffness.series();
-        let (mut map, mut map_rest) = space.grasp_map_in_twice(size, &contact.point, origin, length, &frame);
+        let (mut map, mut map_rounding_error) =
+            space.grasp_map_in_twice(size, &contact.point, origin, length, &frame);
         Ok(Self {
             size: map.norm(),
-            support: Support::of(space, &mut map, &mut map_rest),
+            support: Support::of(space, &mut map, &mut map_rounding_error),
             map,
-            map_rest,
+            map_rounding_error,
             frame,
             space,
             springs: Compliance::new(&series, axes),
@@ -74,9 +75,9 @@ impl Site {
 
     /// A copy of this site, a contact or drive, with another grasp map. The rounding error of this map counts as zero.
     pub(crate) fn with_map(&self, mut map: Map) -> Self {
-        let mut map_rest = Map::zeros(map.size());
-        let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rest));
-        Self { map, map_rest, size, support, ..self.clone() }
+        let mut map_rounding_error = Map::zeros(map.size());
+        let (size, support) = (map.norm(), Support::of(self.space, &mut map, &mut map_rounding_error));
+        Self { map, map_rounding_error, size, support, ..self.clone() }
     }
 
     /// The site of a drive, the spring of a joint or tendon, whose force acts along only one axis of its frame.
@@ -87,13 +88,13 @@ impl Site {
         springs: Compliance,
         hold: Hold,
     ) -> Self {
-        let (mut map, mut map_rest) = (Map::zeros(size), Map::zeros(size));
+        let (mut map, mut map_rounding_error) = (Map::zeros(size), Map::zeros(size));
         map.set_column(axis, along);
         Self {
             size: map.norm(),
-            support: Support::of(space, &mut map, &mut map_rest),
+            support: Support::of(space, &mut map, &mut map_rounding_error),
             map,
-            map_rest,
+            map_rounding_error,
             frame: SMatrix::identity(),
             space,
             springs,
@@ -119,7 +120,7 @@ impl Site {
             for k in 0..object {
                 for a in 0..axes {
                     self.map[(k, a)] *= on_object;
-                    self.map_rest[(k, a)] *= on_object;
+                    self.map_rounding_error[(k, a)] *= on_object;
                 }
             }
         }
@@ -132,23 +133,23 @@ impl Site {
                 for b in 0..axes {
                     rest.add_product(-self.frame[(b, a)], motion[b]);
                 }
-                (self.map[(k, a)], self.map_rest[(k, a)]) = (entry, rest.value() / lengths[k]);
+                (self.map[(k, a)], self.map_rounding_error[(k, a)]) = (entry, rest.value() / lengths[k]);
             }
         }
         self.size = self.map.norm();
-        self.support = Support::of(space, &mut self.map, &mut self.map_rest);
+        self.support = Support::of(space, &mut self.map, &mut self.map_rounding_error);
     }
 
     /// Entries of a column of the grasp map within a range of coordinates, and the rounding errors of these entries.
     #[inline(always)]
     pub(crate) fn column_in_twice(&self, axis: usize, range: Range<usize>) -> (&[f64], &[f64]) {
-        (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))
+        (self.map.column_within(axis, range.clone()), self.map_rounding_error.column_within(axis, range))
     }
 
     /// A column of the grasp map and its rounding errors; `None` if the grasp has more than six coordinates.
     #[inline]
     pub(crate) fn whole_column_in_twice(&self, axis: usize) -> Option<[&[f64; WHOLE]; 2]> {
-        Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
+        Some([self.map.whole_column(axis)?, self.map_rounding_error.whole_column(axis)?])
     }
 
     /// Number of coordinates of the grasp to which this site belongs.

@@ -42,7 +42,7 @@ impl Map {
 
     /// The stored rows, in order; all other rows are zero.
     pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.entries.row_count(self.size)).map(|place| self.entries.row(place))
+        (0..self.entries.row_count(self.size)).map(|position| self.entries.row(position))
     }
 
     /// Keeps only the rows of these ranges in memory; all other rows must be zero.
@@ -99,8 +99,8 @@ impl Map {
             self.entries.set(k, a, *x);
         }
         // Components beyond the end of a list are zero.
-        for place in 0..self.entries.row_count(self.size) {
-            let k = self.entries.row(place);
+        for position in 0..self.entries.row_count(self.size) {
+            let k = self.entries.row(position);
             if k >= column.len() {
                 self.entries.set(k, a, 0.0);
             }

@@ -40,9 +40,10 @@ impl MapEntries {
     pub(super) fn entry(&self, k: usize, a: usize) -> &f64 {
         match self {
             Self::Whole(columns) => &columns[a][k],
-            Self::Few(few) => {
-                few.rows.binary_search(&k).map_or(&0.0, |place| &few.entries[a * few.rows.len() + place])
-            }
+            Self::Few(few) => few
+                .rows
+                .binary_search(&k)
+                .map_or(&0.0, |position| &few.entries[a * few.rows.len() + position]),
         }
     }
 
@@ -78,10 +79,10 @@ impl MapEntries {
 
     /// Index of the row that is stored at this position in the list of stored rows.
     #[inline]
-    pub(super) fn row(&self, place: usize) -> usize {
+    pub(super) fn row(&self, position: usize) -> usize {
         match self {
-            Self::Whole(_) => place,
-            Self::Few(few) => few.rows[place],
+            Self::Whole(_) => position,
+            Self::Few(few) => few.rows[position],
         }
     }
 
@@ -122,7 +123,10 @@ impl MapEntries {
             }
             Self::Few(few) => {
                 let to = to.slice_mut();
-                few.rows.iter().enumerate().for_each(|(place, k)| to[*k] += few.mapped(place, f.as_slice()));
+                few.rows
+                    .iter()
+                    .enumerate()
+                    .for_each(|(position, k)| to[*k] += few.mapped(position, f.as_slice()));
             }
         }
     }
@@ -137,8 +141,8 @@ impl MapEntries {
             }
             Self::Few(few) => {
                 let mut squares = SumLanes::of(size.count());
-                for (place, k) in few.rows.iter().enumerate() {
-                    let sum = few.mapped(place, f.as_slice());
+                for (position, k) in few.rows.iter().enumerate() {
+                    let sum = few.mapped(position, f.as_slice());
                     squares.add(*k, sum * sum);
                 }
                 squares.sum()
@@ -199,13 +203,13 @@ impl MapEntries {
 
 impl FewRows {
     fn entry_mut(&mut self, k: usize, a: usize, columns: usize) -> &mut f64 {
-        let place = self.rows.binary_search(&k).unwrap_or_else(|place| {
+        let position = self.rows.binary_search(&k).unwrap_or_else(|position| {
             // Starts with the last column, so that positions in earlier columns stay valid.
-            (0..columns).rev().for_each(|a| self.entries.insert(a * self.rows.len() + place, 0.0));
-            self.rows.insert(place, k);
-            place
+            (0..columns).rev().for_each(|a| self.entries.insert(a * self.rows.len() + position, 0.0));
+            self.rows.insert(position, k);
+            position
         });
-        &mut self.entries[a * self.rows.len() + place]
+        &mut self.entries[a * self.rows.len() + position]
     }
 
     /// For each stored row, its index and its entry in column `a`.
@@ -217,11 +221,11 @@ impl FewRows {
 
     /// The component of the product of this matrix and `f` in the stored row at this position.
     #[inline]
-    fn mapped(&self, place: usize, f: &[f64]) -> f64 {
+    fn mapped(&self, position: usize, f: &[f64]) -> f64 {
         let mut sum = 0.0;
         for (a, f) in f.iter().enumerate() {
             if *f != 0.0 {
-                sum += self.entries[a * self.rows.len() + place] * f;
+                sum += self.entries[a * self.rows.len() + position] * f;
             }
         }
         sum

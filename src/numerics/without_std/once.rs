@@ -40,10 +40,10 @@ mod tests {
 
     #[test]
     fn it_is_made_once_and_kept() {
-        let place = Once::new();
-        assert!(place.get().is_none());
-        assert_eq!((place.get_or_init(|| 1), place.get_or_init(|| 2)), (&1, &1));
-        assert_eq!((place.clone().get(), Once::from(3).get()), (Some(&1), Some(&3)));
+        let once = Once::new();
+        assert!(once.get().is_none());
+        assert_eq!((once.get_or_init(|| 1), once.get_or_init(|| 2)), (&1, &1));
+        assert_eq!((once.clone().get(), Once::from(3).get()), (Some(&1), Some(&3)));
         assert!(Once::<u8>::default().get().is_none());
     }
 }

@@ -13,7 +13,7 @@ use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, Vector, largest};
-use crate::object::Piece;
+use crate::object::LinearProblem;
 use crate::prelude::*;
 
 /// The load factors from 0 for which the minimum of energy is an equilibrium.
@@ -93,7 +93,7 @@ struct Line<'g> {
 impl Line<'_> {
     /// The contact forces at load factor 0, and their derivatives with respect to the load factor, if only the springs in `springs` are active.
     /// `None` if these springs do not resist the load.
-    fn forces(&self, springs: &Piece) -> Option<[Vec<SVector<f64, 3>>; 2]> {
+    fn forces(&self, springs: &LinearProblem) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         let rates = springs.solve(problem.sites, &self.change, &self.direction).ok()?;

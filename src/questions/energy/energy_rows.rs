@@ -13,7 +13,7 @@ use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Map, Vector, unit};
-use crate::object::{Piece, Problem};
+use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 
 /// A condition `normal·x_i >= 0` on the force of one contact i, in energy coordinates `x = K^{-1/2} F`.
@@ -79,8 +79,8 @@ impl ForceCondition {
 }
 
 /// The springs along those axes of contact frames for which `holds(contact, axis)` is true; axis 0 is the normal.
-pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> Piece {
-    Piece::of_springs(sites, &|contact, list| {
+pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> LinearProblem {
+    LinearProblem::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
         let held = (0..springs.axes()).filter(|axis| holds(contact, *axis));
         list.extend(held.map(|axis| Spring::along_axis(axis, springs.force_along(axis, 1.0))));
@@ -91,7 +91,7 @@ pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool)
 /// friction cone if `with_facets` is true.
 pub(super) fn rows(
     problem: &Problem,
-    stuck: &Piece,
+    stuck: &LinearProblem,
     presses: &dyn Fn(&LocalLaw<'_>) -> bool,
     with_facets: bool,
 ) -> Vec<ForceCondition> {

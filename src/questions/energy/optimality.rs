@@ -33,14 +33,14 @@ use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
-use crate::object::{Piece, PieceState, Problem};
+use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
 /// The quadratic program in energy coordinates: conditions on the normal forces of gaps that may open, friction constraints that may bind, and the
 /// springs while everything sticks.
 pub(super) struct EnergyProgram<'g> {
     pub(super) problem: Problem<'g>,
-    pub(super) stuck: Piece,
+    pub(super) stuck: LinearProblem,
     pub(super) gaps: Vec<ForceCondition>,
     pub(super) friction: Vec<ForceCondition>,
 }
@@ -104,7 +104,7 @@ impl<'g> EnergyProgram<'g> {
     /// The open gaps and binding friction constraints that Lemke's method finds, the number of pivots, and the motion of the object in this solution.
     pub(super) fn faces(
         &self,
-        stuck: &PieceState,
+        stuck: &ForcesAndTwist,
         settings: &Settings,
     ) -> Result<(Faces, usize, Vector), NotOptimal> {
         let matrix = self.matrix().ok_or(NotOptimal::Unsolved)?;
@@ -134,12 +134,12 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// The springs that act with these open gaps: the normal spring of a contact with an open gap does not act.
-    pub(super) fn springs(&self, faces: &Faces) -> Piece {
+    pub(super) fn springs(&self, faces: &Faces) -> LinearProblem {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
     /// The candidate for the minimum in which everything sticks, from its forces and motion.
-    pub(super) fn sticking(&self, stuck: &PieceState) -> ProgramPoint {
+    pub(super) fn sticking(&self, stuck: &ForcesAndTwist) -> ProgramPoint {
         ProgramPoint {
             forces: stuck.forces.clone(),
             twist: stuck.twist.clone(),
@@ -152,10 +152,15 @@ impl<'g> EnergyProgram<'g> {
     /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
     /// the active springs do not resist the load. If the active springs leave motions free and a gap is negative at the motion of least norm, the
     /// part of `near`, the motion in Lemke's solution, that stretches no active spring is added.
-    pub(super) fn on_faces(&self, faces: &Faces, stuck: &PieceState, near: &Vector) -> Option<ProgramPoint> {
+    pub(super) fn on_faces(
+        &self,
+        faces: &Faces,
+        stuck: &ForcesAndTwist,
+        near: &Vector,
+    ) -> Option<ProgramPoint> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
-        let (springs, PieceState { mut forces, mut twist }) = match &opened {
+        let (springs, ForcesAndTwist { mut forces, mut twist }) = match &opened {
             Some(springs) => (springs, springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?),
             None => (&self.stuck, stuck.clone()),
         };
@@ -197,7 +202,7 @@ impl<'g> EnergyProgram<'g> {
     fn bind(
         &self,
         faces: &Faces,
-        springs: &Piece,
+        springs: &LinearProblem,
         forces: &mut [SVector<f64, 3>],
         multipliers: &mut [f64],
     ) -> Option<Vector> {

@@ -46,7 +46,7 @@ impl Engine {
     /// `None` if the load does not drive it, if it hangs nowhere near, or if some contact does not stick under the rest of the load.
     fn swing(&self, load: &Wrench<3>, settings: &Settings) -> Option<Motion<3>> {
         let sticking = StickingResponse::new(self, settings);
-        let (free, whole) = (sticking.piece.free_motions(), self.load_alone(load, "load").ok()?);
+        let (free, whole) = (sticking.linear_problem.free_motions(), self.load_alone(load, "load").ok()?);
         let forces = sticking.forces(&self.offsets(), &without(whole.clone(), free)).ok()?;
         let mut each = sticking.edges.iter().zip(forces.of.iter().zip(&forces.sizes));
         let sticks = each.all(|(edges, (force, size))| edges.hold(force, *size));

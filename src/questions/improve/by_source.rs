@@ -10,7 +10,7 @@ use crate::equilibrium::{Parameter, StickingResponse};
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vector;
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
@@ -29,7 +29,7 @@ pub(super) const LOADS: usize = 2;
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
-    sources: Vec<PieceState>,
+    sources: Vec<ForcesAndTwist>,
 }
 
 impl StickingForces {

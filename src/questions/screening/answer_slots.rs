@@ -9,7 +9,7 @@ pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     answers: &'a mut [T],
     /// For each lane, true if the present [`Method`](super::method::Method) computes the contact forces of the grasp in this lane. Answers of other
     /// lanes are not stored.
-    these: X::Each<bool>,
+    is_method_of_lane: X::Each<bool>,
     question: usize,
     questions: usize,
     /// How many numbers or structures of type `T` answer one question for one grasp.
@@ -22,28 +22,32 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
     #[inline(always)]
     pub(super) fn new(
         answers: &'a mut [T],
-        these: X::Each<bool>,
+        is_method_of_lane: X::Each<bool>,
         [question, questions]: [usize; 2],
         each: usize,
     ) -> Self {
-        Self { answers, these, question, questions, each }
+        Self { answers, is_method_of_lane, question, questions, each }
     }
 
-    /// The memory for the answer of the grasp in lane `scene`. `None` if the forces of this grasp are found by another method, or if the lane is
+    /// The memory for the answer of the grasp in a `lane`. `None` if the forces of this grasp are found by another method, or if the lane is
     /// unused because the last block is not full.
     #[inline(always)]
-    pub(super) fn places(&mut self, scene: usize) -> Option<&mut [T]> {
-        let first = (scene * self.questions + self.question) * self.each;
-        if self.these.as_ref()[scene] { self.answers.get_mut(first..first + self.each) } else { None }
+    pub(super) fn slot(&mut self, lane: usize) -> Option<&mut [T]> {
+        let first = (lane * self.questions + self.question) * self.each;
+        if self.is_method_of_lane.as_ref()[lane] {
+            self.answers.get_mut(first..first + self.each)
+        } else {
+            None
+        }
     }
 
     /// Stores the answer of each lane in the first entry for its grasp. Lanes are skipped if they are unused, or if another method finds the forces
     /// of their grasp.
     #[inline(always)]
     pub(super) fn each(&mut self, answers: X::Each<T>) {
-        for (scene, &answer) in answers.as_ref().iter().enumerate() {
-            if let Some(places) = self.places(scene) {
-                places[0] = answer;
+        for (lane, &answer) in answers.as_ref().iter().enumerate() {
+            if let Some(slot) = self.slot(lane) {
+                slot[0] = answer;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Many grasps with the same number of contacts, laid out in memory so that several grasps are screened at once.
 
-use super::block::AnyScene;
+use super::block::AnyGraspData;
 use super::fingers::Fingers;
 use super::gradient::GradientOf;
 use super::kernels::{Kernel, Kernels};
@@ -53,7 +53,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
 
     /// Appends a grasp. Its index in the batch, and among the answers, is the number of grasps before it.
     pub fn push(&mut self, fingers: &Fingers<C, N>) {
-        self.0.push_scene(&AnyScene::block(&fingers.grasp.scene));
+        self.0.push_grasp(&AnyGraspData::block(&fingers.grasp.data));
     }
 
     /// The number of grasps.

@@ -6,7 +6,7 @@ use super::finger::Force;
 use super::forces::{AnyForces, Forces};
 use super::lanes::{LANES, Lanes};
 use super::method::Method;
-use super::question::{Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion};
 use super::springs::StickingSprings;
 use crate::numerics::{Each, OnVectors, Vectors, on_the_widest};
 use crate::prelude::*;
@@ -23,7 +23,7 @@ pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) first: usize,
     /// The data of all blocks of grasps one after the other, each laid out as in [`Block`].
     pub(super) numbers: &'a [Lanes],
-    pub(super) parted: &'a [Lanes],
+    pub(super) commands_and_clearances: &'a [Lanes],
     pub(super) questions: &'a [Q],
     /// The memory for the answers about these grasps, ordered by grasp, then by question.
     pub(super) answers: &'a mut [Q::Answer],
@@ -58,25 +58,25 @@ impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
         let (contacts, ends) = (self.contacts, self.ends);
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
-        let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
+        let blocks = numbers.zip(self.commands_and_clearances.chunks_exact(2 * contacts));
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
         let mut methods = [Method::Edges, Method::Motions].each(StickingSprings::none);
         let all = blocks.zip(self.answers.chunks_mut(of_block)).enumerate();
-        for (k, ((numbers, parted), answers)) in all {
-            let block = Block { contacts, ends, numbers, parted };
+        for (k, ((numbers, commands_and_clearances), answers)) in all {
+            let block = Block { contacts, ends, numbers, commands_and_clearances };
             let first = self.first + k * LANES;
             for ready in &mut methods {
-                let these = ready.method().of(&block);
-                if these == [false; LANES] {
+                let is_method_of_lane = ready.method().of(&block);
+                if is_method_of_lane == [false; LANES] {
                     continue;
                 }
                 ready.prepare(vectors, &block);
                 ready.squeeze(vectors, &block, None, squeezed);
-                let scenes = Scenes { vectors, block, ready, first, squeezed };
+                let prepared = PreparedBlock { vectors, block, ready, first, squeezed };
                 for (k, question) in self.questions.iter().enumerate() {
                     let place = [k, self.questions.len()];
-                    let mut slots = AnswerSlots::new(answers, these, place, Q::answers(contacts));
-                    question.ask(&scenes, [&mut *a, &mut *b, &mut *c], &mut slots);
+                    let mut slots = AnswerSlots::new(answers, is_method_of_lane, place, Q::answers(contacts));
+                    question.ask(&prepared, [&mut *a, &mut *b, &mut *c], &mut slots);
                 }
             }
         }

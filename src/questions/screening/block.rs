@@ -23,8 +23,8 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
 }
 
 /// The data of several grasps with the same number of contacts, one grasp in each lane of a vector. Each row of `numbers` has one entry per contact;
-/// the three numbers of [`Sizes`] follow. The number of contacts is known only at run time, so that kernels are compiled once for the plane and once
-/// for space.
+/// the three numbers of [`TermSizes`] follow. The number of contacts is known only at run time, so that kernels are compiled once for the plane and
+/// once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
@@ -33,7 +33,7 @@ pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) numbers: &'a [X],
     /// Commands along the normals of all contacts, m, then their clearances, m. `numbers` has only the differences; questions that scale the commands
     /// need both.
-    pub(super) parted: &'a [X],
+    pub(super) commands_and_clearances: &'a [X],
 }
 
 /// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the vector across it (`sheared`, with axes as in
@@ -48,7 +48,7 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
 /// Sums of the absolute values of the terms of contact forces; the rounding of these forces is proportional to them. They are zero if forces are
 /// found by [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sizes<X: Packed> {
+pub(super) struct TermSizes<X: Packed> {
     /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.
     pub(super) commands: X,
     /// The same bound for the terms that are due to a load with a moment of 1 N m about one axis, N.
@@ -81,7 +81,7 @@ impl<const C: usize> Layout<C> {
         Self::OF_A_CONTACT * contacts + 3
     }
 
-    /// The number of entries of [`OneScene`]: the numbers of a [`Block`], then commands and clearances separately.
+    /// The number of entries of [`GraspData`]: the numbers of a [`Block`], then commands and clearances separately.
     const fn with_parts(contacts: usize) -> usize {
         Self::numbers(contacts) + 2 * contacts
     }
@@ -130,15 +130,16 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
     }
 
     #[inline(always)]
-    pub(super) fn sizes(&self) -> Sizes<X> {
+    pub(super) fn sizes(&self) -> TermSizes<X> {
         let sizes = &self.numbers[Layout::<C>::OF_A_CONTACT * self.contacts..][..3];
-        Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
+        TermSizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
     }
 
     /// Commands along the normals, and clearances, m, one row each with one entry per contact.
     #[inline(always)]
-    pub(super) fn parted(&self) -> [&'a [X]; 2] {
-        let (commanded, clearance) = self.parted[..2 * self.contacts].split_at(self.contacts);
+    pub(super) fn commands_and_clearances(&self) -> [&'a [X]; 2] {
+        let (commanded, clearance) =
+            self.commands_and_clearances[..2 * self.contacts].split_at(self.contacts);
         [commanded, clearance]
     }
 }
@@ -146,7 +147,7 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
 /// The data of one grasp, ordered as in a [`Block`] but with one lane. The array `A` has room for the rows of `numbers`, then for commands and
 /// clearances.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct OneScene<const C: usize, A: ?Sized = [f64; Layout::<3>::with_parts(MOST_SCREENED)]> {
+pub(super) struct GraspData<const C: usize, A: ?Sized = [f64; Layout::<3>::with_parts(MOST_SCREENED)]> {
     contacts: usize,
     /// Bit i is set if contact point i is the last point of its finger. Without soft fingertips each contact is a single point, and the bits of all
     /// contacts are set.
@@ -155,28 +156,28 @@ pub(super) struct OneScene<const C: usize, A: ?Sized = [f64; Layout::<3>::with_p
 }
 
 /// The data of one grasp with any number of contacts.
-pub(super) type AnyScene<const C: usize> = OneScene<C, [f64]>;
+pub(super) type AnyGraspData<const C: usize> = GraspData<C, [f64]>;
 /// The data of one grasp, with room for as many contacts as a grasp of a batch may have.
-pub(super) type WideScene<const C: usize> = OneScene<C, [f64; Layout::<3>::with_parts(MOST_POINTS)]>;
+pub(super) type WideGraspData<const C: usize> = GraspData<C, [f64; Layout::<3>::with_parts(MOST_POINTS)]>;
 
-impl<const C: usize, const R: usize> OneScene<C, [f64; R]> {
+impl<const C: usize, const R: usize> GraspData<C, [f64; R]> {
     /// A grasp of `contacts` contacts whose data are all zero. The array must have room for them.
     pub(super) fn new(contacts: usize) -> Self {
         Self { contacts: count(contacts), ends: u64::MAX, numbers: [0.0; R] }
     }
 }
 
-impl<const C: usize> AnyScene<C> {
+impl<const C: usize> AnyGraspData<C> {
     /// Starts to store a grasp of this many contacts, each of them a finger of its own. The data of the contacts are written later.
     pub(super) fn begin(&mut self, contacts: usize) {
         (self.contacts, self.ends) = (count(contacts), u64::MAX);
-        self.measure(&Sizes { commands: 0.0, moment: 0.0, force: 0.0 });
+        self.measure(&TermSizes { commands: 0.0, moment: 0.0, force: 0.0 });
     }
 
     pub(super) fn block(&self) -> Block<'_, C, f64> {
         let rows = Layout::<C>::numbers(self.contacts);
-        let (numbers, parted) = self.numbers[..rows + 2 * self.contacts].split_at(rows);
-        Block { contacts: self.contacts, ends: self.ends, numbers, parted }
+        let (numbers, commands_and_clearances) = self.numbers[..rows + 2 * self.contacts].split_at(rows);
+        Block { contacts: self.contacts, ends: self.ends, numbers, commands_and_clearances }
     }
 
     /// The entry of one contact in one row of `numbers`.
@@ -185,13 +186,13 @@ impl<const C: usize> AnyScene<C> {
     }
 
     /// Sets the command along the normal and the clearance of a contact, m.
-    pub(super) fn part(&mut self, contact: usize, [command, clearance]: [f64; 2]) {
+    pub(super) fn set_command_and_clearance(&mut self, contact: usize, [command, clearance]: [f64; 2]) {
         let first = Layout::<C>::numbers(self.contacts) + contact;
         self.numbers[first] = command;
         self.numbers[first + self.contacts] = clearance;
     }
 
-    pub(super) fn measure(&mut self, sizes: &Sizes<f64>) {
+    pub(super) fn measure(&mut self, sizes: &TermSizes<f64>) {
         let first = Layout::<C>::OF_A_CONTACT * self.contacts;
         self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }

@@ -22,7 +22,7 @@ use super::gradient_row::{GradientRow, Slopes};
 use super::lanes::Packed;
 use super::moved::ObjectMotion;
 use super::pull::Pull;
-use super::question::{Room, Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion, WorkingForces};
 use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
@@ -47,17 +47,17 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, C, X>,
-        [rates, forces, answered]: Room<'_, C, X>,
+        prepared: &PreparedBlock<'_, V, C, X>,
+        [rates, forces, answered]: WorkingForces<'_, C, X>,
         slots: &mut AnswerSlots<'_, f64, X>,
     ) {
-        let (v, block, ready) = (scenes.vectors, &scenes.block, scenes.ready);
+        let (v, block, ready) = (prepared.vectors, &prepared.block, prepared.ready);
         let Pull { base, direction, loaded } = &self.pull;
-        scenes.under(direction, rates);
+        prepared.under(direction, rates);
         if *loaded {
-            scenes.squeezed_under(base, forces);
+            prepared.squeezed_under(base, forces);
         } else {
-            forces.copy_from(scenes.squeezed);
+            forces.copy_from(prepared.squeezed);
         }
         let first = judge(v, block, forces, rates);
         let mut edge = LeavingEdge::none();

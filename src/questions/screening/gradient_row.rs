@@ -89,12 +89,12 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             load[C + axis] = less * virtually.turn[axis];
         }
         let numbers = GradientRow::<C>::numbers(contacts);
-        for (scene, screened) in self.first.as_ref().iter().enumerate() {
-            if let Some(places) = slots.places(scene) {
-                for (place, number) in places.iter_mut().zip(&row[..numbers]) {
-                    *place = number.lane(scene);
+        for (lane, screened) in self.first.as_ref().iter().enumerate() {
+            if let Some(slot) = slots.slot(lane) {
+                for (entry, number) in slot.iter_mut().zip(&row[..numbers]) {
+                    *entry = number.lane(lane);
                 }
-                (places[GradientRow::<C>::CODE], places[GradientRow::<C>::LEAVING]) =
+                (slot[GradientRow::<C>::CODE], slot[GradientRow::<C>::LEAVING]) =
                     (screened.0.code, screened.0.leaving);
             }
         }

@@ -3,7 +3,7 @@
 use super::answer_slots::AnswerSlots;
 use super::lanes::Packed;
 use super::least_factor::LeastFactor;
-use super::question::{Room, Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion, WorkingForces};
 use super::screened_squeeze::ScreenedSqueeze;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -37,16 +37,16 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, C, X>,
-        [commands, overlaps, others]: Room<'_, C, X>,
+        prepared: &PreparedBlock<'_, V, C, X>,
+        [commands, overlaps, others]: WorkingForces<'_, C, X>,
         slots: &mut AnswerSlots<'_, ScreenedSqueeze, X>,
     ) {
-        scenes.apart([commands, overlaps]);
+        prepared.apart([commands, overlaps]);
         let mut enough = LeastFactor::new();
         for (number, load) in self.loads.iter().enumerate() {
-            scenes.under(load, others);
-            others.add_to(scenes.block.contacts, overlaps, 1.0);
-            enough.under(scenes.vectors, number, scenes.block.friction(), [&*commands, &*others]);
+            prepared.under(load, others);
+            others.add_to(prepared.block.contacts, overlaps, 1.0);
+            enough.under(prepared.vectors, number, prepared.block.friction(), [&*commands, &*others]);
         }
         let (code, binding) = enough.least();
         slots.each(X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) }));

@@ -8,7 +8,7 @@
 //! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
 //! neighbouring lanes.
 
-use super::block::{AnyScene, Block, Layout, Sizes};
+use super::block::{AnyGraspData, Block, Layout, TermSizes};
 use super::lanes::Packed;
 use super::triangle::{self, N, Triangle, others};
 use crate::numerics::Each;
@@ -48,40 +48,40 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
     C == 3 && block.contacts == triangle::N
 }
 
-/// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances and writes [`Sizes`] above zero, which
-/// mark the choice.
-pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
-    let stiff = scene.block().springs().each(|row| [row[0], row[1], row[2]]);
+/// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances and writes [`TermSizes`] above zero,
+/// which mark the choice.
+pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
+    let stiff = grasp.block().springs().each(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for (axis, row) in stiff.iter().enumerate() {
         for (i, stiffness) in row.iter().enumerate() {
             let compliance = 1.0 / stiffness;
-            *scene.at(Layout::<C>::SPRINGS + axis, i) = compliance;
+            *grasp.at(Layout::<C>::SPRINGS + axis, i) = compliance;
             least = least.min(compliance);
             most = most.max(compliance);
         }
     }
-    let sizes = sizes(&scene.block());
+    let sizes = sizes(&grasp.block());
     // Compliances of the three contacts may differ by at most this ratio. If this were larger, the force of a soft contact would lose more than three
     // digits. If smaller, more grasps would need the other method, which takes twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
-        scene.measure(&sizes);
+        grasp.measure(&sizes);
         return;
     }
     for (axis, row) in stiff.into_iter().enumerate() {
         for (i, stiffness) in row.into_iter().enumerate() {
-            *scene.at(Layout::<C>::SPRINGS + axis, i) = stiffness;
+            *grasp.at(Layout::<C>::SPRINGS + axis, i) = stiffness;
         }
     }
 }
 
 /// Bounds of the rounding of contact forces found along edges. The bounds for a unit moment and a unit force are zero if rounding would be too large
 /// for this method.
-fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
+fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let mut triangle = Triangle::none();
-    triangle.ready(scene);
+    triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
-    let [c_n, c_t] = scene.springs();
+    let [c_n, c_t] = grasp.springs();
     // A bound of the forces along edges that contact forces P of size one cause if they balance each other: `|N| |A⁻¹| |Nᵀ| C P` by absolute values.
     // N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
@@ -102,8 +102,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     // smaller, more grasps would need the other method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
-    Sizes {
-        commands: triangle.size_of(&scene.commands()),
+    TermSizes {
+        commands: triangle.size_of(&grasp.commands()),
         moment: tamed(moment),
         force: tamed(gives + moment * centre),
     }
@@ -118,29 +118,29 @@ mod tests {
     use crate::contact::ZERO_SLACK;
     use crate::numerics::{Compiled, Draw};
 
-    type OneScene = super::super::block::OneScene<3>;
+    type GraspData = super::super::block::GraspData<3>;
     type Row = Layout<3>;
 
     /// A grasp of three contacts at random positions, which are multiplied by `narrow` along two axes, and with stiffnesses spread over `decades`
     /// decades.
-    fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
-        let mut made = OneScene::new(3);
-        let scene: &mut AnyScene<3> = &mut made;
+    fn grasp(draw: &mut Draw, narrow: f64, decades: f64) -> GraspData {
+        let mut made = GraspData::new(3);
+        let grasp: &mut AnyGraspData<3> = &mut made;
         for i in 0..3 {
             let inward = [0, 1, 2].map(|_| draw.normal());
             let length = inward.iter().map(|x| x * x).sum::<f64>().sqrt();
             for axis in 0..3 {
                 let width = if axis == 0 { 1.0 } else { narrow };
-                *scene.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
-                *scene.at(Row::NORMAL + axis, i) = inward[axis] / length;
+                *grasp.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
+                *grasp.at(Row::NORMAL + axis, i) = inward[axis] / length;
             }
             // The component of the command across the normal.
             let shear = 0.1 * draw.normal();
-            *scene.at(Row::SHEARED, i) = shear * *scene.at(Row::NORMAL + 1, i);
-            *scene.at(Row::SHEARED + 1, i) = -(shear * *scene.at(Row::NORMAL, i));
-            *scene.at(Row::PRESSED, i) = draw.normal();
+            *grasp.at(Row::SHEARED, i) = shear * *grasp.at(Row::NORMAL + 1, i);
+            *grasp.at(Row::SHEARED + 1, i) = -(shear * *grasp.at(Row::NORMAL, i));
+            *grasp.at(Row::PRESSED, i) = draw.normal();
             for axis in 0..2 {
-                *scene.at(Row::SPRINGS + axis, i) = 10_f64.powf(0.3 * decades * draw.normal());
+                *grasp.at(Row::SPRINGS + axis, i) = 10_f64.powf(0.3 * decades * draw.normal());
             }
         }
         made
@@ -160,12 +160,12 @@ mod tests {
     }
 
     /// The contact forces that a load causes, and the contact forces that the commands cause, both computed by the given method.
-    fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64; 6]) -> [Forces<3, f64>; 2] {
+    fn forces(method: Method, grasp: &Block<'_, 3, f64>, load: &[f64; 6]) -> [Forces<3, f64>; 2] {
         let (mut ready, [mut loaded, mut squeezed]) =
             (StickingSprings::none(method), [Forces::<3, f64>::none(); 2]);
-        ready.prepare(Compiled, scene);
-        ready.load(Compiled, scene, load, &mut loaded);
-        ready.squeeze(Compiled, scene, None, &mut squeezed);
+        ready.prepare(Compiled, grasp);
+        ready.load(Compiled, grasp, load, &mut loaded);
+        ready.squeeze(Compiled, grasp, None, &mut squeezed);
         [loaded, squeezed]
     }
 
@@ -175,11 +175,11 @@ mod tests {
         let mut draw = Draw::new([3, narrow.to_bits(), decades.to_bits()]);
         let (mut count, mut worst) = (0, 0.0_f64);
         for _ in 0..1000 {
-            let stiff = scene(&mut draw, narrow, decades);
+            let stiff = grasp(&mut draw, narrow, decades);
             let mut compliant = stiff;
             to_compliances(&mut compliant);
             let load = [0; 6].map(|_| draw.normal());
-            let (stiff, compliant) = (AnyScene::block(&stiff), AnyScene::block(&compliant));
+            let (stiff, compliant) = (AnyGraspData::block(&stiff), AnyGraspData::block(&compliant));
             if Method::Edges.of(&compliant) == [false] {
                 assert_eq!(compliant.springs(), stiff.springs());
                 continue;
@@ -205,13 +205,13 @@ mod tests {
     /// Without friction at one contact its tangential stiffness is zero and its compliance infinite, so the motion of the object is used.
     #[test]
     fn without_friction_by_motions() {
-        let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);
+        let mut grasp = grasp(&mut Draw::new([0; 3]), 1.0, 0.0);
         for contacts in 1..=3 {
-            *AnyScene::at(&mut scene, Row::SPRINGS + 1, contacts - 1) = 0.0;
-            let mut asked = scene;
+            *AnyGraspData::at(&mut grasp, Row::SPRINGS + 1, contacts - 1) = 0.0;
+            let mut asked = grasp;
             to_compliances(&mut asked);
-            assert_eq!(Method::Motions.of(&AnyScene::block(&asked)), [true]);
-            assert_eq!(AnyScene::block(&asked).springs(), AnyScene::block(&scene).springs());
+            assert_eq!(Method::Motions.of(&AnyGraspData::block(&asked)), [true]);
+            assert_eq!(AnyGraspData::block(&asked).springs(), AnyGraspData::block(&grasp).springs());
         }
     }
 }

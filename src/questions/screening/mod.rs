@@ -29,7 +29,7 @@
 //! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
 //! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
-//! In the code a *scene* is one grasp, a *lane* its index in a vector register, and a *block* as many scenes as there are lanes. A contact *leaves*
+//! A *lane* is the index of a grasp in a vector register, and a *block* as many grasps as there are lanes. A contact *leaves*
 //! (its friction cone) when it stops sticking.
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset

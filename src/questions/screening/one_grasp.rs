@@ -3,12 +3,12 @@
 use nalgebra::SMatrix;
 
 use super::answer_slots::AnswerSlots;
-use super::block::{AnyScene, Layout, OneScene};
+use super::block::{AnyGraspData, GraspData, Layout};
 use super::cone::{OPENS_ONLY, STAYS};
 use super::forces::Forces;
 use super::method::{self, Method, is_a_pair, is_a_triangle};
 use super::pair;
-use super::question::{Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion};
 use super::springs::StickingSprings;
 use super::watch::{Measured, Watched};
 use crate::error::{Error, Field};
@@ -18,7 +18,7 @@ use crate::numerics::Compiled;
 /// The data of one grasp, its prepared springs, and the contact forces due to its commands (`squeezed`), computed once for all loads.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const C: usize> {
-    pub(super) scene: OneScene<C>,
+    pub(super) data: GraspData<C>,
     ready: StickingSprings<C, f64>,
     squeezed: Forces<C, f64>,
 }
@@ -26,11 +26,11 @@ pub(super) struct OneGrasp<const C: usize> {
 impl<const C: usize> OneGrasp<C> {
     /// Checks two to five contacts and prepares their springs. Returns an error as for [`write_all`].
     pub(super) fn new(contacts: &[Contact<C>]) -> Result<Self, Error> {
-        let (scene, ready) = (OneScene::new(contacts.len()), StickingSprings::none(Method::Edges));
-        let mut grasp = Self { scene, ready, squeezed: Forces::none() };
-        let Self { scene, ready, squeezed } = &mut grasp;
-        write_all(scene, contacts)?;
-        let block = AnyScene::block(scene);
+        let (data, ready) = (GraspData::new(contacts.len()), StickingSprings::none(Method::Edges));
+        let mut grasp = Self { data, ready, squeezed: Forces::none() };
+        let Self { data, ready, squeezed } = &mut grasp;
+        write_all(data, contacts)?;
+        let block = AnyGraspData::block(data);
         if Method::Motions.of(&block) == [true] {
             *ready = StickingSprings::none(Method::Motions);
         }
@@ -41,13 +41,13 @@ impl<const C: usize> OneGrasp<C> {
 
     /// Answers a question about this grasp. `answers` has as many entries as the question has answers.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
-        let block = AnyScene::block(&self.scene);
+        let block = AnyGraspData::block(&self.data);
         let (ready, squeezed) = (&self.ready, &self.squeezed);
         // The compiler removes those arrays of forces that a question does not use.
         let [mut a, mut b, mut c] = [Forces::<C, f64>::none(); 3];
         let mut slots = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
-        let scenes = Scenes { vectors: Compiled, block, ready, first: 0, squeezed };
-        question.ask(&scenes, [&mut a, &mut b, &mut c], &mut slots);
+        let prepared = PreparedBlock { vectors: Compiled, block, ready, first: 0, squeezed };
+        question.ask(&prepared, [&mut a, &mut b, &mut c], &mut slots);
     }
 
     /// The margins of measured contact forces of this grasp, and the first slip under a load to come; see [`Measured`].
@@ -58,10 +58,10 @@ impl<const C: usize> OneGrasp<C> {
     }
 }
 
-/// Checks contacts and stores their data in `scene`. For [`Method::Edges`], stiffnesses are replaced by compliances. An error for a malformed
+/// Checks contacts and stores them in `data`. For [`Method::Edges`], stiffnesses are replaced by compliances. An error for a malformed
 /// contact, or a contact that screening does not support.
 pub(super) fn write_all<const C: usize>(
-    scene: &mut AnyScene<C>,
+    data: &mut AnyGraspData<C>,
     contacts: &[Contact<C>],
 ) -> Result<(), Error> {
     let mut before: Option<(&Contact<C>, SMatrix<f64, C, C>)> = None;
@@ -72,22 +72,22 @@ pub(super) fn write_all<const C: usize>(
             before.filter(|(other, _)| other.normal == contact.normal && other.tangent == contact.tangent);
         let frame = same.map_or_else(|| contact.frame(index), |(_, frame)| Ok(frame))?;
         before = Some((contact, frame));
-        write(scene, index, contact, &frame)?;
+        write(data, index, contact, &frame)?;
         if contact.point_of_pad.is_some_and(|point| point > 0) && index > 0 {
-            scene.join_to_next(index - 1);
+            data.join_to_next(index - 1);
         }
     }
-    if const { C == 2 } && is_a_pair(&scene.block()) {
-        pair::to_compliances(scene);
-    } else if const { C == 3 } && is_a_triangle(&scene.block()) {
-        method::to_compliances(scene);
+    if const { C == 2 } && is_a_pair(&data.block()) {
+        pair::to_compliances(data);
+    } else if const { C == 3 } && is_a_triangle(&data.block()) {
+        method::to_compliances(data);
     }
     Ok(())
 }
 
 /// Stores the data of one contact with this frame. An error for a contact held by a force or suction, or with unequal tangential stiffness in space.
 fn write<const C: usize>(
-    scene: &mut AnyScene<C>,
+    data: &mut AnyGraspData<C>,
     index: usize,
     contact: &Contact<C>,
     frame: &SMatrix<f64, C, C>,
@@ -111,8 +111,8 @@ fn write<const C: usize>(
         });
     }
     let mut a = contact.commanded();
-    *scene.at(Layout::<C>::PRESSED, index) = a[0] - contact.clearance;
-    scene.part(index, [a[0], contact.clearance]);
+    *data.at(Layout::<C>::PRESSED, index) = a[0] - contact.clearance;
+    data.set_command_and_clearance(index, [a[0], contact.clearance]);
     a[0] = 0.0;
     if C == 3 {
         let n = frame.column(0).into_owned();
@@ -125,14 +125,14 @@ fn write<const C: usize>(
         a[0] *= turned.signum();
     }
     for axis in 0..C {
-        *scene.at(Layout::<C>::POINT + axis, index) = contact.point[axis];
-        *scene.at(Layout::<C>::NORMAL + axis, index) = frame[(axis, 0)];
-        *scene.at(Layout::<C>::SHEARED + axis, index) = a[axis];
+        *data.at(Layout::<C>::POINT + axis, index) = contact.point[axis];
+        *data.at(Layout::<C>::NORMAL + axis, index) = frame[(axis, 0)];
+        *data.at(Layout::<C>::SHEARED + axis, index) = a[axis];
     }
-    *scene.at(Layout::<C>::SPRINGS, index) = k[0];
-    *scene.at(Layout::<C>::SPRINGS + 1, index) = tangential;
+    *data.at(Layout::<C>::SPRINGS, index) = k[0];
+    *data.at(Layout::<C>::SPRINGS + 1, index) = tangential;
     let slides = contact.friction > 0.0 && contact.friction.is_finite();
-    *scene.at(Layout::<C>::FRICTION, index) = match contact.hold {
+    *data.at(Layout::<C>::FRICTION, index) = match contact.hold {
         Hold::Bonded => STAYS,
         _ if slides => contact.friction,
         Hold::Unilateral => OPENS_ONLY,

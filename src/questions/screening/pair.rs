@@ -16,7 +16,7 @@
 //!
 //! The coefficient of λ in this condition is a sum of positive terms. Stiffnesses do not cancel, whatever their ratios.
 
-use super::block::{AnyScene, Block, Commanded, Layout, Sizes};
+use super::block::{AnyGraspData, Block, Commanded, Layout, TermSizes};
 use super::forces::AnyForces;
 use super::lanes::Packed;
 use super::tolerances::ON_THE_EDGE;
@@ -29,8 +29,8 @@ use crate::numerics::{Each, Vectors};
 /// A contact without friction has an infinite tangential compliance. The condition that fixes the force λ along the line through both contacts then
 /// becomes `F_t = 0` at this contact; all other terms vanish. Two such contacts hold no load. A pair also holds no load if the normal of a contact
 /// without friction is along the line through both, since the object then turns about the other contact. In these two cases the compliances are NaN.
-pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
-    let block = scene.block();
+pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
+    let block = grasp.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
     let slippery = [k_t[0], k_t[1]].each(|k| k == 0.0);
     let [x, y] = [0, 1].each(|axis| points[axis][1] - points[axis][0]);
@@ -46,33 +46,33 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut AnyScene<C>) {
     });
     for (i, compliances) in compliances.into_iter().enumerate() {
         for (axis, compliance) in compliances.into_iter().enumerate() {
-            *scene.at(Layout::<C>::SPRINGS + axis, i) = compliance;
+            *grasp.at(Layout::<C>::SPRINGS + axis, i) = compliance;
         }
         if count > 0 {
-            *scene.at(Layout::<C>::PRESSED, i) = 0.0;
-            *scene.at(Layout::<C>::SHEARED, i) = 0.0;
-            scene.part(i, [0.0; 2]);
+            *grasp.at(Layout::<C>::PRESSED, i) = 0.0;
+            *grasp.at(Layout::<C>::SHEARED, i) = 0.0;
+            grasp.set_command_and_clearance(i, [0.0; 2]);
         }
     }
-    let sizes = sizes(&scene.block());
-    scene.measure(&sizes);
+    let sizes = sizes(&grasp.block());
+    grasp.measure(&sizes);
 }
 
 /// Sums of absolute values of terms, to which the rounding of contact forces is proportional, for a pair whose springs are stored as compliances.
-fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
-    let pair = Pair::new(scene);
-    let [x, y] = [0, 1].each(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
+fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
+    let pair = Pair::new(grasp);
+    let [x, y] = [0, 1].each(|axis| grasp.points()[axis][1] - grasp.points()[axis][0]);
     let length = x.abs() + y.abs();
     let mut gives = 0.0;
     for i in 0..2 {
         gives += pair.u[i].abs() + pair.v[i].abs();
     }
-    let commands = pair.size_of(length, &scene.commands());
+    let commands = pair.size_of(length, &grasp.commands());
     let scale = length * pair.one_over_give;
     let gives = 1.0 + scale * gives;
     let moment = length * pair.one_over_square * gives;
     let [x, y] = pair.midpoint;
-    Sizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
+    TermSizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
 /// Two contacts in the plane and the line through both, for several grasps, one in each lane of a vector. Inner arrays of two have an entry for each
@@ -96,7 +96,7 @@ pub(super) struct Pair<X: Packed> {
     sheared: X,
     /// The stretch of this line due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
-    sizes: Sizes<X>,
+    sizes: TermSizes<X>,
 }
 
 impl<X: Packed> Pair<X> {
@@ -166,7 +166,7 @@ impl<X: Packed> Pair<X> {
             one_over_square: zero,
             sheared: zero,
             commanded: zero,
-            sizes: Sizes { commands: zero, moment: zero, force: zero },
+            sizes: TermSizes { commands: zero, moment: zero, force: zero },
         }
     }
 

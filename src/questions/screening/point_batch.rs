@@ -1,7 +1,7 @@
 //! Many grasps with the same number of contact points, up to 64; several grasps are stored side by side in each block.
 
 use super::batch_part::BatchPart;
-use super::block::{AnyScene, Block, Layout, MOST_POINTS, WideScene};
+use super::block::{AnyGraspData, Block, Layout, MOST_POINTS, WideGraspData};
 use super::kernels::Kernels;
 use super::lanes::{LANES, Lanes, Packed};
 use super::one_grasp::write_all;
@@ -44,10 +44,10 @@ pub struct PointBatch<const C: usize> {
     ends: u64,
     /// The data of all blocks one after the other, each laid out as `numbers` of [`Block`].
     numbers: Vec<Lanes>,
-    parted: Vec<Lanes>,
+    commands_and_clearances: Vec<Lanes>,
     len: usize,
     /// Memory for the data of one grasp before they are appended to the batch; `None` before the first [`Self::push`].
-    scene: Option<Box<WideScene<C>>>,
+    grasp: Option<Box<WideGraspData<C>>>,
 }
 
 impl<const C: usize> PointBatch<C> {
@@ -56,8 +56,8 @@ impl<const C: usize> PointBatch<C> {
     pub fn with_capacity(points: usize, grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
         let sizes = [Layout::<C>::numbers(points), 2 * points];
-        let [numbers, parted] = sizes.each(|size| Vec::with_capacity(blocks * size));
-        Self { contacts: points, ends: u64::MAX, numbers, parted, len: 0, scene: None }
+        let [numbers, commands_and_clearances] = sizes.each(|size| Vec::with_capacity(blocks * size));
+        Self { contacts: points, ends: u64::MAX, numbers, commands_and_clearances, len: 0, grasp: None }
     }
 
     /// The number of grasps.
@@ -79,18 +79,18 @@ impl<const C: usize> PointBatch<C> {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;
         }
-        let mut memory = self.scene.take().unwrap_or_else(|| Box::new(WideScene::new(0)));
-        let scene: &mut AnyScene<C> = &mut *memory;
-        scene.begin(contacts.len());
-        let is_written = write_all(scene, contacts).is_ok();
-        let scene = scene.block();
-        let fingers = (scene.ends << (u64::BITS as usize - contacts.len())).count_ones();
+        let mut memory = self.grasp.take().unwrap_or_else(|| Box::new(WideGraspData::new(0)));
+        let grasp: &mut AnyGraspData<C> = &mut *memory;
+        grasp.begin(contacts.len());
+        let is_written = write_all(grasp, contacts).is_ok();
+        let grasp = grasp.block();
+        let fingers = (grasp.ends << (u64::BITS as usize - contacts.len())).count_ones();
         // One floating-point number stores which fingers leave, one bit for each finger, so a grasp may have at most 52 fingers.
-        let fits = fingers < f64::MANTISSA_DIGITS && (self.is_empty() || self.ends == scene.ends);
+        let fits = fingers < f64::MANTISSA_DIGITS && (self.is_empty() || self.ends == grasp.ends);
         if is_written && fits {
-            self.push_scene(&scene);
+            self.push_grasp(&grasp);
         }
-        self.scene = Some(memory);
+        self.grasp = Some(memory);
         is_written && fits
     }
 
@@ -112,15 +112,18 @@ impl<const C: usize> PointBatch<C> {
 
     pub(super) fn clear(&mut self) {
         self.numbers.clear();
-        self.parted.clear();
+        self.commands_and_clearances.clear();
         self.len = 0;
     }
 
     /// Appends a grasp, given as a block of one lane, which must fit the batch.
-    pub(super) fn push_scene(&mut self, scene: &Block<'_, C, f64>) {
+    pub(super) fn push_grasp(&mut self, grasp: &Block<'_, C, f64>) {
         let lane = self.len % LANES;
-        self.ends = scene.ends;
-        let both = [(&mut self.numbers, scene.numbers), (&mut self.parted, scene.parted)];
+        self.ends = grasp.ends;
+        let both = [
+            (&mut self.numbers, grasp.numbers),
+            (&mut self.commands_and_clearances, grasp.commands_and_clearances),
+        ];
         for (numbers, of_scene) in both {
             if lane == 0 {
                 numbers.resize(numbers.len() + of_scene.len(), Lanes::all(0.0));
@@ -144,18 +147,23 @@ impl<const C: usize> PointBatch<C> {
         // Kernels write every answer, so that old answers in reused memory need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
-        let (blocks, numbers, parted) =
+        let (blocks, numbers, commands_and_clearances) =
             (blocks.max(1), Layout::<C>::numbers(self.contacts), 2 * self.contacts);
-        let places = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
-        let parts = self.numbers.chunks(blocks * numbers).zip(self.parted.chunks(blocks * parted));
-        parts.zip(places).enumerate().map(move |(part, ((numbers, parted), answers))| BatchPart {
-            contacts: self.contacts,
-            ends: self.ends,
-            first: part * blocks * LANES,
-            numbers,
-            parted,
-            questions,
-            answers,
+        let slots = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
+        let parts = self
+            .numbers
+            .chunks(blocks * numbers)
+            .zip(self.commands_and_clearances.chunks(blocks * commands_and_clearances));
+        parts.zip(slots).enumerate().map(move |(part, ((numbers, commands_and_clearances), answers))| {
+            BatchPart {
+                contacts: self.contacts,
+                ends: self.ends,
+                first: part * blocks * LANES,
+                numbers,
+                commands_and_clearances,
+                questions,
+                answers,
+            }
         })
     }
 }

@@ -4,7 +4,7 @@ use super::answer_slots::AnswerSlots;
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::lanes::Packed;
-use super::question::{Room, Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion, WorkingForces};
 use super::screened::Screened;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -39,16 +39,16 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, C, X>,
-        [rates, base, _]: Room<'_, C, X>,
+        prepared: &PreparedBlock<'_, V, C, X>,
+        [rates, base, _]: WorkingForces<'_, C, X>,
         slots: &mut AnswerSlots<'_, Screened, X>,
     ) {
-        scenes.under(&self.direction, rates);
-        let mut start = scenes.squeezed;
+        prepared.under(&self.direction, rates);
+        let mut start = prepared.squeezed;
         if self.loaded {
-            scenes.squeezed_under(&self.base, base);
+            prepared.squeezed_under(&self.base, base);
             start = base;
         }
-        slots.each(judge(scenes.vectors, &scenes.block, start, rates));
+        slots.each(judge(prepared.vectors, &prepared.block, start, rates));
     }
 }

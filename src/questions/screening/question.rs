@@ -13,7 +13,7 @@ use crate::numerics::Vectors;
 /// The grasps of a block with prepared springs, one in each lane. Springs and forces are borrowed, because they are too large to be copied for every
 /// block.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
+pub(crate) struct PreparedBlock<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
     pub(super) ready: &'a StickingSprings<C, X>,
@@ -24,7 +24,7 @@ pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
 }
 
 /// Working memory for three sets of contact forces that a question needs, created once for all blocks.
-pub(crate) type Room<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
+pub(crate) type WorkingForces<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 
 /// A question of screening, such as the first slip under a load, which is answered for every grasp of a batch.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
@@ -39,13 +39,13 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     /// vector instructions of the caller would otherwise not be used.
     fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, C, X>,
-        room: Room<'_, C, X>,
+        prepared: &PreparedBlock<'_, V, C, X>,
+        working: WorkingForces<'_, C, X>,
         slots: &mut AnswerSlots<'_, Self::Answer, X>,
     );
 }
 
-impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
+impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
     /// Computes the contact forces that a load alone causes; all grasps have the same load.
     #[inline(always)]
     pub(super) fn under(&self, load: &Wrench<C>, forces: &mut AnyForces<C, X>) {
@@ -73,7 +73,7 @@ impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
     /// forces due to commands are larger than the bounds of forces due to loads; here they are scaled down to the latter.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
-        let [commanded, clearance] = self.block.parted();
+        let [commanded, clearance] = self.block.commands_and_clearances();
         let mut largest = X::all(0.0);
         let mut overlaps = [X::all(0.0); MOST_SCREENED];
         for (overlap, clearance) in overlaps.iter_mut().zip(clearance) {

@@ -10,7 +10,7 @@ use super::lanes::{Packed, dot};
 use super::moved::ObjectMotion;
 use super::point_batch::PointBatch;
 use super::pull::Pull;
-use super::question::{Room, Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion, WorkingForces};
 use super::screened::Screened;
 use super::springs::Cause;
 use super::tolerances::ON_THE_EDGE;
@@ -61,36 +61,36 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, C, X>,
-        [rates, base, _]: Room<'_, C, X>,
+        prepared: &PreparedBlock<'_, V, C, X>,
+        [rates, base, _]: WorkingForces<'_, C, X>,
         slots: &mut AnswerSlots<'_, WhileSticking, X>,
     ) {
         let zero = X::all(0.0);
         let [mut at_rest, mut more] = [[zero; 6]; 2];
         for k in 0..Layout::<C>::COORDINATES {
-            at_rest[k] = self.lanes(scenes.first, |pull| pull.base.components()[k]);
-            more[k] = self.lanes(scenes.first, |pull| pull.direction.components()[k]);
+            at_rest[k] = self.lanes(prepared.first, |pull| pull.base.components()[k]);
+            more[k] = self.lanes(prepared.first, |pull| pull.direction.components()[k]);
         }
-        scenes.under_lanes(&more, rates);
-        scenes.under_lanes(&at_rest, base);
-        base.add_to(scenes.block.contacts, scenes.squeezed, ON_THE_EDGE / ZERO_SLACK);
-        let first = judge(scenes.vectors, &scenes.block, base, rates);
+        prepared.under_lanes(&more, rates);
+        prepared.under_lanes(&at_rest, base);
+        base.add_to(prepared.block.contacts, prepared.squeezed, ON_THE_EDGE / ZERO_SLACK);
+        let first = judge(prepared.vectors, &prepared.block, base, rates);
         let mut turn = X::all(f64::NAN);
         if self.turns {
-            let start = scenes.turned(&at_rest, base);
-            base.add_to(scenes.block.contacts, rates, 1.0);
+            let start = prepared.turned(&at_rest, base);
+            base.add_to(prepared.block.contacts, rates, 1.0);
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
             // `max` ignores NaN. Adding zero times `start` makes `turn` NaN if `start` is NaN.
-            turn = start.max(scenes.turned(&more, base)) + zero * start;
+            turn = start.max(prepared.turned(&more, base)) + zero * start;
         }
         let first = first.as_ref();
         slots.each(X::each(|lane| WhileSticking { first: first[lane], turn: turn.lane(lane) }));
     }
 }
 
-impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
+impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
     /// The magnitude of the object's rotation under the commands and a load, rad, given the contact forces of both together. NaN if the position of
     /// the object is not determined.
     #[inline(always)]

@@ -12,7 +12,7 @@ use super::forces::AnyForces;
 use super::kernels::Kernels;
 use super::lanes::{Packed, dot};
 use super::least_factor::LeastFactor;
-use super::question::{Room, Scenes, ScreeningQuestion};
+use super::question::{PreparedBlock, ScreeningQuestion, WorkingForces};
 use super::screened::Screened;
 use super::screened_squeeze::ScreenedSqueeze;
 use super::tolerances::ON_THE_EDGE;
@@ -158,14 +158,14 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, C, X>,
-        [to_come, measured, commands]: Room<'_, C, X>,
+        prepared: &PreparedBlock<'_, V, C, X>,
+        [to_come, measured, commands]: WorkingForces<'_, C, X>,
         slots: &mut AnswerSlots<'_, Watched, X>,
     ) {
-        let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
-        scenes.under(self.to_come, to_come);
-        self.write(scenes.block.normals(), measured);
-        let first_slip = judge(scenes.vectors, &scenes.block, measured, to_come);
+        let (friction, contacts) = (prepared.block.friction(), prepared.block.contacts);
+        prepared.under(self.to_come, to_come);
+        self.write(prepared.block.normals(), measured);
+        let first_slip = judge(prepared.vectors, &prepared.block, measured, to_come);
         let (mut margin, mut tightest) = (X::all(f64::INFINITY), X::all(0.0));
         for i in 0..count(contacts) {
             let cone = StickingCone::of(friction[i]);
@@ -177,16 +177,16 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         }
         measured.scale_rounding(ZERO_SLACK / ON_THE_EDGE);
         to_come.add_to(contacts, measured, 1.0);
-        scenes.apart([commands, measured]);
+        prepared.apart([commands, measured]);
         let mut enough = LeastFactor::new();
-        enough.under(scenes.vectors, 0, friction, [&*commands, &*to_come]);
+        enough.under(prepared.vectors, 0, friction, [&*commands, &*to_come]);
         let (code, binding) = enough.least();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
-        slots.each(X::each(|scene| Watched {
-            margin: margin.lane(scene),
-            tightest: tightest.lane(scene) as usize,
-            first_slip: first_slip.as_ref()[scene],
-            extra_squeeze: ScreenedSqueeze { code: code.lane(scene), binding: binding.lane(scene) },
+        slots.each(X::each(|lane| Watched {
+            margin: margin.lane(lane),
+            tightest: tightest.lane(lane) as usize,
+            first_slip: first_slip.as_ref()[lane],
+            extra_squeeze: ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) },
         }));
     }
 }

@@ -234,7 +234,7 @@ impl<'g> FollowedCycles<'g, '_> {
         self.record_motion_ratio(cycles.too_far());
         // If friction falls once contacts slide, events at the limit may differ from the events just before the limit. In that case the cycle at the
         // limit does not show the behaviour of the grasp.
-        let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
+        let happens_there = limit.from.has_kinetic_friction.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)
     }

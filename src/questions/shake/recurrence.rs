@@ -142,8 +142,8 @@ impl CycleState {
         for (i, gap) in self.gaps.iter().enumerate() {
             numbers.push(if aside(i) { 0.0 } else { gap / scale.stretch });
         }
-        for weaker in &self.weaker {
-            numbers.push(f64::from(u8::from(*weaker)));
+        for is_kinetic in &self.has_kinetic_friction {
+            numbers.push(f64::from(u8::from(*is_kinetic)));
         }
         DVector::from_vec(numbers)
     }

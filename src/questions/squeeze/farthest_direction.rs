@@ -12,7 +12,7 @@ use crate::equilibrium::{CountedMotion, MotionData, StickingResponse, push};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Singular;
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -31,7 +31,7 @@ impl Engine {
         let load = self.load_alone(base, "base load")?;
         let sticking = StickingResponse::new(self, settings);
         let (offsets, at_rest) = (self.offsets(), sticking.at_rest());
-        let motions = |offsets: &[SVector<f64, 3>], state: &PieceState| {
+        let motions = |offsets: &[SVector<f64, 3>], state: &ForcesAndTwist| {
             let (forces, twist) = (&state.forces, &state.twist);
             let standing = MotionData { offsets, slips: &at_rest, states: &sticking.states, forces, twist };
             self.counted_motions(&settings.small_motions, &standing)

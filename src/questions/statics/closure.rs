@@ -116,14 +116,14 @@ impl Engine {
         }
         let size = sum.norm();
         if size > 0.0 {
-            let NearestForces { motion, against, shares } =
+            let NearestForces { motion, negative_work, coefficients } =
                 nearest_forces(self.size(), straight, round, &(-sum / size));
             let missing = motion.norm();
-            if missing > NEGLIGIBLE && against <= NEGLIGIBLE * missing {
+            if missing > NEGLIGIBLE && negative_work <= NEGLIGIBLE * missing {
                 return self.open(&(motion / missing));
             }
-            for (generator, share) in shares {
-                forces[generator.contact] += generator.force * (share * size);
+            for (generator, coefficient) in coefficients {
+                forces[generator.contact] += generator.force * (coefficient * size);
             }
         }
         let mut x: Vec<f64> = mapped(axes, &|&(i, axis)| forces[i][axis]);

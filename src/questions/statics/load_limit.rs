@@ -98,7 +98,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     let Ok(simplex) = simplex(size, &support) else { return LoadLimit::Undecided };
     let shoot = |target: &Vector| shoot(&support, &simplex, target);
     let Some(begin) = shoot(base) else { return LoadLimit::Undecided };
-    if begin.stretch > begin.reach * (1.0 + SOLVED_ROUNDING) {
+    if begin.stretch > begin.upper_bound * (1.0 + SOLVED_ROUNDING) {
         return LoadLimit::NoBase { motion: set.motion(-begin.normal.normalize()) };
     }
     let at_begin = forces(&set, &simplex, &begin);
@@ -142,17 +142,17 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
 }
 
 /// Contact forces that balance the load at the end of the ray `crossing`. That load is a weighted mean of vertices of the set, each the wrench of
-/// known contact forces; the same mean of these forces is returned. The weights are `shares` for the vertices around the crossing; the remaining
-/// weight is distributed evenly over the vertices of `simplex`.
+/// known contact forces; the same mean of these forces is returned. The weights are `coefficients` for the vertices around the crossing; the
+/// remaining weight is distributed evenly over the vertices of `simplex`.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
-    let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
-    let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());
+    let rest = (1.0 - crossing.coefficients.iter().sum::<f64>()) / simplex.len() as f64;
+    let points = crossing.vertices.iter().zip(crossing.coefficients.iter().copied());
     let all = points.chain(simplex.iter().map(|vertex| (vertex, rest)));
     let mut sum: Vec<SVector<f64, 3>> = Vec::new();
-    for (vertex, share) in all {
+    for (vertex, coefficient) in all {
         let forces = set.forces(&vertex.towards);
         sum.resize(forces.len(), SVector::zeros());
-        sum.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force * share);
+        sum.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force * coefficient);
     }
     sum
 }

@@ -15,7 +15,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::contact::rubs;
+use crate::contact::involves_friction;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
@@ -122,7 +122,7 @@ impl UncertainForce<'_> {
         margin.curved = 1.0;
         // If the reliability exceeds the required reliability, `sigmas`, by five, failures are so rare that they are negligible.
         let farthest = self.sigmas + 5.0;
-        let mut value = self.linearise(known, rubs(facet), margin);
+        let mut value = self.linearise(known, involves_friction(facet), margin);
         let mut arrived = false;
         for _ in 0..30 {
             if margin.steepness == 0.0 {
@@ -145,19 +145,19 @@ impl UncertainForce<'_> {
             if arrived {
                 break;
             }
-            value = self.shortened(known, rubs(facet), margin, (value, along));
+            value = self.shortened(known, involves_friction(facet), margin, (value, along));
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
             // The search has not converged. The smaller of the present distance and the first-order reliability is taken, which errs on the safe
             // side.
             margin.start_over(self.changes.len());
-            let value = self.linearise(known, rubs(facet), margin);
+            let value = self.linearise(known, involves_friction(facet), margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
         }
         margin.reliability = nearest.copysign(known[0] + known[1]);
         if arrived && margin.reliability > 0.0 {
-            margin.curved = margin.curved(rubs(facet), self.sigmas, self.friction, &|factor| {
+            margin.curved = margin.curved(involves_friction(facet), self.sigmas, self.friction, &|factor| {
                 let row_there = SVector::from([factor * facet[0], facet[1], facet[2]]);
                 let of = |joint: &Interaction| {
                     [row_there.dot(&joint.bend), row_there.dot(&(joint.squares * row_there))]
@@ -172,7 +172,7 @@ impl UncertainForce<'_> {
     fn shortened(
         &self,
         known: [f64; 2],
-        rubs: bool,
+        involves_friction: bool,
         margin: &mut FacetMargin,
         (value, along): (f64, f64),
     ) -> f64 {
@@ -185,7 +185,7 @@ impl UncertainForce<'_> {
         let promised = -towards - dear * rises * 1.0_f64.copysign(value);
         let mut part = 1.0;
         loop {
-            let there = self.linearise(known, rubs, margin);
+            let there = self.linearise(known, involves_friction, margin);
             let left = 0.5 * dot(&margin.fails_at, &margin.fails_at) + dear * there.abs();
             // A step that has been shortened to a hundredth is accepted even if the merit function does not fall.
             if left <= here - SUFFICIENT_DECREASE * part * promised || part <= 1e-2 {
@@ -199,10 +199,11 @@ impl UncertainForce<'_> {
     }
 
     /// Returns the margin of the facet at the present errors z of the data, N. Stores the gradient of this margin and the norm of the gradient.
-    fn linearise(&self, known: [f64; 2], rubs: bool, margin: &mut FacetMargin) -> f64 {
+    fn linearise(&self, known: [f64; 2], involves_friction: bool, margin: &mut FacetMargin) -> f64 {
         let FacetMargin { fails_at, parts, linearised_at, gradient, .. } = margin;
-        let rubs = if rubs { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };
-        let factor = rubs.unwrap_or(1.0);
+        let friction_ratio =
+            if involves_friction { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };
+        let factor = friction_ratio.unwrap_or(1.0);
         linearised_at.clone_from(fails_at);
         gradient.clear();
         let [mut normal, mut other] = known;
@@ -217,7 +218,7 @@ impl UncertainForce<'_> {
             steepness += by_sigma * by_sigma;
             gradient.push(by_sigma);
         }
-        let by_friction = if rubs.is_some() { self.friction * factor * normal } else { 0.0 };
+        let by_friction = if friction_ratio.is_some() { self.friction * factor * normal } else { 0.0 };
         gradient.push(by_friction);
         margin.steepness = (steepness + by_friction * by_friction).sqrt();
         factor * normal + other
@@ -263,7 +264,8 @@ impl FirstOrder {
     /// The reliability β of a facet to first order: its margin over the standard deviation of that margin, friction included. Infinite if nothing is
     /// uncertain.
     pub(super) fn reliability(&self, facet: &SVector<f64, 3>) -> f64 {
-        let by_friction = if rubs(facet) { self.friction * facet[0] * self.force[0] } else { 0.0 };
+        let by_friction =
+            if involves_friction(facet) { self.friction * facet[0] * self.force[0] } else { 0.0 };
         let variance = facet.dot(&(self.spread * facet)) + by_friction * by_friction;
         ratio(facet.dot(&self.force), variance.max(0.0).sqrt())
     }

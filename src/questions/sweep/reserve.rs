@@ -98,7 +98,7 @@ impl Engine {
         let data = self.data(uncertainty);
         let source_forces = source_forces(&response, cone, &data, sigmas)?;
         let mut unresisted = Vec::new();
-        for motion in response.piece.free_motions() {
+        for motion in response.linear_problem.free_motions() {
             let of = |k: usize| self.inside_unchecked(&unit(self.space(), k)).dot(motion);
             let work: Vec<f64> = numbered(self.space().of_the_object(), &of);
             unresisted.push(Wrench::among(self.space(), &Vector::from_slice(&work)));

@@ -25,7 +25,7 @@ impl FacetMargin {
     /// the factor on friction.
     pub(super) fn curved(
         &self,
-        rubs: bool,
+        involves_friction: bool,
         sigmas: f64,
         friction: f64,
         joint: &dyn Fn(f64) -> [f64; 2],
@@ -33,7 +33,7 @@ impl FacetMargin {
         let reliability = self.reliability();
         let by_bend = normal_density(reliability) / (normal_tail(reliability) * self.steepness);
         let (friction, factor) = match self.linearised_at.last() {
-            Some(z) if rubs => (friction, (friction * z).exp()),
+            Some(z) if involves_friction => (friction, (friction * z).exp()),
             _ => (0.0, 1.0),
         };
         let mut product = 1.0;

@@ -11,7 +11,7 @@ use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Space, Wrench};
 use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
-use crate::object::PieceState;
+use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// The forces of all contacts and joint drives that one source (commands, or a component of the load) causes for the data as given. Also the changes
@@ -94,7 +94,7 @@ pub(super) fn forces_or_gaps(
     offsets: &[SVector<f64, 3>],
     load: &Vector,
 ) -> Vec<SVector<f64, 3>> {
-    let PieceState { mut forces, twist } = response.piece.solve_roughly(offsets, load);
+    let ForcesAndTwist { mut forces, twist } = response.linear_problem.solve_roughly(offsets, load);
     let sites = response.grasp.sites();
     for (i, site) in sites.iter().enumerate().filter(|(i, _)| response.states[*i].is_open()) {
         forces[i] = SVector::zeros();

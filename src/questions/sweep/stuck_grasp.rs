@@ -24,7 +24,7 @@ use crate::prelude::*;
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data, with its mixed second derivatives.
-type MixedDerivatives = Vec<Vec<Interaction>>;
+type Interactions = Vec<Vec<Interaction>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
 #[derive(Clone, Copy)]
@@ -52,7 +52,7 @@ pub(super) struct StuckGrasp {
     /// Contact forces that the base load alone causes.
     by_base_load: SourceForces,
     /// For each contact or drive and each of its facets, the interaction of the errors of all data under the base load.
-    joint_at_base: MixedDerivatives,
+    joint_at_base: Interactions,
     /// The failures of contacts (they stop sticking) that errors of the data may cause under the base load.
     fails_at_base: Failures,
     sigmas: f64,
@@ -117,7 +117,7 @@ impl StuckGrasp {
 
     /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with
     /// the joint effects `before` of the previous round.
-    fn joint(&self, more: Option<AddedLoad<'_>>, before: &MixedDerivatives) -> MixedDerivatives {
+    fn joint(&self, more: Option<AddedLoad<'_>>, before: &Interactions) -> Interactions {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
         let mut joint = Vec::new();
@@ -183,7 +183,7 @@ impl StuckGrasp {
     }
 
     /// The possible failures of all contacts and drives under the base load; with `more`, under the base load and this further load.
-    fn failures(&self, more: Option<AddedLoad<'_>>, joint: &MixedDerivatives) -> Failures {
+    fn failures(&self, more: Option<AddedLoad<'_>>, joint: &Interactions) -> Failures {
         let (mut margin, mut memory, mut events) = (FacetMargin::default(), Vec::new(), Failures::default());
         for (i, edges) in self.edges.iter().enumerate() {
             let here = self.spread(i, more, joint, &mut memory);
@@ -198,7 +198,7 @@ impl StuckGrasp {
         &self,
         i: usize,
         more: Option<AddedLoad<'_>>,
-        joint: &'m MixedDerivatives,
+        joint: &'m Interactions,
         changes: &'m mut Vec<Effect>,
     ) -> UncertainForce<'m> {
         changes.clear();

@@ -21,14 +21,14 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 /// The first slip under a force that grows in one direction of the map.
 pub(crate) struct FirstSlipForce {
     /// The force at first slip, or at which the grasp gives way, N; infinite if no contact ever slips, NaN if unknown.
-    pub(crate) factor: f64,
+    pub(crate) force: f64,
     /// The contacts that stop sticking and how (slide, open), in words; or the reason why there is no first slip.
     pub(crate) contacts: String,
 }
 
 impl FirstSlipForce {
-    fn without_contact(factor: f64, contacts: &str) -> Self {
-        Self { factor, contacts: contacts.to_owned() }
+    fn without_contact(force: f64, contacts: &str) -> Self {
+        Self { force, contacts: contacts.to_owned() }
     }
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
                 let others = contacts.len() - 1;
                 contacts = vec![format!("{} and {others} others", contacts[0])];
             }
-            FirstSlipForce { factor: event.factor, contacts: contacts.join(", ") }
+            FirstSlipForce { force: event.factor, contacts: contacts.join(", ") }
         }
         Onset::Never => FirstSlipForce::without_contact(f64::INFINITY, "never"),
         Onset::GivesWay { factor, .. } => FirstSlipForce::without_contact(factor, "nothing resists"),

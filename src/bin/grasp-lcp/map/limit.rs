@@ -56,7 +56,7 @@ impl LimitEnd {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LimitForce {
     /// The force at the end, N; infinite if the whole path is held, NaN if the end is not known.
-    pub(crate) factor: f64,
+    pub(crate) force: f64,
     pub(crate) end: LimitEnd,
 }
 
@@ -95,7 +95,7 @@ pub(crate) fn last<const C: usize>(
         }
         _ => (LimitEnd::Unknown, f64::NAN),
     };
-    Ok(LimitForce { factor: fraction * most, end })
+    Ok(LimitForce { force: fraction * most, end })
 }
 
 impl LimitForce {
@@ -105,7 +105,7 @@ impl LimitForce {
         match self.end {
             LimitEnd::Held => format!("{} and on", number(most)),
             LimitEnd::Unknown => "–".to_owned(),
-            _ => number(self.factor),
+            _ => number(self.force),
         }
     }
 }

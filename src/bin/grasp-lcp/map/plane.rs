@@ -42,7 +42,7 @@ pub(crate) fn map(
     let firsts = watch
         .sweep("onsets", &angles, MOST_SWEEP_TIME, |angle| ask::first(&quick, &ramp(*angle)))?
         .ok_or_else(ask::too_long)?;
-    let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
+    let onsets: Vec<f64> = firsts.iter().map(|first| first.force).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     if largest <= 0.0 {
         return Err(Failure::Scene(
@@ -134,15 +134,15 @@ impl Drawing<'_> {
         let with =
             |radii: &mut dyn Iterator<Item = f64>| angles.iter().copied().zip(radii).collect::<Vec<_>>();
         let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
-        let onsets = || firsts.iter().map(|first| first.factor);
-        let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.factor)));
+        let onsets = || firsts.iter().map(|first| first.force);
+        let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.force)));
         // The rim of the picture is at most three times the largest force at first slip.
         let rim = onset.max(limit).min(3.0 * onset) * 1.05;
         let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
             .rim(rim)
             .curve("onset of sliding", with(&mut onsets()), Stroke::Line)
             .curve(reserve.as_str(), reserves.to_vec(), Stroke::Line)
-            .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
+            .curve("held on the load path", with(&mut lasts.iter().map(|last| last.force)), Stroke::Line);
         for (end, words) in [
             (LimitEnd::Snap, "… where it snaps: other\nequilibria exist beyond"),
             (LimitEnd::Ends, "… where others may\nexist beyond"),
@@ -150,7 +150,7 @@ impl Drawing<'_> {
             (LimitEnd::TooFar, "… where motions are\nno longer small"),
         ] {
             let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
-            let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.factor)).step_by(8).collect();
+            let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.force)).step_by(8).collect();
             if !points.is_empty() {
                 polar = polar.curve(words, points, Stroke::Circles);
             }

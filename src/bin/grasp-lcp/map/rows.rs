@@ -19,7 +19,7 @@ pub(super) fn row(direction: &str, first: &FirstSlipForce, reserve: f64, last: &
     let number = |x: f64| Words::default().number(x);
     println!(
         "  {direction:>9}  {:>12}  {:>12}  {:>15}  {:22} {}",
-        number(first.factor),
+        number(first.force),
         number(reserve),
         last.words(most),
         last.end.word(),

@@ -43,7 +43,7 @@ pub(crate) fn map(
     let first = |d: [f64; 3]| ask::first(&quick, &ramp(d));
     let firsts =
         watch.sweep("onsets", &directions, MOST_SWEEP_TIME, |d| first(*d))?.ok_or_else(ask::too_long)?;
-    let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
+    let onsets: Vec<f64> = firsts.iter().map(|first| first.force).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
     let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
     let Some((nearest, least)) = finite().min_by(|a, b| a.1.total_cmp(&b.1)).filter(|_| largest > 0.0) else {
@@ -95,7 +95,7 @@ pub(crate) fn map(
     let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.contacts);
     drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
     drawing.of_reserves(coarse, reserves)?;
-    match lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
+    match lasts.filter(|lasts| lasts.iter().any(|last| last.force.is_finite())) {
         Some(lasts) => drawing.of_limits(coarse, &lasts, most),
         None => Ok(()),
     }
@@ -154,7 +154,7 @@ impl Drawing<'_> {
         firsts: &[FirstSlipForce],
         (weakest, onset, weak): ([f64; 3], f64, &str),
     ) -> Result<(), Failure> {
-        let onsets = firsts.iter().map(|first| first.factor).collect();
+        let onsets = firsts.iter().map(|first| first.force).collect();
         let title = format!("{}: onset of sliding for a force in every direction", self.title);
         let map = SphereMap::new(title, "onset (N)", grid, onsets)?
             .mark(weakest, format!("weakest {onset:.3} N"))
@@ -174,7 +174,7 @@ impl Drawing<'_> {
 
     /// Draws and saves the map of the force at which the load path in each direction ends; paths were followed up to `most`, N.
     fn of_limits(&self, grid: SphereGrid, lasts: &[LimitForce], most: f64) -> Result<(), Failure> {
-        let held = lasts.iter().map(|last| last.factor).collect();
+        let held = lasts.iter().map(|last| last.force).collect();
         let title = format!("{}: what is held on the load path", self.title);
         let map = SphereMap::new(title, "held to (N)", grid, held)?
             .meanings(format!("held to {most:.0} N and on"), "not known");

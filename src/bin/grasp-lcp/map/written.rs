@@ -27,14 +27,14 @@ impl<const C: usize> WrittenMap<'_, C> {
         let onset = |(direction, first): &([f64; C], &FirstSlipForce)| {
             json!({
                 "direction": direction.to_vec(),
-                "onset": force(first.factor, "never"),
+                "onset": force(first.force, "never"),
                 "leaves_first": first.contacts,
             })
         };
         let reserve = |(direction, held): &([f64; C], f64)| json!({ "direction": direction.to_vec(), "held": force(*held, "never") });
         let path = |(direction, last): &([f64; C], &LimitForce)| {
             let held =
-                if last.end == LimitEnd::Held { json!("further") } else { force(last.factor, "further") };
+                if last.end == LimitEnd::Held { json!("further") } else { force(last.force, "further") };
             json!({ "direction": direction.to_vec(), "held_to": held, "end": last.end.word() })
         };
         let weakest =

@@ -17,7 +17,7 @@ impl<'g> SteppedFollower<'g> {
         let edge = self.present.edge(run);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = chosen(edge.rates.len(), &leaves);
-        if self.pace.speeds.run_to(fraction) {
+        if self.pace.speeds.grow_without_bound_at(fraction) {
             // Near a maximum of the load forces keep changing. Towards an asymptote, a load that is only approached, they become constant while the
             // object moves. `changed` is the largest change of a force in the last step, divided by the change that the motion would cause in
             // sticking springs. Before maxima it is some hundredths, at least a thousandth; towards asymptotes it falls to about 1e-5.

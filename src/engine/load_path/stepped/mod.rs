@@ -11,7 +11,7 @@
 //! | `one_step` | the equilibrium at the end of a step |
 //! | `stepped_path` | the follower of the load program, and its state |
 //! | `step_length`, `step_doubling`, `pace` | step control: steps as long as the allowed error permits |
-//! | `coarse_path`, `unseen` | the error of the path: measured by a second path, and estimated where both paths share it |
+//! | `coarse_path`, `shared_error` | the error of the path: measured by a second path, and estimated where both paths share it |
 //! | `standing_at` | the equilibrium at the present place, and the contacts on an edge of their cone |
 //! | `ending`, `speeds` | the end of a path: a loss of equilibrium, or undecided |
 
@@ -19,12 +19,12 @@ mod coarse_path;
 mod ending;
 mod one_step;
 mod pace;
+mod shared_error;
 mod speeds;
 mod standing_at;
 mod step_doubling;
 mod step_length;
 mod stepped_path;
-mod unseen;
 
 pub use stepped_path::Step;
 #[cfg(feature = "serde")]

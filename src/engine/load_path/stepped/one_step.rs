@@ -60,7 +60,7 @@ pub(super) struct StepProblem<'g> {
     /// Two lists with an entry for each contact, m: the command minus clearance at the beginning of the leg, and the change of this value over the
     /// whole leg.
     offsets: [Vec<SVector<f64, 3>>; 2],
-    pub(super) course: Trajectory<Vector>,
+    pub(super) trajectory: Trajectory<Vector>,
     /// Stretches (spring deformations) of the contacts at the beginning of a step, m.
     before: Vec<SVector<f64, 3>>,
     /// Force and state of each contact at the end of a step.
@@ -70,15 +70,15 @@ pub(super) struct StepProblem<'g> {
 impl<'g> StepProblem<'g> {
     /// The problem for steps along the present leg of `run`.
     pub(super) fn along(run: &ProgramRun<'g>) -> Self {
-        let course = run.program.inside_course(run.grasp);
+        let trajectory = run.program.inside_trajectory(run.grasp);
         let offsets = run.program.offsets(run.grasp);
-        let problem = run.problem(offsets[0].clone(), &course.at(0.0));
-        Self { problem, offsets, course, before: Vec::new(), answers: Vec::new() }
+        let problem = run.problem(offsets[0].clone(), &trajectory.at(0.0));
+        Self { problem, offsets, trajectory, before: Vec::new(), answers: Vec::new() }
     }
 
     /// Prepares the present leg of `run`, after a change of legs, in the same memory.
     pub(super) fn start_leg(&mut self, run: &ProgramRun<'g>) {
-        self.course = run.program.inside_course(run.grasp);
+        self.trajectory = run.program.inside_trajectory(run.grasp);
         run.program.offsets_into(run.grasp, &mut self.offsets);
     }
 
@@ -97,14 +97,14 @@ impl<'g> StepProblem<'g> {
     ) -> Option<()> {
         let fraction =
             if from.fraction + length > 1.0 - SHORTEST_STEP { 1.0 } else { from.fraction + length };
-        let Self { problem, offsets: [base, change], course, before, answers } = self;
+        let Self { problem, offsets: [base, change], trajectory, before, answers } = self;
         cleared_for(before, base.len());
         for (i, site) in problem.sites.iter().enumerate() {
             let offset = |fraction: f64| base[i] + change[i] * fraction - from.slips[i];
             before.push(site.stretch(&offset(from.fraction), &from.twist));
             problem.offsets[i] = offset(fraction);
         }
-        (problem.wrench, problem.wrench_rest) = (course.at(fraction), Vector::zeros());
+        (problem.wrench, problem.wrench_rounding_error) = (trajectory.at(fraction), Vector::zeros());
         to.fraction = fraction;
         equilibrium_after((from, before), problem, (near, answers), to)
     }

@@ -28,17 +28,18 @@ pub(super) struct StepPace {
 }
 
 impl StepPace {
-    /// The step control at the beginning of a leg with the load `course`.
-    pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
-        let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
+    /// The step control at the beginning of a leg whose load follows `trajectory`.
+    pub(super) fn along<X>(trajectory: &Trajectory<X>) -> Self {
+        let longest =
+            if let Trajectory::Turn { angle, .. } = trajectory { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
         // The first step of a leg is a sixteenth of it.
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
-    /// Restarts the step control on the next leg, with the load `course`, in the same memory.
-    pub(super) fn start_leg<X>(&mut self, course: &Trajectory<X>) {
+    /// Restarts the step control on the next leg, whose load follows `trajectory`, in the same memory.
+    pub(super) fn start_leg<X>(&mut self, trajectory: &Trajectory<X>) {
         self.speeds.clear();
-        *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };
+        *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(trajectory) };
     }
 }

@@ -33,7 +33,7 @@ impl Speeds {
     }
 
     /// Whether the recorded speeds grow as if without bound towards the end of the path, at the fraction `end` of the leg.
-    pub(super) fn run_to(&self, end: f64) -> bool {
+    pub(super) fn grow_without_bound_at(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };
         // Speeds are compared at two fractions of the leg whose distances from the end of the path differ at least by this factor.

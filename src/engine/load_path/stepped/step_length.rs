@@ -19,7 +19,7 @@ struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
     largest: f64,
     /// The largest error of a contact force that the step at once and its two halves may have in common, divided by the largest contact force.
-    unseen: f64,
+    shared_error: f64,
     /// The largest change of a contact force, N, that the object's motion in the step would cause if all contacts stuck.
     force_change: f64,
 }
@@ -45,7 +45,7 @@ impl<'g> SteppedFollower<'g> {
                 Ok(Advance::OnTheWay)
             };
         };
-        let part = self.part_of_what_is_allowed(&twice);
+        let part = self.error_over_allowed(&twice);
         // The next step is at most twice as long as the present step; right after a refused step it may not grow.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
@@ -68,19 +68,19 @@ impl<'g> SteppedFollower<'g> {
 
     /// The largest ratio, over all contacts, of the error that a step makes in the contact force to the error that this step may make. The error is
     /// estimated by the difference between the step in two halves and the step made at once. If the ratio exceeds 1, the step is too long.
-    fn part_of_what_is_allowed(&self, twice: &DoubledStepSizes) -> f64 {
+    fn error_over_allowed(&self, twice: &DoubledStepSizes) -> f64 {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
-        let way = to.distance_to(from) / largest;
+        let relative_change = to.distance_to(from) / largest;
         // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction of
         // the leg that the step covers. The second is the change of contact forces, divided by the largest force. The third is the change that the
         // object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction decay while the third measure
         // grows to one.
-        let even = 0.5 * self.error * length.max(way).max(twice.force_change / largest);
+        let even = 0.5 * self.error * length.max(relative_change).max(twice.force_change / largest);
         // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with the sum of the
-        // relative changes of forces along the path, `self.way` before this step and `way` in it, up to twice the allowed error. The error of the
-        // path is about a third of this difference.
-        let budget = self.error * (self.way + way).min(2.0);
+        // relative changes of forces along the path, `self.relative_force_changes` before this step and `relative_change` in it, up to twice the
+        // allowed error. The error of the path is about a third of this difference.
+        let budget = self.error * (self.relative_force_changes + relative_change).min(2.0);
         // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
@@ -93,7 +93,7 @@ impl<'g> SteppedFollower<'g> {
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
         // Errors that a step made at once and its two halves have in common may be a tenth of the allowed error, because a contact makes such an
         // error only a few times on a leg.
-        used.max(twice.unseen / (0.1 * self.error).max(rounding))
+        used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 
     /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of these steps finds no
@@ -114,19 +114,19 @@ impl<'g> SteppedFollower<'g> {
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }
-        let unseen = along.unseen([from, middle, to]) / largest;
+        let shared_error = along.shared_error([from, middle, to]) / largest;
         along.step(from, (length, to.twist.clone()), at_once)?;
-        let finite = unseen.is_finite() && (to.distance_to(at_once) / largest).is_finite();
-        finite.then_some(DoubledStepSizes { largest, unseen, force_change })
+        let finite = shared_error.is_finite() && (to.distance_to(at_once) / largest).is_finite();
+        finite.then_some(DoubledStepSizes { largest, shared_error, force_change })
     }
 
     fn accept_step(&mut self, run: &ProgramRun<'g>, twice: &DoubledStepSizes) -> Step<3> {
-        let DoubledStepSizes { largest, unseen, .. } = *twice;
+        let DoubledStepSizes { largest, shared_error, .. } = *twice;
         let StepDoubling { to, at_once, beside, .. } = &mut self.places;
         self.coarse.follow(&mut self.along, [&self.present, to, at_once], beside);
-        self.unseen = self.unseen.max(unseen);
-        self.way += to.distance_to(&self.present) / largest;
-        let error = (to.distance_to(at_once) / largest).max(unseen);
+        self.shared_error = self.shared_error.max(shared_error);
+        self.relative_force_changes += to.distance_to(&self.present) / largest;
+        let error = (to.distance_to(at_once) / largest).max(shared_error);
         core::mem::swap(&mut self.present, to);
         let to = &self.present;
         let (leg, fraction) = (run.program.leg, to.fraction);

@@ -39,10 +39,10 @@ pub(crate) struct SteppedFollower<'g> {
     pub(super) coarse: CoarsePath,
     /// The largest error of a contact force that this path and the second path may have in common in one of the steps so far. It is divided by the
     /// largest contact force of that step.
-    pub(super) unseen: f64,
+    pub(super) shared_error: f64,
     /// Sum of the relative changes of contact forces on the path so far. Each step adds the largest change of a contact force in the step, divided by
     /// the largest contact force at either end of the step.
-    pub(super) way: f64,
+    pub(super) relative_force_changes: f64,
 }
 
 /// One step of a [`SteppedPath`].
@@ -92,10 +92,19 @@ impl Engine {
         let path = Following::start(self, (start, legs), &settings, |run, problem| {
             let present = at_start(problem, run.start(problem)?);
             let along = StepProblem::along(run);
-            let pace = StepPace::along(&along.course);
+            let pace = StepPace::along(&along.trajectory);
             let coarse = CoarsePath::starting_at(&present);
             let places = StepDoubling::without_contacts();
-            Ok(SteppedFollower { along, present, places, pace, error, coarse, unseen: 0.0, way: 0.0 })
+            Ok(SteppedFollower {
+                along,
+                present,
+                places,
+                pace,
+                error,
+                coarse,
+                shared_error: 0.0,
+                relative_force_changes: 0.0,
+            })
         })?;
         Ok(Path::new(Box::new(path)))
     }
@@ -119,7 +128,7 @@ impl<'g> Follower<'g> for SteppedFollower<'g> {
 
     fn start_leg(&mut self, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
         self.along.start_leg(run);
-        self.pace.start_leg(&self.along.course);
+        self.pace.start_leg(&self.along.trajectory);
         self.present.fraction = 0.0;
         self.coarse.present.fraction = 0.0;
         Ok(())
@@ -142,7 +151,7 @@ impl<'g> Follower<'g> for SteppedFollower<'g> {
     }
 
     fn step_error(&self) -> f64 {
-        self.coarse.farthest + self.unseen
+        self.coarse.farthest + self.shared_error
     }
 
     fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {

@@ -10,7 +10,7 @@ use crate::grasp::ContactPoints;
 use crate::numerics::{Each, mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
-use crate::picture::contact_look::{cone_size, ink, slope, word};
+use crate::picture::contact_look::{cone_ratio, cone_size, ink, word};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::Resultant;
 use crate::picture::force_scale::metres_per_newton;
@@ -20,14 +20,14 @@ use crate::picture::palette::{GREY, Rgb, VERMILION};
 use crate::picture::planar_link::PlanarLink;
 use crate::picture::planar_load::{LoadOnPaper, PlanarLoad};
 use crate::picture::planar_picture::PlanarPicture;
-use crate::picture::sheet::{Place, sheet};
+use crate::picture::sheet::{PaperPoint, sheet};
 use crate::picture::way_out::MovedOutlines;
 use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
 
 /// Layout of a picture, pixels.
 struct PictureSize {
-    size: Place,
+    size: PaperPoint,
     /// The rectangle for the grasp. Sentences below the title move it down.
     window: Window,
     /// Margins for names: to either side, and above and below the grasp.
@@ -80,7 +80,7 @@ struct DrawnFingertip<'a> {
     of: &'a ContactPoints,
     middle: Vector3<f64>,
     frame: Matrix3<f64>,
-    slope: f64,
+    cone_ratio: f64,
     link: Option<PlanarLink>,
     resultant: Option<Resultant>,
 }
@@ -113,7 +113,7 @@ impl<'a> Picture<'a> {
         let tip = |tip: &'a ContactPoints| DrawnFingertip {
             middle: tip.middle(contacts),
             frame: frames[tip.range.start],
-            slope: slope(&contacts[tip.range.start]),
+            cone_ratio: cone_ratio(&contacts[tip.range.start]),
             link: PlanarLink::of(tip, contacts),
             resultant: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
@@ -289,7 +289,7 @@ impl<'a> Picture<'a> {
     /// The corners of the friction cone; `None` without friction or normal force.
     fn cone(&self, tip: &DrawnFingertip, resultant: &Resultant) -> Option<[Vector2<f64>; 3]> {
         let (at, n, t) = (resultant.at.xy(), tip.normal(), tip.tangent());
-        let [high, wide] = cone_size(tip.slope, resultant.normal_force * self.scale, self.span / 2.0)?;
+        let [high, wide] = cone_size(tip.cone_ratio, resultant.normal_force * self.scale, self.span / 2.0)?;
         let corner = |side: f64| at + n * high + t * (side * wide);
         Some([at, corner(1.0), corner(-1.0)])
     }

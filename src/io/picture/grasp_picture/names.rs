@@ -9,7 +9,7 @@ use crate::picture::layout::{MARKS, PLANAR};
 use crate::picture::painting::Painting;
 use crate::picture::palette::GREY;
 use crate::picture::planar_load::LoadOnPaper;
-use crate::picture::sheet::{Place, Sheet};
+use crate::picture::sheet::{PaperPoint, Sheet};
 use crate::picture::window::Window;
 use crate::picture::words::short;
 use crate::words::printable;
@@ -21,7 +21,7 @@ impl Picture<'_> {
         &self,
         axes: &EqualScales,
         (paper, window, painting): (&mut Sheet, Window, &Painting),
-        (load, leaves): (Option<&LoadOnPaper<'_>>, Option<Place>),
+        (load, leaves): (Option<&LoadOnPaper<'_>>, Option<PaperPoint>),
     ) {
         let mut labels = Labels::new(window.within(4.0), painting.ink());
         let (mut placed, mut names) = (Vec::new(), Vec::new());

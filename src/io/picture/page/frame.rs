@@ -45,7 +45,7 @@ impl Frame {
 
     /// Ratio of radius to height of the drawn friction cone of a contact: the coefficient of friction, but at most [`STEEPEST_CONE`]. `given` is the
     /// coefficient in the page's grasp, used if this answer has no grasp of its own.
-    pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
+    pub(super) fn cone_ratio(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST_CONE)
     }
 }

@@ -10,7 +10,7 @@ use crate::picture::layout::{LEGEND, SPATIAL};
 use crate::picture::painting::{Painting, flat};
 use crate::picture::palette::{BLACK, BROWN, GREY, PINK, Rgb, SKY, VERMILION};
 use crate::picture::round_numbers::round_down;
-use crate::picture::sheet::{Place, Sheet};
+use crate::picture::sheet::{PaperPoint, Sheet};
 use crate::picture::words::{lines, short};
 use crate::spatial::Equilibrium;
 
@@ -182,7 +182,7 @@ fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
 }
 
 fn draw_sample(paper: &mut Sheet, sample: &LegendSample, y: f64) {
-    let ends: [Place; 2] = [(LEGEND.left, y), (LEGEND.left + LEGEND.sample, y)];
+    let ends: [PaperPoint; 2] = [(LEGEND.left, y), (LEGEND.left + LEGEND.sample, y)];
     let from = (LEGEND.left + 6.0, y);
     let mut drawn = Painting::default();
     match *sample {

@@ -9,7 +9,7 @@ use super::mark::{Mark, MarkLayer, MarkShape};
 use super::paint::hull;
 use crate::grasp::ContactPoints;
 use crate::numerics::{Each, mapped};
-use crate::picture::contact_look::{cone_size, ink, slope, word};
+use crate::picture::contact_look::{cone_ratio, cone_size, ink, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{MARKS, SPATIAL};
 use crate::picture::palette::{BROWN, FIXTURE, GREY, PINK, Rgb, SKY, VERMILION};
@@ -63,8 +63,8 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame>) -> V
         marks.extend(rim(contacts, frames[first], tip, ink).map(|mark| mark.of(k)));
         if let (Some(frame), Some(state)) = (frame, state) {
             let axes = [0, 1, 2].each(|axis| frames[first].column(axis).into_owned());
-            let slope = frame.slope(first, slope(&contacts[first]));
-            let of_tip = marks_of_a_fingertip(drawing, slope, axes, &tip.resultant(contacts, state));
+            let cone_ratio = frame.cone_ratio(first, cone_ratio(&contacts[first]));
+            let of_tip = marks_of_a_fingertip(drawing, cone_ratio, axes, &tip.resultant(contacts, state));
             marks.extend(of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)));
         } else {
             let at = tip.middle(contacts);
@@ -101,13 +101,15 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame>) -> V
 /// The friction cone of a fingertip, its force, its displacement and its slip.
 fn marks_of_a_fingertip(
     drawing: &Drawing,
-    slope: f64,
+    cone_ratio: f64,
     [n, t, b]: [Vector3<f64>; 3],
     resultant: &Resultant,
 ) -> Vec<Mark> {
     let (from, ink) = (resultant.at, ink(resultant.word));
     let mut marks = Vec::new();
-    if let Some([high, wide]) = cone_size(slope, resultant.normal_force * drawing.force, 0.5 * drawing.size) {
+    if let Some([high, wide]) =
+        cone_size(cone_ratio, resultant.normal_force * drawing.force, 0.5 * drawing.size)
+    {
         let radii = [t * wide, b * wide];
         marks.push(MarkShape::Cone { apex: from, middle: from + n * high, radii, ink }.on(MarkLayer::Cones));
     }

@@ -12,7 +12,7 @@ use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
 use crate::picture::layout::{LEGEND, MARKS, STILL};
 use crate::picture::palette::{BLACK, GREY};
-use crate::picture::sheet::{Place, Sheet, sheet};
+use crate::picture::sheet::{PaperPoint, Sheet, sheet};
 use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
 use nalgebra::Vector2;
@@ -120,7 +120,7 @@ impl Page {
 }
 
 /// The coordinate axes, in a corner without other marks.
-fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
+fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): PaperPoint) {
     let axes = [0, 1, 2].each(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {

@@ -148,7 +148,12 @@ impl Engine {
                 let own = Vector::from_fn(count, |k| outside[place.first + k]);
                 Twist::among(self.space, &self.space.moved_twist(&place.centre, &own))
             };
-            BodyMotion { body: bodies.names[body].clone(), twist, centre: place.centre, reach: place.reach }
+            BodyMotion {
+                body: bodies.names[body].clone(),
+                twist,
+                centre: place.centre,
+                reach: place.rms_radius,
+            }
         };
         indexed(&bodies.places, &of)
     }

@@ -1,14 +1,14 @@
 //! Conversion of links between the vectors of two components that users of the plane give, and the vectors of three components in the engine.
 
-use super::link::{Link, LinkPlace};
+use super::link::{Link, LinkGeometry};
 use crate::grasp::{face_of_enum, face_of_struct};
 
 face_of_struct! {
-    Link { name, place, on, against, stiffness, pretension, tension, slack }
+    Link { name, geometry, on, against, stiffness, pretension, tension, slack }
 }
 
 face_of_enum! {
-    LinkPlace {
+    LinkGeometry {
         Hinge { point: point, bearings: bearings },
         Ball { point: point },
         Slide { point: point, direction: direction, length: length },

@@ -45,7 +45,7 @@ use crate::words::LinkKind;
 #[must_use]
 pub struct Link<const C: usize> {
     pub(crate) name: Option<Arc<str>>,
-    pub(crate) place: LinkPlace<C>,
+    pub(crate) geometry: LinkGeometry<C>,
     pub(crate) on: Option<Arc<str>>,
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
@@ -58,7 +58,7 @@ pub struct Link<const C: usize> {
 
 /// Kind of a link, with the points, directions and lengths that define it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum LinkPlace<const C: usize> {
+pub(crate) enum LinkGeometry<const C: usize> {
     /// A hinge. In space `bearings` holds its axis, a vector of any length, and the distance between its two bearings, m. In the plane `bearings` is
     /// `None`.
     Hinge {
@@ -90,7 +90,7 @@ pub(crate) enum LinkPlace<const C: usize> {
     },
 }
 
-impl<const C: usize> LinkPlace<C> {
+impl<const C: usize> LinkGeometry<C> {
     pub(crate) fn kind(&self) -> LinkKind {
         match self {
             Self::Hinge { .. } => LinkKind::Hinge,
@@ -106,7 +106,7 @@ impl<const C: usize> LinkPlace<C> {
 impl Link<2> {
     /// A hinge of the plane at this point, m.
     pub fn hinge(point: impl Into<[f64; 2]>) -> Self {
-        Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings: None })
+        Self::at(LinkGeometry::Hinge { point: SVector::from(point.into()), bearings: None })
     }
 }
 
@@ -115,12 +115,12 @@ impl Link<3> {
     /// load, and thus carry moments across the axis.
     pub fn hinge(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>, length: f64) -> Self {
         let bearings = Some((SVector::from(axis.into()), length));
-        Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings })
+        Self::at(LinkGeometry::Hinge { point: SVector::from(point.into()), bearings })
     }
 
     /// A ball joint at this point, m.
     pub fn ball(point: impl Into<[f64; 3]>) -> Self {
-        Self::at(LinkPlace::Ball { point: SVector::from(point.into()) })
+        Self::at(LinkGeometry::Ball { point: SVector::from(point.into()) })
     }
 }
 
@@ -128,27 +128,27 @@ impl<const C: usize> Link<C> {
     /// Default [stiffness](Self::stiffness) of a link, N/m: high compared with most fingers and objects.
     pub const STIFF: f64 = 1e9;
 
-    pub(crate) fn at(place: LinkPlace<C>) -> Self {
+    pub(crate) fn at(geometry: LinkGeometry<C>) -> Self {
         let (name, on, against, stiffness, tension) = (None, None, None, None, None);
-        Self { name, place, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
+        Self { name, geometry, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
     }
 
     /// A slide: relative motion of the bodies is only possible along this direction. The bearings of the slide are `length` apart, m, with this point
     /// in the middle.
     pub fn slide(point: impl Into<[f64; C]>, direction: impl Into<[f64; C]>, length: f64) -> Self {
         let (point, direction) = (SVector::from(point.into()), SVector::from(direction.into()));
-        Self::at(LinkPlace::Slide { point, direction, length })
+        Self::at(LinkGeometry::Slide { point, direction, length })
     }
 
     /// A rigid joint of diameter `size`, m, centred at this point, such as a weld or a bolted flange.
     pub fn rigid(point: impl Into<[f64; C]>, size: f64) -> Self {
-        Self::at(LinkPlace::Rigid { point: SVector::from(point.into()), size })
+        Self::at(LinkGeometry::Rigid { point: SVector::from(point.into()), size })
     }
 
     /// A spring of this stiffness, N/m, from a point of the first body to a point of the second, or of the ground, m.
     pub fn spring(from: impl Into<[f64; C]>, to: impl Into<[f64; C]>, stiffness: f64) -> Self {
         let (from, to) = (SVector::from(from.into()), SVector::from(to.into()));
-        Self::at(LinkPlace::Spring { from, to }).stiffness(stiffness)
+        Self::at(LinkGeometry::Spring { from, to }).stiffness(stiffness)
     }
 
     /// A cable or rope from a point of the first body to a point of the second, or of the ground, m. A cable only pulls, along the line between the
@@ -166,7 +166,7 @@ impl<const C: usize> Link<C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     pub fn cable(from: impl Into<[f64; C]>, to: impl Into<[f64; C]>) -> Self {
-        Self::at(LinkPlace::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
+        Self::at(LinkGeometry::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
     }
 
     setters! {
@@ -220,6 +220,6 @@ impl<const C: usize> Link<C> {
     /// The kind of the link.
     #[must_use]
     pub fn kind(&self) -> LinkKind {
-        self.place.kind()
+        self.geometry.kind()
     }
 }

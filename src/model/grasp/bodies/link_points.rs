@@ -7,7 +7,7 @@
 
 use nalgebra::SVector;
 
-use super::link::{Link, LinkPlace};
+use super::link::{Link, LinkGeometry};
 use crate::error::{Error, LARGEST, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::{Space, inside, outside};
@@ -50,7 +50,7 @@ impl Link<3> {
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
         // In space half of the bearings of a slide act along each of the two directions normal to the slide, so that each direction gets the whole
         // stiffness.
-        let is_slide = matches!(self.place, LinkPlace::Slide { .. });
+        let is_slide = matches!(self.geometry, LinkGeometry::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
         let named = |(i, contact): (usize, &Contact<3>)| {
@@ -74,18 +74,20 @@ impl Link<3> {
             contact
         };
         let glued = |at: SVector<f64, 3>| contact(at, unit(0)).bonded();
-        match &self.place {
-            LinkPlace::Hinge { point, bearings: None } | LinkPlace::Ball { point } => vec![glued(*point)],
-            LinkPlace::Hinge { point, bearings: Some((axis, length)) } => {
+        match &self.geometry {
+            LinkGeometry::Hinge { point, bearings: None } | LinkGeometry::Ball { point } => {
+                vec![glued(*point)]
+            }
+            LinkGeometry::Hinge { point, bearings: Some((axis, length)) } => {
                 let arm = axis.normalize() * (0.5 * length);
                 vec![glued(point - arm), glued(point + arm)]
             }
-            LinkPlace::Rigid { point, size } => {
+            LinkGeometry::Rigid { point, size } => {
                 mapped(&corners(space), &|corner| glued(point + corner * (0.5 * size)))
             }
-            LinkPlace::Spring { from, to } => vec![contact(*from, to - from).kept_closed()],
-            LinkPlace::Cable { from, to } => vec![contact(*from, to - from)],
-            LinkPlace::Slide { point, direction, length } => {
+            LinkGeometry::Spring { from, to } => vec![contact(*from, to - from).kept_closed()],
+            LinkGeometry::Cable { from, to } => vec![contact(*from, to - from)],
+            LinkGeometry::Slide { point, direction, length } => {
                 let along = direction.normalize();
                 let (half, across) = (0.5 * length, normals_to(space, &along));
                 let mut points = Vec::new();
@@ -119,26 +121,26 @@ impl Link<3> {
             point(field, x)?;
             good(x.norm() > 0.0, field, 0.0, "of a length above zero")
         };
-        let is_line = matches!(self.place, LinkPlace::Spring { .. } | LinkPlace::Cable { .. });
-        match &self.place {
-            LinkPlace::Hinge { point: at, bearings } => {
+        let is_line = matches!(self.geometry, LinkGeometry::Spring { .. } | LinkGeometry::Cable { .. });
+        match &self.geometry {
+            LinkGeometry::Hinge { point: at, bearings } => {
                 point("point", at)?;
                 if let Some((axis, length)) = bearings {
                     along("axis", axis)?;
                     long("length", *length)?;
                 }
             }
-            LinkPlace::Ball { point: at } => point("point", at)?,
-            LinkPlace::Slide { point: at, direction, length } => {
+            LinkGeometry::Ball { point: at } => point("point", at)?,
+            LinkGeometry::Slide { point: at, direction, length } => {
                 point("point", at)?;
                 along("direction", direction)?;
                 long("length", *length)?;
             }
-            LinkPlace::Rigid { point: at, size } => {
+            LinkGeometry::Rigid { point: at, size } => {
                 point("point", at)?;
                 long("size", *size)?;
             }
-            LinkPlace::Spring { from, to } | LinkPlace::Cable { from, to } => {
+            LinkGeometry::Spring { from, to } | LinkGeometry::Cable { from, to } => {
                 point("from", from)?;
                 point("to", to)?;
                 good(from != to, "length from beginning to end", 0.0, "above zero")?;
@@ -149,7 +151,7 @@ impl Link<3> {
         good(is_moderate(self.pretension), "pretension", self.pretension, MODERATE)?;
         let only = "0 unless it is a spring or a cable";
         good(is_line || self.pretension == 0.0, "pretension", self.pretension, only)?;
-        let is_cable = matches!(self.place, LinkPlace::Cable { .. });
+        let is_cable = matches!(self.geometry, LinkGeometry::Cable { .. });
         if let Some(tension) = self.tension {
             good(tension > 0.0, "tension", tension, "more than 0 and at most 1e50, of a spring or a cable")?;
         }

@@ -25,5 +25,5 @@ pub use body::{Body, BodyLoad, BodyMotion};
 pub use builder::Bodies;
 pub use link::Link;
 #[cfg(feature = "serde")]
-pub(crate) use link::LinkPlace;
+pub(crate) use link::LinkGeometry;
 pub(crate) use place::{PlacedBodies, refuse_sides};

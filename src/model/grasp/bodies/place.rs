@@ -23,7 +23,7 @@ pub(crate) struct BodyPlace {
     /// Centroid of the body's contact points, m. The coordinates of rotation refer to this point.
     pub(crate) centre: SVector<f64, 3>,
     /// Root mean square distance of the body's contact points from the centroid, m.
-    pub(crate) reach: f64,
+    pub(crate) rms_radius: f64,
 }
 
 /// How a load that the caller passes to a question such as `hold` is shared among the bodies.
@@ -95,9 +95,10 @@ impl PlacedBodies {
             };
             let count = points().count().max(1) as f64;
             let centre = points().fold(SVector::zeros(), |sum, point| sum + point / count);
-            let reach = points().map(|point| (point - centre).norm_squared() / count).sum::<f64>().sqrt();
+            let rms_radius =
+                points().map(|point| (point - centre).norm_squared() / count).sum::<f64>().sqrt();
             let is_object = body == self.object;
-            self.places.push(BodyPlace { first: if is_object { 0 } else { next }, centre, reach });
+            self.places.push(BodyPlace { first: if is_object { 0 } else { next }, centre, rms_radius });
             next += if is_object { 0 } else { self.space.of_the_object() };
         }
         Ok(next)

@@ -260,10 +260,10 @@ impl Assembly {
                 let rest = below / stiffness;
                 let (along, above) = (&between - &drive.along, bound / stiffness);
                 let lower =
-                    Drive { role: DriveLaw::EndsBelow, along: between, stiffness, rest, ..drive.clone() };
+                    Drive { role: DriveLaw::LowerHalf, along: between, stiffness, rest, ..drive.clone() };
                 let commands = Vec::new();
                 let upper =
-                    Drive { role: DriveLaw::EndsAbove, along, stiffness, rest: above, commands, ..drive };
+                    Drive { role: DriveLaw::UpperHalf, along, stiffness, rest: above, commands, ..drive };
                 self.drives.extend([upper, lower]);
             }
         }

@@ -33,10 +33,10 @@ pub(crate) enum DriveLaw {
     Slips,
     /// The upper half of a drive that yields at an upper and a lower bound of its force, where its force stays constant. Two springs in series model
     /// such a drive. This half is a frictionless contact whose normal force is the upper bound minus the drive's force: it opens at the upper bound.
-    EndsAbove,
+    UpperHalf,
     /// The lower half of such a drive: a frictionless contact whose normal force is the drive's force minus the lower bound. It opens at the lower
     /// bound.
-    EndsBelow,
+    LowerHalf,
 }
 
 /// A drive, the spring of a joint or tendon, in the engine's coordinates. The force of a drive is in N and the displacement in m, for any units of
@@ -87,7 +87,7 @@ impl Drive {
         let hold = match self.role {
             DriveLaw::Holds => Hold::Bonded,
             DriveLaw::Slips => Hold::KeptClosed,
-            DriveLaw::Pulls | DriveLaw::EndsAbove | DriveLaw::EndsBelow => Hold::Unilateral,
+            DriveLaw::Pulls | DriveLaw::UpperHalf | DriveLaw::LowerHalf => Hold::Unilateral,
         };
         let mut site = Site::of_axis(space, size, (self.axis(), &self.along), springs, hold);
         if !slips {
@@ -121,8 +121,8 @@ impl Drive {
     /// two halves, since the upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
-            DriveLaw::EndsBelow => None,
-            DriveLaw::EndsAbove => Some((self.bound - force[0]) * self.unit),
+            DriveLaw::LowerHalf => None,
+            DriveLaw::UpperHalf => Some((self.bound - force[0]) * self.unit),
             DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::Slips => Some(force[self.axis()] * self.unit),
         }
     }
@@ -136,7 +136,7 @@ impl Drive {
     /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units. It is 2 for each half of a drive with two
     /// halves, which are in series, else 1.
     fn halves(&self) -> f64 {
-        if matches!(self.role, DriveLaw::EndsAbove | DriveLaw::EndsBelow) { 2.0 } else { 1.0 }
+        if matches!(self.role, DriveLaw::UpperHalf | DriveLaw::LowerHalf) { 2.0 } else { 1.0 }
     }
 
     /// Derivative of the drive's force with respect to the stiffness (N m/rad or N/m) of its joint or tendon, at constant stretch. It is a vector in
@@ -146,8 +146,8 @@ impl Drive {
         // In an unloaded drive, the spring of the upper half carries the upper bound, and the spring of the lower half carries the magnitude of the
         // lower bound. The elastic force is `force` minus this preload.
         let elastic = match self.role {
-            DriveLaw::EndsAbove => force[0] - self.bound,
-            DriveLaw::EndsBelow => force[0] - self.rest * self.stiffness,
+            DriveLaw::UpperHalf => force[0] - self.bound,
+            DriveLaw::LowerHalf => force[0] - self.rest * self.stiffness,
             DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::Slips => force[self.axis()],
         };
         more[self.axis()] = self.halves() * elastic / self.stiffness / (self.unit * self.unit);
@@ -165,11 +165,11 @@ impl Drive {
             }
             // The limit enters both the stretch and the constant force of each half. For a drive that only pulls, the lower bound is zero,
             // independent of the limit.
-            DriveLaw::EndsAbove | DriveLaw::EndsBelow if !self.pulls_only() => {
+            DriveLaw::UpperHalf | DriveLaw::LowerHalf if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
             }
-            DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::EndsAbove | DriveLaw::EndsBelow => Vector::zeros(),
+            DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::UpperHalf | DriveLaw::LowerHalf => Vector::zeros(),
         };
         (stretch, held)
     }
@@ -182,7 +182,7 @@ impl Drive {
     /// Whether the drive never pushes. This is so for the drive of a tendon that only pulls or, if its force has an upper bound, for the lower half
     /// of this drive.
     pub(crate) fn pulls_only(&self) -> bool {
-        self.role == DriveLaw::Pulls || (self.role == DriveLaw::EndsBelow && self.rest == 0.0)
+        self.role == DriveLaw::Pulls || (self.role == DriveLaw::LowerHalf && self.rest == 0.0)
     }
 
     /// Energy stored in the drive's spring, J, at a force of the drive, N. The upper half of a drive with two halves returns the energy of both.
@@ -190,8 +190,8 @@ impl Drive {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
             DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::Slips => 0.5 * square(force[self.axis()]),
-            DriveLaw::EndsAbove => square(self.bound - force[0]),
-            DriveLaw::EndsBelow => 0.0,
+            DriveLaw::UpperHalf => square(self.bound - force[0]),
+            DriveLaw::LowerHalf => 0.0,
         }
     }
 

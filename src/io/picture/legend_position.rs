@@ -3,7 +3,7 @@
 use super::series::{ChartSeries, Stroke};
 
 /// Possible positions of the legend: the fractions of the free width and height that lie to its left and below it.
-const LEGEND_PLACES: [(f64, f64); 6] =
+const LEGEND_POSITIONS: [(f64, f64); 6] =
     [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 
 /// Width of the names of series beside a chart, with at most `longest` letters each.
@@ -16,9 +16,9 @@ pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
     series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }
 
-/// The entry of [`LEGEND_PLACES`] at which the legend hides least of the curves, of the labels of marks, and of the label of a shaded area. `marked`
-/// and `shaded` say whether such labels exist.
-pub(super) fn emptiest_corner(
+/// The entry of [`LEGEND_POSITIONS`] at which the legend hides least of the curves, of the labels of marks, and of the label of a shaded area.
+/// `marked` and `shaded` say whether such labels exist.
+pub(super) fn best_legend_position(
     [x0, x1, y0, y1]: [f64; 4],
     series: &[ChartSeries],
     marked: bool,
@@ -52,5 +52,5 @@ pub(super) fn emptiest_corner(
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))
     };
-    LEGEND_PLACES.into_iter().min_by_key(hidden).unwrap_or(LEGEND_PLACES[0])
+    LEGEND_POSITIONS.into_iter().min_by_key(hidden).unwrap_or(LEGEND_POSITIONS[0])
 }

@@ -1,19 +1,19 @@
 //! With every contact in a known state all laws are linear: one linear `d x d` system gives the twist of the object and the contact forces.
 //!
-//! A contact in a known state is a few springs r, each stretched along the vector right_r and pushing along left_r:
-//! `F_i = Σ_r left_r (right_r · v_i)`. Each vector contains the square root of the spring's stiffness. The stretch `v_i = a_i - G_iᵀq` follows from
+//! A contact in a known state is a few springs r, each stretched along a vector s_r and pushing along p_r:
+//! `F_i = Σ_r p_r (s_r · v_i)`. Each vector contains the square root of the spring's stiffness. The stretch `v_i = a_i - G_iᵀq` follows from
 //! offset a_i, grasp map G_i and twist q.
 //!
-//! With a row for each spring, let A = right Gᵀ, B = left Gᵀ and α = right·a. The scaled spring forces x_r = right_r · v_i then satisfy `x = α - A
-//! q`, and balance the load W if `Bᵀx = -W`. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B are
-//! factorised by orthogonal transformations.
+//! With a row for each spring, let A = s Gᵀ, B = p Gᵀ and α = s·a. The scaled spring forces x_r = s_r · v_i then satisfy
+//! `x = α - A q`, and balance the load W if `Bᵀx = -W`. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B
+//! are factorised by orthogonal transformations.
 
 use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
 use core::ops::Range;
 
 use nalgebra::SVector;
 
-use super::band_piece::BandPiece;
+use super::banded_tangent::BandedTangent;
 use super::free_motions::motion_of_work;
 use super::null_motions::NullMotions;
 use super::problem::Problem;
@@ -24,7 +24,7 @@ use crate::prelude::*;
 
 /// The linear problem in which every contact keeps one known state, factorised. Offsets and load are not part of it.
 #[derive(Debug, Clone)]
-pub(crate) struct Piece {
+pub(crate) struct LinearProblem {
     pub(super) springs: Vec<Spring>,
     /// For each contact the index of its first spring in `springs`; a last entry is the number of springs.
     first: Vec<usize>,
@@ -34,24 +34,24 @@ pub(crate) struct Piece {
     pub(super) unbalanced: Vec<Vector>,
     /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
     /// exactly, singular.
-    pub(super) band: Option<(BandPiece, NullMotions)>,
+    pub(super) band: Option<(BandedTangent, NullMotions)>,
     /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions). If `band` is given, they are computed on first
     /// use.
-    orthogonal: Once<OrthogonalPiece>,
+    orthogonal: Once<OrthogonalFactors>,
     size: Size,
 }
 
-/// Orthogonal factors of [`Piece`]'s matrices: Q_A R_A of A (spring stretches under a motion), and Q_B R_B of B (push directions) if a contact
-/// slides.
+/// Orthogonal factors of [`LinearProblem`]'s matrices: Q_A R_A of A (spring stretches under a motion), and Q_B R_B of B (push directions) if a
+/// contact slides.
 #[derive(Debug, Clone)]
-pub(super) struct OrthogonalPiece {
-    pub(super) right: Orthogonal,
+pub(super) struct OrthogonalFactors {
+    pub(super) stretches: Orthogonal,
     /// Orthogonal factors Q_B R_B of the push directions B, and LU factors of `Q_BᵀQ_A`, where Q_A is the orthogonal factor of A. `None` if nothing
     /// slides, since then B = A.
-    pub(super) left: Option<(Orthogonal, CompletePivoting)>,
+    pub(super) pushes: Option<(Orthogonal, CompletePivoting)>,
 }
 
-impl Piece {
+impl LinearProblem {
     pub(crate) fn new(problem: &Problem, states: &[State]) -> Self {
         Self::of_springs(problem.sites, &|contact, springs| {
             problem.local(contact).for_each_spring(&states[contact], |spring| springs.push(spring));
@@ -68,7 +68,7 @@ impl Piece {
             first.push(springs.len());
         }
         let size = size_of(sites);
-        if let Some(band) = BandPiece::new(sites, &springs, &first)
+        if let Some(band) = BandedTangent::new(sites, &springs, &first)
             && let Some(null) = NullMotions::of(&band)
         {
             let (free, unbalanced) = (null.free.clone(), null.unbalanced.clone());
@@ -84,20 +84,22 @@ impl Piece {
             }
             rows
         };
-        let right = rows(|spring| &spring.right);
-        let straight = springs.iter().all(|spring| spring.left == spring.right);
-        let left = (!straight).then(|| rows(|spring| &spring.left));
-        let factors = OrthogonalPiece::new(size, &right, left.as_deref());
-        let free = factors.right.null_space();
-        let unbalanced = factors.left.as_ref().map_or_else(|| free.clone(), |(left, _)| left.null_space());
+        let stretches = rows(|spring| &spring.stretch_direction);
+        let straight = springs.iter().all(|spring| spring.push_direction == spring.stretch_direction);
+        let pushes = (!straight).then(|| rows(|spring| &spring.push_direction));
+        let factors = OrthogonalFactors::new(size, &stretches, pushes.as_deref());
+        let free = factors.stretches.null_space();
+        let unbalanced =
+            factors.pushes.as_ref().map_or_else(|| free.clone(), |(pushes, _)| pushes.null_space());
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
     /// The orthogonal factors of A and B. If the band matrix is factorised already, they are computed on first use.
-    pub(super) fn orthogonal(&self) -> &OrthogonalPiece {
+    pub(super) fn orthogonal(&self) -> &OrthogonalFactors {
         self.orthogonal.get_or_init(|| {
-            let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
-            OrthogonalPiece::new(self.size, &right.unwrap_or_default(), left.as_deref())
+            let [stretches, pushes] =
+                self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
+            OrthogonalFactors::new(self.size, &stretches.unwrap_or_default(), pushes.as_deref())
         })
     }
 
@@ -109,7 +111,7 @@ impl Piece {
     /// Orthogonal factors of the matrix A of spring stretches under a motion, with a row for each spring in the order of contacts. While everything
     /// sticks A = K^{1/2}Gᵀ, with the stiffnesses K and the grasp maps G.
     pub(crate) fn factor(&self) -> &Orthogonal {
-        &self.orthogonal().right
+        &self.orthogonal().stretches
     }
 
     /// The rows of the springs of one contact, in the orthogonal factor Q of the stretch matrix A = Q R. The springs lie along the contact's axes.
@@ -117,7 +119,7 @@ impl Piece {
     pub(crate) fn factor_rows(&self, contact: usize) -> Map {
         let mut rows = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
-            rows.set_column(self.springs[spring].right.iamax(), self.factor().row(spring));
+            rows.set_column(self.springs[spring].stretch_direction.iamax(), self.factor().row(spring));
         }
         rows
     }
@@ -149,7 +151,7 @@ impl Piece {
     /// The components of the vector `axes` in the contact frame, in the order of the contact's springs, each of which lies along an axis.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, 3>) -> Vec<f64> {
         mapped(&self.springs[self.first[contact]..self.first[contact + 1]], &|spring| {
-            axes[spring.right.iamax()]
+            axes[spring.stretch_direction.iamax()]
         })
     }
 
@@ -170,11 +172,11 @@ impl Piece {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
         }
-        let OrthogonalPiece { right, left } = self.orthogonal();
-        let Some((_, coupling)) = left else { return Vec::new() };
+        let OrthogonalFactors { stretches, pushes } = self.orthogonal();
+        let Some((_, coupling)) = pushes else { return Vec::new() };
         let mut motions: Vec<Vector> = Vec::new();
         for c in coupling.kernel() {
-            let mut v = right.preimage(&c);
+            let mut v = stretches.preimage(&c);
             let found: Vec<_> = self.free.iter().chain(&motions).cloned().list();
             orthonormalise_against(&mut v, &found);
             motions.push(v);
@@ -201,21 +203,21 @@ impl Piece {
         if let Some((_, null)) = &self.band {
             return null.motion_of_work(&self.stretched(|contact| offsets[contact]), load);
         }
-        let (left, coupling) = self.orthogonal().left.as_ref()?;
+        let (pushes, coupling) = self.orthogonal().pushes.as_ref()?;
         let mut kernel: Vec<Vector> = Vec::new();
         for mut z in coupling.left_kernel() {
             orthonormalise_against(&mut z, &kernel);
             kernel.push(z);
         }
-        let pushed = left.coordinates(&self.stretched(|contact| offsets[contact]));
-        Some(left.preimage(&work_part(&kernel, &(pushed + left.load_coordinates(load)))?))
+        let pushed = pushes.coordinates(&self.stretched(|contact| offsets[contact]));
+        Some(pushes.preimage(&work_part(&kernel, &(pushed + pushes.load_coordinates(load)))?))
     }
 
     /// Factor by which the solution in these contact states amplifies relative rounding errors, at least 1; exactly 1 if nothing slides.
     pub(crate) fn growth(&self) -> f64 {
         match &self.band {
             Some((band, _)) => band.growth(),
-            None => self.orthogonal().left.as_ref().map_or(1.0, |(_, coupling)| coupling.growth()),
+            None => self.orthogonal().pushes.as_ref().map_or(1.0, |(_, coupling)| coupling.growth()),
         }
     }
 
@@ -233,25 +235,25 @@ impl Piece {
     }
 }
 
-impl OrthogonalPiece {
-    /// Orthogonal factors from the rows of the matrices A (`right`, spring stretches) and, if a contact slides, B (`left`, push directions).
-    fn new(size: Size, right: &[Vector], left: Option<&[Vector]>) -> Self {
-        let right = Orthogonal::new(size, right);
-        let Some(left) = left else { return Self { right, left: None } };
-        let count = left.len();
-        let left = Orthogonal::new(size, left);
+impl OrthogonalFactors {
+    /// Orthogonal factors from the rows of the matrices A (`stretches`: spring stretches) and, if a contact slides, B (`pushes`: push directions).
+    fn new(size: Size, stretches: &[Vector], pushes: Option<&[Vector]>) -> Self {
+        let stretches = Orthogonal::new(size, stretches);
+        let Some(pushes) = pushes else { return Self { stretches, pushes: None } };
+        let count = pushes.len();
+        let pushes = Orthogonal::new(size, pushes);
         let mut coupling = Square::zeros(size);
         for i in 0..count {
-            coupling.add_product(left.row(i), right.row(i));
+            coupling.add_product(pushes.row(i), stretches.row(i));
         }
-        let coupling = CompletePivoting::new(coupling, left.rank(), right.rank());
-        Self { right, left: Some((left, coupling)) }
+        let coupling = CompletePivoting::new(coupling, pushes.rank(), stretches.rank());
+        Self { stretches, pushes: Some((pushes, coupling)) }
     }
 
     /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and the
     /// factors of A are returned.
     pub(super) fn balance(&self) -> &Orthogonal {
-        self.left.as_ref().map_or(&self.right, |(left, _)| left)
+        self.pushes.as_ref().map_or(&self.stretches, |(pushes, _)| pushes)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The linear problem in known contact states for 36 or more coordinates of the twist q, of which every contact couples only a few. Contact i has the
 //! grasp map G_i and the tangent stiffness C_i. Row r of the matrix A is the scaled stretch of spring r per unit of each coordinate. Row r of B is
-//! the direction in which this spring pushes (see `piece`). The tangent stiffness is T. Under the load W, scaled spring forces x at zero motion
-//! become x - A q:
+//! the direction in which this spring pushes (see `linear_problem`). The tangent stiffness is T. Under the load W, scaled spring forces x at zero
+//! motion become x - A q:
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
@@ -34,14 +34,14 @@ pub(crate) fn uses_band(coordinates: Size) -> bool {
 /// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors. A has the stretches of springs per unit of each coordinate, B their push
 /// directions.
 #[derive(Debug, Clone)]
-pub(crate) struct BandPiece {
+pub(crate) struct BandedTangent {
     /// Position of each coordinate in the order of coordinates that makes the band of T narrow.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
-    pub(super) right: StiffnessFactor,
+    pub(super) stretches: SpringRows,
     /// The matrix B of the tangent stiffness `BᵀA`: the directions in which springs push. `None` if no contact slides, since then B = A.
-    pub(super) left: Option<StiffnessFactor>,
+    pub(super) pushes: Option<SpringRows>,
     pub(super) factors: BandFactors,
 }
 
@@ -54,13 +54,13 @@ pub(super) struct SpringLists {
     first: Vec<usize>,
     /// For each contact the number of its springs in its state.
     pub(super) counts: Vec<usize>,
-    /// For each contact the index of its first number in [`StiffnessFactor::rows`]; the last entry is the length of that list.
+    /// For each contact the index of its first number in [`SpringRows::rows`]; the last entry is the length of that list.
     first_rows: Vec<usize>,
 }
 
 /// One factor of the tangent stiffness `BᵀA`: the matrix A or B, with a row for each spring.
 #[derive(Debug, Clone)]
-pub(super) struct StiffnessFactor {
+pub(super) struct SpringRows {
     /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
     /// map.
     rows: Vec<f64>,
@@ -71,7 +71,7 @@ pub(super) struct StiffnessFactor {
     pub(super) longest: f64,
 }
 
-impl BandPiece {
+impl BandedTangent {
     /// The factorised tangent stiffness of these contacts and their springs. `first_springs` holds the index of the first spring of each contact and,
     /// last, the number of springs. `None` with too few coordinates for a band ([`uses_band`]), or if a pivot is not finite.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
@@ -81,7 +81,7 @@ impl BandPiece {
         }
         let couplings: Vec<_> = mapped(sites, &|site| site.support.ranges());
         let numbers = narrow_order(count, &couplings);
-        let reach = widest(&numbers, &couplings);
+        let half_bandwidth = widest(&numbers, &couplings);
         let mut lists =
             SpringLists { coordinates: Vec::new(), first: vec![0], counts: Vec::new(), first_rows: vec![0] };
         let mut rows = 0;
@@ -108,19 +108,20 @@ impl BandPiece {
             }
             lists.side(rows, count)
         };
-        let right = side(|spring| &spring.right);
-        let straight = springs.iter().all(|spring| spring.left == spring.right);
-        let left = (!straight).then(|| side(|spring| &spring.left));
-        let (mut band, pushes) = (Band::zeros(count, reach), left.as_ref().unwrap_or(&right));
+        let stretches = side(|spring| &spring.stretch_direction);
+        let straight = springs.iter().all(|spring| spring.push_direction == spring.stretch_direction);
+        let pushes = (!straight).then(|| side(|spring| &spring.push_direction));
+        let (mut band, push_rows) =
+            (Band::zeros(count, half_bandwidth), pushes.as_ref().unwrap_or(&stretches));
         lists.for_each(|_, coordinates, range| {
-            for (j, a) in coordinates.iter().zip(&right.rows[range.clone()]).filter(|(_, a)| **a != 0.0) {
-                let a = a * right.units[*j];
-                let pushed = coordinates.iter().zip(&pushes.rows[range.clone()]);
-                pushed.for_each(|(i, b)| band.add(*i, *j, a * b * pushes.units[*i]));
+            for (j, a) in coordinates.iter().zip(&stretches.rows[range.clone()]).filter(|(_, a)| **a != 0.0) {
+                let a = a * stretches.units[*j];
+                let pushed = coordinates.iter().zip(&push_rows.rows[range.clone()]);
+                pushed.for_each(|(i, b)| band.add(*i, *j, a * b * push_rows.units[*i]));
             }
         });
         let factors = band.factors()?;
-        Some(Self { numbers, springs: lists, right, left, factors })
+        Some(Self { numbers, springs: lists, stretches, pushes, factors })
     }
 
     /// Lets the object give way until forces balance the load W = `wrench`: replaces the spring forces x by `x - A q` and returns the twist
@@ -128,9 +129,9 @@ impl BandPiece {
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
-        self.springs.add(self.left.as_ref().unwrap_or(&self.right), x, &mut q);
+        self.springs.add(self.pushes.as_ref().unwrap_or(&self.stretches), x, &mut q);
         self.factors.solve(&mut q);
-        self.springs.stretch(&self.right, &mut q, |spring, stretch| x[spring] -= stretch);
+        self.springs.stretch(&self.stretches, &mut q, |spring, stretch| x[spring] -= stretch);
         Vector::from_fn(Size::of(q.len()), |k| q[self.numbers[k]])
     }
 
@@ -142,7 +143,7 @@ impl BandPiece {
     /// Null vectors of the tangent stiffness, as motions of all coordinates in their usual order; not orthonormal.
     pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
-            let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
+            let entry = |k: usize| q[self.numbers[k]] * self.stretches.units[self.numbers[k]];
             Vector::from_fn(Size::of(q.len()), entry)
         };
         moved(self.factors.null_vectors(), &motion)
@@ -153,17 +154,17 @@ impl BandPiece {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the order that makes the band narrow, if the springs of a contact push with the scaled forces `pushes`
+    /// Displacements of the coordinates, in the order that makes the band narrow, if the springs of a contact push with the scaled `forces`
     /// and no other load acts.
-    pub(super) fn displacements_under(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
-        let left = self.left.as_ref().unwrap_or(&self.right);
+    pub(super) fn displacements_under(&self, contact: usize, forces: &[f64]) -> Vec<f64> {
+        let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
         self.springs.of(contact, |k, coordinates, range| {
-            coordinates.iter().zip(&left.rows[range]).for_each(|(i, b)| q[*i] += b * pushes[k]);
+            coordinates.iter().zip(&pushes.rows[range]).for_each(|(i, b)| q[*i] += b * forces[k]);
         });
-        q.iter_mut().zip(&left.units).for_each(|(q, unit)| *q *= unit);
+        q.iter_mut().zip(&pushes.units).for_each(|(q, unit)| *q *= unit);
         self.factors.solve(&mut q);
-        q.iter_mut().zip(&self.right.units).for_each(|(q, unit)| *q *= unit);
+        q.iter_mut().zip(&self.stretches.units).for_each(|(q, unit)| *q *= unit);
         q
     }
 
@@ -173,7 +174,7 @@ impl BandPiece {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
             let stretch: f64 =
-                coordinates.iter().zip(&self.right.rows[range]).map(|(j, a)| a * displacements[*j]).sum();
+                coordinates.iter().zip(&self.stretches.rows[range]).map(|(j, a)| a * displacements[*j]).sum();
             sum += times[k] * stretch;
         });
         sum
@@ -182,7 +183,7 @@ impl BandPiece {
     /// Factor by which relative rounding errors grow in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with T = BᵀA. The
     /// norm is estimated by four steps of the power method, and the estimate is doubled. The result is exactly 1 if no contact slides.
     pub(super) fn growth(&self) -> f64 {
-        let Some(left) = &self.left else { return 1.0 };
+        let Some(pushes) = &self.pushes else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
         let mut x: Vec<f64> = numbered(springs, &generic);
         let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
@@ -192,15 +193,15 @@ impl BandPiece {
         for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);
-            self.springs.add(left, &x, &mut q);
+            self.springs.add(pushes, &x, &mut q);
             self.factors.solve(&mut q);
-            self.springs.stretch(&self.right, &mut q, |spring, stretch| x[spring] = stretch);
+            self.springs.stretch(&self.stretches, &mut q, |spring, stretch| x[spring] = stretch);
             let after = length(&x);
             growth = growth.max(after / before);
             q.fill(0.0);
-            self.springs.add(&self.right, &x, &mut q);
+            self.springs.add(&self.stretches, &x, &mut q);
             self.factors.solve_transposed(&mut q);
-            self.springs.stretch(left, &mut q, |spring, stretch| x[spring] = stretch / after);
+            self.springs.stretch(pushes, &mut q, |spring, stretch| x[spring] = stretch / after);
         }
         // Twice the estimate, since the power method gives a lower bound.
         2.0 * growth
@@ -208,7 +209,7 @@ impl BandPiece {
 
     /// The rows of the matrix A and, if a contact slides, of the matrix B. Each row has an entry for each coordinate in its usual order.
     pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
-        let whole = |side: &StiffnessFactor| {
+        let whole = |side: &SpringRows| {
             let mut list = Vec::new();
             self.springs.for_each(|_, coordinates, range| {
                 let mut whole = vec![0.0; self.numbers.len()];
@@ -217,12 +218,12 @@ impl BandPiece {
             });
             list
         };
-        [Some(whole(&self.right)), self.left.as_ref().map(whole)]
+        [Some(whole(&self.stretches)), self.pushes.as_ref().map(whole)]
     }
 }
 
 impl SpringLists {
-    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`StiffnessFactor::rows`].
+    /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`SpringRows::rows`].
     /// `coordinates` has the position of each entry of this row in the order that makes the band narrow.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
@@ -246,19 +247,19 @@ impl SpringLists {
 
     /// Stores the matrix A (spring stretches per unit motion) or B (push directions), given the entries of its rows, spring after spring. `count` is
     /// the number of coordinates.
-    fn side(&self, rows: Vec<f64>, count: usize) -> StiffnessFactor {
+    fn side(&self, rows: Vec<f64>, count: usize) -> SpringRows {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
             coordinates.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
             longest = longest.max(rows[range].iter().map(|x| x * x).sum());
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
-        StiffnessFactor { rows, units: moved(squares, &unit), longest: longest.sqrt() }
+        SpringRows { rows, units: moved(squares, &unit), longest: longest.sqrt() }
     }
 
     /// Adds to q the wrench of the scaled spring forces x: Aᵀx or Bᵀx, with the matrix A or B in `side`. Then multiplies each entry of q by the
     /// factor that scales its column of the matrix to length one.
-    pub(super) fn add(&self, side: &StiffnessFactor, x: &[f64], q: &mut [f64]) {
+    pub(super) fn add(&self, side: &SpringRows, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
         });
@@ -267,7 +268,7 @@ impl SpringLists {
 
     /// Multiplies each entry of the motion q by the factor that scales its column of the matrix to length one. Then calls `visit(spring, stretch)`
     /// for every spring with its scaled stretch, an entry of A q or B q.
-    pub(super) fn stretch(&self, side: &StiffnessFactor, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+    pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {
             visit(spring, coordinates.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());

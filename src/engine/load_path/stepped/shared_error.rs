@@ -30,11 +30,11 @@ use crate::numerics::{Each, Vector};
 impl StepProblem<'_> {
     /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers only errors that the difference from the
     /// step made at once does not show. `at` are the states at the beginning, middle and end of the step.
-    pub(super) fn unseen(&self, at: [&SteppedState; 3]) -> f64 {
-        (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
+    pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
+        (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }
 
-    fn unseen_by(&self, i: usize, at: [&SteppedState; 3]) -> f64 {
+    fn shared_error_of(&self, i: usize, at: [&SteppedState; 3]) -> f64 {
         let [from, middle, to] = at;
         let (site, local) = (&self.problem.sites[i], self.problem.local(i));
         if !local.may_open() && !local.may_slide() {
