@@ -228,13 +228,13 @@ impl BatchNeed {
             let lost = lost_at(&grasp.hold_briefly(&ramp)?.0);
             return Ok(lost.and_then(|(multiple, _)| self.amount(multiple)));
         }
-        // Motions may be too large at the given squeeze, but small at the sought squeeze. Therefore the path to the loss is followed without limits
-        // on motions.
-        let (mut unlimited, small) = (self.settings, &self.settings.small_motions);
+        // Motions may be too large at the given squeeze, but small at the sought squeeze. Therefore the path to the loss is followed with
+        // wider limits of motions.
+        let (mut lenient, small) = (self.settings, &self.settings.small_motions);
         let wider = ANY_MOTION.min(MOST_LIMIT / small.rotation.max(small.slip));
-        unlimited.small_motions.rotation *= wider;
-        unlimited.small_motions.slip *= wider;
-        let (verdict, farthest) = grasp.with(&unlimited).hold_briefly(&ramp)?;
+        lenient.small_motions.rotation *= wider;
+        lenient.small_motions.slip *= wider;
+        let (verdict, farthest) = grasp.with(&lenient).hold_briefly(&ramp)?;
         let lost = lost_at(&verdict).filter(|(_, is_too_far)| !is_too_far);
         let Some(amount) = lost.and_then(|(multiple, _)| self.amount(multiple)) else { return Ok(None) };
         // Motions are proportional to the squeeze, so their largest ratio to a limit is known for the sought squeeze, too.
@@ -246,8 +246,11 @@ impl BatchNeed {
     }
 }
 
-/// The limits of small motions are multiplied by this factor, so that no motion reaches them.
-const ANY_MOTION: f64 = 1e40;
+/// The limits of small motions are multiplied by this factor, so that motions which are small at the sought squeeze do not end the path.
+///
+/// If larger, the ratio of a motion to its limit is lost in the rounding of 1, and objects that leave are followed to distances at which rounding
+/// decides, so that a row takes seven times as long. If smaller, more rows are searched for as in [`Grasp::need`].
+const ANY_MOTION: f64 = 1e6;
 /// The largest allowed value of the limits of small motions.
 const MOST_LIMIT: f64 = 1e50;
 /// The squeeze that is tried exceeds the computed squeeze by this fraction. The fraction is larger than the step error of load paths on which
