@@ -34,6 +34,23 @@ fn nothing_is_odd_about_two_jaws() {
     assert_eq!(warnings(JAWS), []);
 }
 
+/// Three fingers on one side push the object away.
+#[test]
+fn a_contact_that_loses_its_object_presses_with_nothing() {
+    let finger = |point: &str, normal: &str| {
+        format!(
+            r#"{{"point": {point}, "normal": {normal}, "friction": 0.5, "pressed_with": 40, "stiffness": [4e5, 1.3e5]}}"#
+        )
+    };
+    let fingers =
+        [("[0, 0.03]", "[0.8, 0.6]"), ("[0.01, 0.03]", "[-0.8, 0.6]"), ("[0.01, 0.03]", "[0.1, 0.6]")];
+    let contacts = fingers.map(|(point, normal)| finger(point, normal)).join(", ");
+    let found = warnings(&format!(r#"{{"format": "grasp-lcp/1", "planar": {{"contacts": [{contacts}]}}}}"#));
+    let lost =
+        |warning: &Warning| matches!(warning, Warning::PressesOtherwise { force, .. } if *force == 0.0);
+    assert!(found.iter().filter(|warning| lost(warning)).count() >= 2, "{found:?}");
+}
+
 #[test]
 fn numbers_in_another_unit() {
     let (contacts, names) = (both().0.to_vec(), both().1.to_vec());

@@ -14,6 +14,7 @@ use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
 use crate::need::Quantity;
 use crate::numerics::summed;
+use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl Setup<3> {
     /// Whether the scene has a question in which nothing presses on any contact: no command of a finger or joint, no load at rest (base load or load
@@ -105,6 +106,8 @@ impl Setup<3> {
                 point.force_world.dot(&along)
             });
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal {
+                // Of a contact that loses its object, rounding leaves some 1e-77 N.
+                let force = if force.abs() <= NEGLIGIBLE * nominal { 0.0 } else { force };
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, stated: nominal, force });
             }
