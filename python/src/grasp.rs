@@ -368,7 +368,9 @@ pub(crate) fn answers_of_scene(py: Python<'_>, text: &str, made: bool) -> PyResu
 #[pyfunction]
 pub(crate) fn warnings_of_scene(text: &str, made: bool) -> PyResult<Vec<String>> {
     let scene = read(text, made)?.with_files_from("").map_err(refused)?;
-    Ok(scene.warnings().map_err(refused)?.iter().map(ToString::to_string).collect())
+    let mut found = scene.warnings().map_err(refused)?;
+    found.extend(scene.far_load_in(text.as_bytes()));
+    Ok(found.iter().map(ToString::to_string).collect())
 }
 
 /// Data of a grasp besides its contacts.

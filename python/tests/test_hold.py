@@ -76,6 +76,9 @@ def test_a_scene_asks() -> None:
     scene["planar"]["questions"] = [{"hold": {"load": {"mass": 500}}}]
     (warning,) = warnings(scene)
     assert warning.endswith("masses are in kg; is this in g?")
+    scene["planar"]["questions"] = [{"hold": {"load": {"mass": 0.1, "at": [0, -400]}}}]
+    (warning,) = warnings(scene)
+    assert warning.startswith("a load acts at a distance of 400 m")
 
 
 def test_a_block_walks_while_it_is_rocked() -> None:

@@ -73,6 +73,21 @@ def test_amounts_are_those_of_single_grasps() -> None:
                 assert found.amount[row] == pytest.approx(one.amount, rel=1e-7)
 
 
+def test_amounts_where_motions_end_what_is_held() -> None:
+    """Soft fingers whose object goes too far before it is lost, so that the load at its loss does not tell the squeeze."""
+    rng = np.random.default_rng(2)
+    angles = 2 * np.pi * np.arange(3) / 3 + rng.uniform(-0.3, 0.3, (30, 3))
+    points = np.stack([0.04 * np.cos(angles), 0.04 * np.sin(angles), rng.uniform(-0.01, 0.01, (30, 3))], axis=-1)
+    normals, loads = -points * [1, 1, 0], rng.normal(size=(30, 6)) * [5, 5, 5, 0.1, 0.1, 0.1]
+    given = {"friction": 0.6, "series_stiffness": [1000, 600], "pressed_with": 10.0}
+    found = need_batch(points, normals, loads, **given)
+    single = [Grasp.spatial(*row, **given).need("squeeze", load) for *row, load in zip(points, normals, loads, strict=True)]
+    assert [AmountStatus(status).name.lower() for status in found.status] == [one.outcome for one in single]
+    bounds = [np.nan if one.amount is None else one.amount for one in single]
+    np.testing.assert_allclose(found.amount, bounds, rtol=1e-7)
+    assert 5 < np.isfinite(bounds).sum() < 25
+
+
 def test_loads_are_written_as_for_a_single_grasp() -> None:
     given = {"series_stiffness": 1e4, "friction": 0.5, "pressed_with": 8.0}
     jaws = ([[-0.04, 0.0], [0.04, 0.0]], [[1, 0], [-1, 0]])
