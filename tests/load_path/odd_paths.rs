@@ -156,6 +156,14 @@ fn what_slides_right_after_a_contact_closes_is_seen() {
     }
 }
 
+/// Towards an asymptote an object slides under a load that is constant within rounding. The path has a state at its end.
+#[test]
+fn what_slides_away_has_a_state_at_its_end() {
+    for (seed, number) in [(926, 3644), (929, 2710)] {
+        followed(&of_a_seed(IN_SPACE[1], seed, number)).unwrap();
+    }
+}
+
 /// Three fingers without force take up a load, stick and snap over until the end of the leg, under whose load the object rests.
 #[test]
 fn what_snaps_over_up_to_the_end_of_a_leg_goes_on() {

@@ -191,12 +191,12 @@ fn a_turn_does_not_begin_with_a_jump() -> Result<(), Error> {
     let jump = |leg, begins: f64, before: f64| {
         Some(Error::TurnBegins { leg, begins: vec![begins, 0.0, 0.0], before: vec![before, 0.0, 0.0] })
     };
-    assert_eq!(refused(none, &[light.clone()]), jump(0, 2.4, 0.0));
+    assert_eq!(refused(none, std::slice::from_ref(&light)), jump(0, 2.4, 0.0));
     assert_eq!(refused(pull, &[Leg::load_by(pull * -1.0), light.clone()]), jump(1, 2.4, 0.0));
     assert_eq!(refused(none, &[Leg::load_to(pull), light.clone()]), None);
     // Six written digits are enough.
-    assert_eq!(refused(pull * (1.0 + 4e-7), &[light.clone()]), None);
-    assert_eq!(grasp.shake(pull * 3.0, &[light.clone()]).err(), jump(0, 2.4, 2.4 * 3.0));
+    assert_eq!(refused(pull * (1.0 + 4e-7), std::slice::from_ref(&light)), None);
+    assert_eq!(grasp.shake(pull * 3.0, std::slice::from_ref(&light)).err(), jump(0, 2.4, 2.4 * 3.0));
     let mut path = grasp.follow(pull, &[Leg::load_to(pull * 2.0), heavy.clone()])?;
     path.next();
     path.continue_with(&[Leg::load_to(pull)])?;

@@ -39,7 +39,7 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let places: Vec<f64> = grasp.contacts().iter().map(|foot| foot.point()[0]).collect();
         let centre = places.iter().sum::<f64>() / count as f64;
         let size = (places.iter().map(|x| (x - centre).powi(2)).sum::<f64>() / count as f64).sqrt();
-        let most = found.slips.iter().map(|slip| slip.norm()).fold(0.0, f64::max) / size;
+        let most = found.slips.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max) / size;
         assert!(found.too_far.is_none(), "{most}");
         let mut settings = Settings::default();
         for (part, is_far) in [(0.99, most > 0.0), (1.01, false)] {

@@ -82,12 +82,7 @@ pub(crate) trait Follower<'g>: Debug {
         &[]
     }
 
-    /// Whether the path has passed this fraction of this leg and the state there is stored. False from a follower that does not store its past.
-    fn is_behind(&self, _leg: usize, _fraction: f64) -> bool {
-        false
-    }
-
-    /// The equilibrium at the fraction `_fraction` of the leg `_leg`, for which [`Self::is_behind`] must be true. `None` if rounding prevents its
+    /// The equilibrium at the fraction `_fraction` of the leg `_leg`. `None` if the path has not passed this place, or if rounding prevents its
     /// computation, and always from a follower that does not store its past.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None

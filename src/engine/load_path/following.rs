@@ -140,10 +140,8 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
         let follower = self.follower.as_ref()?;
-        if follower.is_behind(leg, fraction) {
-            return follower.state_behind(leg, fraction);
-        }
-        if self.place() == (leg, fraction) { self.state() } else { None }
+        let is_here = self.place() == (leg, fraction);
+        follower.state_behind(leg, fraction).or_else(|| if is_here { self.state() } else { None })
     }
 
     fn forces(&self) -> Vec<SVector<f64, 3>> {

@@ -165,10 +165,6 @@ impl<'g> Follower<'g> for PiecewiseFollower<'g> {
         self.pieces_all_slide_from(until)
     }
 
-    fn is_behind(&self, leg: usize, fraction: f64) -> bool {
-        self.piece_behind(leg, fraction).is_some()
-    }
-
     fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {
         self.state_on(self.piece_behind(leg, fraction)?, fraction)
     }

@@ -172,6 +172,11 @@ pub enum Warning {
     },
 }
 
+const OPPOSITE_IN_ONE_PLACE: &str =
+    "press against each other in one place: the object has no thickness there; are their points right?";
+const ALIKE_IN_ONE_PLACE: &str =
+    "are in one place, with parallel normals: a finger that is there twice is twice as stiff";
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -245,16 +250,10 @@ impl fmt::Display for Warning {
             Self::MissesInPart { name, missing, .. } => write_missing(f, words, name, *missing),
             #[cfg(feature = "mesh")]
             Self::OverAnEdge { name, angle, .. } => lies_over_an_edge(f, words, name, *angle),
-            Self::OnePlace { names, opposite: true, .. } => write!(
-                f,
-                "{} press against each other in one place: the object has no thickness there; are their points right?",
-                all(names)
-            ),
-            Self::OnePlace { names, .. } => write!(
-                f,
-                "{} are in one place, with parallel normals: a finger that is there twice is twice as stiff",
-                all(names)
-            ),
+            Self::OnePlace { names, opposite, .. } => {
+                let what = if *opposite { OPPOSITE_IN_ONE_PLACE } else { ALIKE_IN_ONE_PLACE };
+                write!(f, "{} {what}", all(names))
+            }
             Self::SameName { contacts, name } => {
                 let numbers: Vec<_> = mapped(contacts, &|contact| format!("contact {contact}"));
                 write!(f, "{} are called {}: answers do not tell which is meant", listed(&numbers), printable(name))

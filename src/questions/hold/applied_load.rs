@@ -120,7 +120,7 @@ impl Engine {
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
         let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
-        let mut state = is_on.then(|| path.state()).flatten();
+        let state = is_on.then(|| path.state()).flatten();
         if matches!(extent, VerdictScope::Measured | VerdictScope::Decided)
             && path.end_of_small_motions().is_some()
         {
@@ -133,22 +133,14 @@ impl Engine {
             path.continue_with(&[Leg::along(&ramp.times(largest_factor - 1.0))])?;
             path.run_while_small();
         }
-        if extent == VerdictScope::Brief {
-            farthest = path.farthest();
-        }
+        farthest = if extent == VerdictScope::Brief { path.farthest() } else { farthest };
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (largest_factor - 1.0) }
         };
-        let mut too_far = end_before_loss(&path).cloned();
-        let place = too_far.as_ref().map_or(path.place(), |far| (far.leg, far.fraction));
-        if extent != VerdictScope::Brief
-            && let Some(buckles) = self.buckling(&path, place, &|place| ramp.load_at(reached(place)))
-        {
-            state = state.filter(|_| buckles.leg > 0);
-            too_far = Some(buckles);
-        }
+        let too_far = self.end_of_theory(&path, extent, &|place| ramp.load_at(reached(place)));
+        let end = too_far.as_ref().map_or(path.place(), |far| (far.leg, far.fraction));
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
-        let end = too_far.as_ref().map_or(place, |far| (far.leg, far.fraction));
+        let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
         // Motions may cease to be small in a jump at the first slip. The load factors of the first slip and of the end of small motions then differ
         // by rounding.
@@ -204,9 +196,8 @@ impl Engine {
             return Ok((verdict, PathFacts { farthest, ..Default::default() }));
         }
         let rest = path.state_at(0, 0.0);
-        let at_rest = rest
-            .as_ref()
-            .map(|rest| AtRest { contacts: mapped(&rest.contacts, &RestingContact::of), states });
+        let contacts = rest.as_ref().map(|rest| mapped(&rest.contacts, &RestingContact::of));
+        let at_rest = contacts.map(|contacts| AtRest { contacts, states });
         let jumps = events.iter().filter(|event| event.jump.is_some()).count();
         let of_the_path = PathFacts { farthest, at_rest, jumps };
         if extent == VerdictScope::Decided {
@@ -224,6 +215,20 @@ impl Engine {
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
+    }
+
+    /// The place on the path from which on the theory of small motions no longer applies, before a loss of equilibrium: some motion is too large, or
+    /// the grasp has buckled. A brief verdict does not ask whether it has.
+    fn end_of_theory(
+        &self,
+        path: &LoadPath<'_, 3>,
+        extent: VerdictScope,
+        load: &dyn Fn((usize, f64)) -> Wrench<3>,
+    ) -> Option<EndOfSmallMotions> {
+        let far = end_before_loss(path);
+        let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
+        let buckling = if extent == VerdictScope::Brief { None } else { self.buckling(path, end, load) };
+        buckling.or_else(|| far.cloned())
     }
 
     /// The place on the path from which on the grasp [has buckled](Self::has_buckled), to nine digits. `None` if it has not at the place `end`.

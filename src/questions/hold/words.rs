@@ -8,7 +8,7 @@ use super::caught_jump::CaughtJump;
 use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::equilibrium::TooFar;
-use crate::grasp::{WholeContact, Wrench};
+use crate::grasp::{Motion, WholeContact, Wrench};
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -17,18 +17,24 @@ use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 /// Appended to the sentence if motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
+/// Writes the sentence about an object that swings until it hangs.
+fn write_swing<const C: usize>(f: &mut fmt::Formatter<'_>, swing: &Motion<C>) -> fmt::Result {
+    let words = Words::of(f);
+    let ways = match &swing.bodies[..] {
+        [] => format!("it {}", words.motion(&swing.object, &[])),
+        bodies => listed(&mapped(bodies, &|body| words.body_motion(body))),
+    };
+    write!(
+        f,
+        "SWINGS until the load hangs: {ways}; nothing resists this, and the forces there are not computed"
+    )
+}
+
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         if let Some(swing) = &self.swing {
-            let ways = match &swing.bodies[..] {
-                [] => format!("it {}", words.motion(&swing.object, &[])),
-                bodies => listed(&mapped(bodies, &|body| words.body_motion(body))),
-            };
-            return write!(
-                f,
-                "SWINGS until the load hangs: {ways}; nothing resists this, and the forces there are not computed"
-            );
+            return write_swing(f, swing);
         }
         match &self.holding {
             Holding::Sticks => {
@@ -103,6 +109,13 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
             }
         }?;
+        self.write_caution(f)
+    }
+}
+
+impl<const C: usize> Verdict<C> {
+    /// Writes a caution about the geometric stiffness, if it matters.
+    fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(part) = self.left_out else { return Ok(()) };
         let words = Words::with_digits(2);
         if part <= -1.0 {
@@ -123,9 +136,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             does.0, does.1
         )
     }
-}
 
-impl<const C: usize> Verdict<C> {
     /// The sentence about a lost load: the verb, the load at the loss, the jumps before the loss, and the motion of the object.
     fn write_loss(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());

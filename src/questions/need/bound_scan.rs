@@ -221,7 +221,7 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
             here.1.carried().filter(|carried| fail && next.1.carried().is_some_and(|c| c < *carried))?;
         let guess = plan.guessed(here.0, &here.1)?;
         let is_between = (guess - here.0) * (guess - next.0) < 0.0;
-        is_between.then(|| (carried, guess + BEYOND_A_MARGIN * (next.0 - guess)))
+        is_between.then_some((carried, guess + BEYOND_A_MARGIN * (next.0 - guess)))
     };
     let both_ways = list.windows(2).flat_map(|pair| [beyond(&pair[0], &pair[1]), beyond(&pair[1], &pair[0])]);
     both_ways.flatten().max_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, at)| at)

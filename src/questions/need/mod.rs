@@ -68,5 +68,6 @@ mod words;
 pub use answer::{Amount, AmountWindow, FarEnd, Needed, PressedBy, Quantity, TriedAmounts};
 pub use batch::ShortAmount;
 pub use press::ContactPress;
+#[cfg(feature = "serde")]
 pub(crate) use press::{ATMOSPHERE, pressure_of_cup};
 pub use question::{Demand, Need};
