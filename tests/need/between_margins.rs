@@ -60,12 +60,6 @@ fn windows_below_the_bound() -> Tested {
     is_met(amounts::planar, amounts::friction, &[555])
 }
 
-/// Without a load at rest two fingers squeeze the object out, until it lies loose where it touches both. It lies there whatever the friction is.
-#[test]
-fn loose_at_rest() -> Tested {
-    is_met(amounts::planar, amounts::friction, &[427, 751])
-}
-
 /// With the answer the load is lost 1e-12 beyond the whole load, at a normal force that vanishes.
 #[test]
 fn lost_just_beyond_the_whole_load() -> Tested {

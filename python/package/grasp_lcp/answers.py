@@ -268,6 +268,13 @@ class Verdict(Sentence):
         found = self._tree.get("left_out")
         return None if found is None else number(found)
 
+    @property
+    def swing(self) -> Array | None:
+        """Motion of the object from rest to where it hangs under the load, m and rad, shape (d,); None unless it swings. Forces there are not
+        computed, so that ``holds`` is False."""
+        found = self._tree.get("swing")
+        return None if found is None else motion_of(found.get("object", found))
+
 
 class Shaken(Sentence):
     """Long-term behaviour under a load that repeats: ``"rests"``, ``"dies_out"``, ``"alternates"``, ``"walks"``, ``"lost"``, ``"no_rest"`` or

@@ -3,12 +3,15 @@
 //! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
 //! nothing. Hence the solution with all such contacts open has the same forces, and this solution is always returned.
 
+use nalgebra::Matrix;
+
 use super::answer::{SearchCounts, SearchOutcome, SearchSolution};
 use super::ladder::settle;
 use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
 use super::solution_interval::on_the_solution_interval;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
+use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 
@@ -36,20 +39,22 @@ pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> Sear
 }
 
 /// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if opening them would
-/// change forces or leave a gap. `None` also if no force acts and nothing moves, because there is then no scale for a small force.
+/// change forces or leave a gap. `None` also if no contact carries a force, because there is then no scale for a small force.
 fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
-    let largest = problem.largest_force(&found.forces, &found.twist);
+    let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since a contact may have no displacement as a scale.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);
     let mut states = found.states.clone();
-    let mut any = false;
+    let (mut any, mut some_press) = (false, false);
     for (i, state) in states.iter_mut().enumerate().filter(|(_, state)| !state.is_open()) {
-        if ActiveSet::is_weightless(&found.forces[i], largest) && problem.local(i).may_open() {
+        if !ActiveSet::is_weightless(&found.forces[i], largest) {
+            some_press = true;
+        } else if problem.local(i).may_open() {
             (*state, any) = (Mode::Open, true);
         }
     }
-    if !(any && largest > 0.0) {
+    if !(any && some_press) {
         return None;
     }
     let gap_is_none = |i: usize| -problem.stretch(i, &found.twist)[0] >= -WEIGHTLESS * farthest;

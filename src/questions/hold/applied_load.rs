@@ -228,7 +228,7 @@ impl Engine {
         let far = end_before_loss(path);
         let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
         let buckling = if extent == VerdictScope::Brief { None } else { self.buckling(path, end, load) };
-        buckling.or_else(|| far.cloned())
+        buckling.filter(|at| (at.leg, at.fraction) < end).or_else(|| far.cloned())
     }
 
     /// The place on the path from which on the grasp [has buckled](Self::has_buckled), to nine digits. `None` if it has not at the place `end`.

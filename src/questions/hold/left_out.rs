@@ -68,10 +68,11 @@ impl Engine {
     }
 
     /// Whether the grasp has buckled in this equilibrium: `K + K_g` is not positive definite, although K is. `false` if the points of action of some
-    /// load are not known.
+    /// load are not known, or if nothing resists some motion, see [`Self::driven_on`].
     pub(super) fn has_buckled(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> bool {
         let is_known = |load: &Wrench<3>| load.points_of_action().stiffness().is_some();
-        self.loads_of_bodies(load).iter().all(is_known)
+        there.free_motions.is_empty()
+            && self.loads_of_bodies(load).iter().all(is_known)
             && self
                 .both_stiffnesses(there, load)
                 .is_some_and(|stiffness| !self.is_stable(&stiffness, 1.0) && self.is_stable(&stiffness, 0.0))

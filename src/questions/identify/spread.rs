@@ -147,9 +147,9 @@ impl Spread {
     /// if the slips do not determine the unknown, or its error is not known, also because slips agree to all digits.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
         let degrees = self.scatter.is_estimated.then_some(self.scatter.degrees as f64);
-        let is_told =
+        let is_known =
             !self.scatter.is_estimated || self.scatter.degrees > 0 && self.scatter.scale > INDISTINCT;
-        if !self.fixes(unknown) || !is_told {
+        if !self.fixes(unknown) || !is_known {
             return None;
         }
         let along = self.scaled_directions().row(unknown).transpose();
