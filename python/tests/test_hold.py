@@ -231,3 +231,12 @@ def test_slips_of_two_jaws_belong_to_one_of_them() -> None:
         assert not any(estimate.is_fixed for estimate in found.estimates)
         fixed = [[estimate.is_fixed for estimate in each] for each in found.assignments]
         assert sorted(fixed) == [[False, True], [True, False]]
+
+
+def test_what_hangs_swings() -> None:
+    """A force F to the side of a weight W below a hinge turns it by F/W."""
+    lamp = Grasp.from_dict({"format": "grasp-lcp/1", "planar": {"links": [{"name": "hook", "hinge": {"point": [0, 0]}}]}})
+    verdict = lamp.hold({"force": [1, 0], "at": [0, -0.2]}, base={"force": [0, -20], "at": [0, -0.2]})
+    assert verdict.says.startswith("SWINGS") and not verdict
+    assert verdict.swing == pytest.approx([0, 0, 0.05], abs=1e-9)
+    assert lamp.hold({"force": [0, -20], "at": [0, -0.2]}).swing is None
