@@ -34,10 +34,7 @@ fn every_command_says_so() {
     // 15 rad, and the fraction at which the force at 0.3 m has 3.6 mN m.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 859.437° anticlockwise about (0, 0) m"));
     assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.012: CAUTION"));
-    for near in [
-        &["solve", "--moment", "0.0035"][..],
-        &["follow", "--to", "0,0.01", "--at", "0.3,0"],
-    ] {
+    for near in [&["solve", "--moment", "0.0035"][..], &["follow", "--to", "0,0.01", "--at", "0.3,0"]] {
         let words = told(near);
         assert!(!words.contains("small motions"), "{words}");
     }

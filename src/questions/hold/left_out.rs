@@ -11,11 +11,12 @@
 //! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. Therefore the
 //! second part is compared with the elastic part in every motion, too, for one object and for several bodies.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, SMatrix, SVector};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
-use crate::numerics::{PositiveBand, Square, dot, mapped};
+use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{PositiveBand, Square, dot, mapped, symmetric_eigen};
 use crate::object::{tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::words::LinkKind;
@@ -67,15 +68,27 @@ impl Engine {
         Some(-1.0 / unstable)
     }
 
-    /// Whether the grasp has buckled in this equilibrium: `K + K_g` is not positive definite, although K is. `false` if the points of action of some
-    /// load are not known, or if nothing resists some motion, see [`Self::driven_on`].
+    /// Whether the grasp has buckled in this equilibrium: `K + K_g` is not positive definite on the motions that springs resist. Stability along the
+    /// others is the question of [`Self::driven_on`]. `false` if the points of action of some load are not known.
     pub(super) fn has_buckled(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> bool {
         let is_known = |load: &Wrench<3>| load.points_of_action().stiffness().is_some();
-        there.free_motions.is_empty()
-            && self.loads_of_bodies(load).iter().all(is_known)
-            && self
-                .both_stiffnesses(there, load)
-                .is_some_and(|stiffness| !self.is_stable(&stiffness, 1.0) && self.is_stable(&stiffness, 0.0))
+        if !self.loads_of_bodies(load).iter().all(is_known) {
+            return false;
+        }
+        let Some(mut stiffness) = self.both_stiffnesses(there, load) else { return false };
+        if self.is_stable(&stiffness, 1.0) {
+            return false;
+        }
+        let count = size_of(self.sites()).count();
+        let elastic = DMatrix::from_fn(count, count, |i, j| stiffness.0[(i.max(j), i.min(j))]);
+        let (values, motions) = symmetric_eigen(&elastic);
+        // A stiffness above all others keeps the object from moving along motions that springs do not resist.
+        for k in (0..count).filter(|k| values[*k] <= NEGLIGIBLE * values[0]) {
+            for (i, j) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+                stiffness.0[(i, j)] += FIXED * values[0] * motions[(i, k)] * motions[(j, k)];
+            }
+        }
+        !self.is_stable(&stiffness, 1.0) && self.is_stable(&stiffness, 0.0)
     }
 
     /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g of the forces; `None` where the grasp is solved with band
@@ -168,6 +181,10 @@ pub(super) fn forces_in(there: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
 /// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
 /// a larger value would leave too little reserve before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
+
+/// Stiffness that stands for a rigid constraint, as a multiple of the largest stiffness. If larger, rounding of this
+/// stiffness would hide small ones; if smaller, the constraint gives way.
+const FIXED: f64 = 1e3;
 
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.
 fn sticking_springs(site: &Site) -> SMatrix<f64, 3, 3> {
