@@ -18,7 +18,8 @@ QUESTIONS: list[Callable[[Any], Any]] = [
     GRASP.onset,
     lambda load: GRASP.onset([1, 0], load),
     GRASP.hold,
-    lambda load: GRASP.need("squeeze", load),
+    # An array does not know where its load acts, so that a squeeze under which the grasp buckles is found for the mapping alone.
+    lambda load: GRASP.need("friction", load),
     lambda load: GRASP.follow([load]),
     GRASP.compare,
     lambda load: GRASP.shake([load]),
