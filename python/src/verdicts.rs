@@ -165,6 +165,7 @@ fn number_of_motion(motion: LossVerb) -> u8 {
         LossVerb::TurnsOut => 4,
         LossVerb::LetsGo => 5,
         LossVerb::GoesTooFar => 7,
+        LossVerb::Buckles => 8,
         _ => 6,
     }
 }

@@ -1,8 +1,9 @@
 //! Forces that the theory of small motions leaves out buckle what they hold. A verdict warns before, and tells the load at which they do.
 
 use grasp_lcp::equilibrium::TooFar;
-use grasp_lcp::hold::Verdict;
+use grasp_lcp::hold::{LossVerb, ShortVerdict, Verdict};
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Link, Wrench};
+use grasp_lcp::{Error, Settings, spatial};
 
 const LENGTH: f64 = 0.1;
 const SIDEWAYS: f64 = 1e3;
@@ -48,22 +49,42 @@ fn compressed_links_in_line_buckle() {
     }
 }
 
-/// Between two fingers at ±a that press with N, a bar resists turning with `2 k a²`, and the forces take `2 N a`: it buckles at rest beyond `N = k a`.
+/// Between two fingers at ±a that press with N, a bar resists turning with `2 k a²`, and the forces take `2 N a`: it buckles at rest beyond `N = k a`,
+/// wherever the load acts. In space nothing resists turning about the line through the fingers.
 #[test]
-fn a_bar_pressed_too_hard_buckles_at_rest() {
+fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
     let (stiffness, half) = (2e3, 0.05);
-    let bar = |squeeze: f64| {
-        let finger = |x: f64| Contact::new([x, 0.0], [-x.signum(), 0.0]).series_stiffness(1e5, stiffness);
-        let grasp = Grasp::new([-half, half].map(|x| finger(x).friction(0.5).pressed_with(squeeze))).unwrap();
-        let verdict = grasp.hold(Wrench::force_at([0.0, -1.0], [0.0, 0.0])).unwrap();
-        (verdict.holds(), verdict.to_string())
-    };
     let critical = stiffness * half;
     for part in [0.9, 0.999, 1.001, 2.0] {
-        let (holds, sentence) = bar(part * critical);
-        assert_eq!(holds, Some(part < 1.0), "{sentence}");
-        assert_eq!(sentence.starts_with("BUCKLES at rest already"), part > 1.0, "{sentence}");
+        let settle = |sentence: String, holds: Option<bool>, motion: Option<LossVerb>| {
+            let buckles = part > 1.0;
+            assert_eq!(holds, Some(!buckles), "{sentence}");
+            assert_eq!(sentence.starts_with("BUCKLES at rest already"), buckles, "{sentence}");
+            assert_eq!(motion == Some(LossVerb::Buckles), buckles, "{motion:?}");
+        };
+        let bar = [-half, half].map(|x| {
+            let finger = Contact::new([x, 0.0], [-x.signum(), 0.0]).series_stiffness(1e5, stiffness);
+            finger.friction(0.5).pressed_with(part * critical)
+        });
+        for load in [Wrench::force_at([0.0, -1.0], [0.0, 0.0]), Wrench::force([0.0, -1.0])] {
+            let row = |_: usize, contacts: &mut Vec<Contact>| {
+                contacts.extend(bar.clone());
+                [Wrench::ZERO, load]
+            };
+            // Brief verdicts follow the load beyond the first slip.
+            let brief = Grasp::hold_batch(1, &row, &Settings::default()).remove(0)?;
+            let verdict = Grasp::new(bar.clone())?.hold(load)?;
+            settle(verdict.to_string(), verdict.holds(), brief.motion);
+        }
+        let bar = [-half, half].map(|x| {
+            let finger = spatial::Contact::new([x, 0.0, 0.0], [-x.signum(), 0.0, 0.0]);
+            finger.series_stiffness(1e5, stiffness).friction(0.5).pressed_with(part * critical)
+        });
+        let verdict =
+            spatial::Grasp::new(bar)?.hold(spatial::Wrench::force_at([0.0, 0.0, -1.0], [0.0; 3]))?;
+        settle(verdict.to_string(), verdict.holds(), ShortVerdict::from(&verdict).motion);
     }
+    Ok(())
 }
 
 /// A tall weight on two soft feet at ±a: they resist tilting with 2 k a², and the weight at the height h takes W h of it.

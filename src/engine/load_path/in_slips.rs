@@ -28,7 +28,7 @@ use super::trajectory::Trajectory;
 use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, solved, summed};
+use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, numbered, solved, summed};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -41,6 +41,8 @@ pub(crate) struct InSlips {
     /// The load factor at the end of the path.
     pub(crate) factor: f64,
     pub(crate) end: SlipEnd,
+    /// The contact forces under the base load and at the end of the path, N, in the contact frames.
+    pub(crate) forces: [Vec<SVector<f64, 3>>; 2],
     /// The largest ratio of a rotation or slip to its limit of small motions, at the ends of all steps.
     pub(crate) farthest: f64,
 }
@@ -94,9 +96,10 @@ impl Engine {
         if factor >= most || far > 1.0 - NEGLIGIBLE {
             return None;
         }
-        let mut path =
-            InSlips { slid: Vec::new(), all_slide: None, factor, end: SlipEnd::Held, farthest: far };
-        slips.run((begins, contact), ramp, settings.step_error, (&mut memory, &mut path))?;
+        let (forces, end) = ([Vec::new(), Vec::new()], SlipEnd::Held);
+        let mut path = InSlips { slid: Vec::new(), all_slide: None, factor, end, forces, farthest: far };
+        let at = slips.run((begins, contact), ramp, settings.step_error, (&mut memory, &mut path))?;
+        path.forces = [&start[..], &at].map(|at| numbered(slips.contacts(), &|i| slips.force(i, at)));
         Some(path)
     }
 }
@@ -108,14 +111,15 @@ const MOST_STEPS: usize = 64;
 impl Slips<'_> {
     /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. `at` lists the
     /// factors of the forces F⁰, F¹ and R: the number 1, the load factor, and two slip components of each sliding contact, m. At first no contact
-    /// slides, and the load factor is the factor at which the contact `first` begins to slide. `None` in cases that are left to a `LoadPath`.
+    /// slides, and the load factor is the factor at which the contact `first` begins to slide. Returns the state at the end of the path, or `None` in
+    /// cases that are left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
         ramp: &Ramp<3>,
         tolerance: f64,
         (memory, path): (&mut OnsetMemory, &mut InSlips),
-    ) -> Option<()> {
+    ) -> Option<Vec<f64>> {
         let (mut arrives, mut pace, mut rates) = (Some(first), Pace::new(), Vec::new());
         loop {
             if let Some(contact) = arrives.take() {
@@ -124,7 +128,7 @@ impl Slips<'_> {
                 let end = self.begins_to_slide(contact, (&mut at, &mut rates), ramp, memory)?;
                 if !matches!(end, SlipEnd::Held) {
                     path.end = end;
-                    return Some(());
+                    return Some(at);
                 }
                 if self.sliding.len() == self.contacts() {
                     path.all_slide = Some(at[1]);
@@ -149,15 +153,15 @@ impl Slips<'_> {
             let of_sliding = SMALL + 1 + 2 * self.sliding.len();
             match event {
                 None => {}
-                Some(GOES_ON) => return Some(()),
+                Some(GOES_ON) => return Some(at),
                 Some(GROWS) => {
                     path.end =
                         self.loss_of_kind(LossKind::Fold, &at, &self.twist(&rates).normalize(), ramp)?;
-                    return Some(());
+                    return Some(at);
                 }
                 Some(SMALL) => {
                     path.end = SlipEnd::TooFar(*farthest(&self.motions(&at))?);
-                    return Some(());
+                    return Some(at);
                 }
                 Some(k) if k < of_sliding => return None,
                 Some(k) => arrives = self.sticking().nth(k - of_sliding),

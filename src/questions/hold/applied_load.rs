@@ -10,8 +10,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proo
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{
-    Change, ContactChange, DepartingContact, Departure, EndOfSmallMotions, Event, Leg, LoadPath, Loss, Onset,
-    PathEnd, Ramp,
+    Change, ContactChange, DepartingContact, Departure, Event, Leg, LoadPath, Loss, Onset, PathEnd, Ramp,
 };
 use crate::object::Load;
 use crate::proofs::nothing_near;
@@ -137,7 +136,7 @@ impl Engine {
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (largest_factor - 1.0) }
         };
-        let too_far = self.end_of_theory(&path, extent, &|place| ramp.load_at(reached(place)));
+        let too_far = self.end_of_theory(&path, &|place| ramp.load_at(reached(place)));
         let end = too_far.as_ref().map_or(path.place(), |far| (far.leg, far.fraction));
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
@@ -215,48 +214,6 @@ impl Engine {
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
-    }
-
-    /// The place on the path from which on the theory of small motions no longer applies, before a loss of equilibrium: some motion is too large, or
-    /// the grasp has buckled. A brief verdict does not ask whether it has.
-    fn end_of_theory(
-        &self,
-        path: &LoadPath<'_, 3>,
-        extent: VerdictScope,
-        load: &dyn Fn((usize, f64)) -> Wrench<3>,
-    ) -> Option<EndOfSmallMotions> {
-        let far = end_before_loss(path);
-        let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
-        let buckling = if extent == VerdictScope::Brief { None } else { self.buckling(path, end, load) };
-        buckling.filter(|at| (at.leg, at.fraction) < end).or_else(|| far.cloned())
-    }
-
-    /// The place on the path from which on the grasp [has buckled](Self::has_buckled), to nine digits. `None` if it has not at the place `end`.
-    /// `load` is the load at a place.
-    fn buckling(
-        &self,
-        path: &LoadPath<'_, 3>,
-        end: (usize, f64),
-        load: &dyn Fn((usize, f64)) -> Wrench<3>,
-    ) -> Option<EndOfSmallMotions> {
-        let has_buckled = |place: (usize, f64)| {
-            path.state_at(place.0, place.1).is_some_and(|state| self.has_buckled(&state, &load(place)))
-        };
-        if !has_buckled(end) {
-            return None;
-        }
-        let (leg, mut from, mut to) = match end {
-            (1, _) if has_buckled((0, 1.0)) => (0, 0.0, 1.0),
-            (leg, fraction) => (leg, 0.0, fraction),
-        };
-        if has_buckled((leg, from)) {
-            to = from;
-        }
-        while to - from > NEGLIGIBLE * to {
-            let middle = 0.5 * (from + to);
-            *(if has_buckled((leg, middle)) { &mut to } else { &mut from }) = middle;
-        }
-        Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
     }
 
     /// The [`Holding`] of a path that ended before the whole load was applied with small motions.
@@ -426,13 +383,4 @@ fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
         matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
     };
     event.changes.iter().any(|change| change.contact.index == contact && begins(change))
-}
-
-/// The end of small motions, if it comes before the loss of equilibrium by more than rounding, or if there is no loss; else `None`.
-fn end_before_loss<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
-    let loss = path.end().and_then(PathEnd::loss);
-    let before = |far: &&EndOfSmallMotions| {
-        loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - NEGLIGIBLE)))
-    };
-    path.end_of_small_motions().filter(before)
 }

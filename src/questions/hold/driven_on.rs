@@ -82,10 +82,9 @@ impl Engine {
         forces: &[SVector<f64, 3>],
         load: &Wrench<3>,
     ) -> Option<Vec<(f64, Vector)>> {
-        let is_known = |load: &Wrench<3>| load.points_of_action().stiffness().is_some();
         if free.is_empty()
             || self.vacuum().is_some()
-            || !self.loads_of_bodies(load).iter().all(is_known)
+            || !self.acts_at_known_points(load)
             || !free.iter().all(|motion| self.turns_in_place(forces, motion))
         {
             return None;

@@ -1,28 +1,39 @@
 //! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). Contact states are not
 //! searched for at each event. The load factor is the multiple of the growing load that acts; 1 is the whole load.
 
+use nalgebra::SVector;
+
 use super::applied_load::PathFacts;
 use super::verdict::{FirstSlip, Holding, Verdict};
 use crate::grasp::Engine;
 use crate::load_path::{InSlips, Ramp, SlipEnd};
+use crate::numerics::paired;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens or stops sliding, if no contact slides, or if
-    /// the load factor of the first slip or of the end is within rounding of 1. The caller then follows the full load path.
+    /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens or stops sliding, if no contact slides, if the
+    /// grasp buckles, or if the load factor of the first slip or of the end is within rounding of 1. The caller then follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,
         settings: &Settings,
     ) -> Option<(Verdict<3>, PathFacts)> {
-        let InSlips { slid, all_slide, factor, end, farthest } =
+        let InSlips { slid, all_slide, factor, end, forces, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
         // A load factor closer to 1 than this equals the whole load up to rounding: rounding would decide whether the load is held.
         let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
         if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
+            return None;
+        }
+        // Where the grasp buckles, the load path finds at which load.
+        let buckles = |(forces, factor): (&Vec<SVector<f64, 3>>, f64)| {
+            let forces = paired(self.sites(), forces, &|(site, force)| site.frame * force);
+            self.buckles(&forces, &|_| false, &ramp.load_at(factor))
+        };
+        if forces.iter().zip([0.0, factor]).any(buckles) {
             return None;
         }
         let parts = self.wholes();

@@ -49,17 +49,14 @@ impl Engine {
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 
-    /// Minus the largest fraction of the springs' resistance that the forces of an equilibrium take away in any motion. It is -1/t for the least t
-    /// for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
+    /// Minus the largest fraction of the springs' resistance that the forces of an equilibrium take away in any motion that springs resist. It is -1/t
+    /// for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
     ///
-    /// `None` if the size of the fraction is below a half, if nothing resists some motion, and if the grasp has so many coordinates that it is solved
-    /// with band matrices. Struts between two bodies are treated as if they were infinitely long.
+    /// `None` if the size of the fraction is below a half, and if the grasp has so many coordinates that it is solved with band matrices. Struts
+    /// between two bodies are treated as if they were infinitely long.
     pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
-        let stiffness = self.both_stiffnesses(there, load)?;
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
-        if !self.is_stable(&stiffness, stable) || self.is_stable(&stiffness, unstable) {
-            return None;
-        }
+        let stiffness = self.unstable_at(unstable, &forces_in(there), &is_open_in(there), load)?;
         // Thirty bisections give nine digits, of which two are printed.
         for _ in 0..30 {
             let middle = 0.5 * (stable + unstable);
@@ -68,41 +65,57 @@ impl Engine {
         Some(-1.0 / unstable)
     }
 
-    /// Whether the grasp has buckled in this equilibrium: `K + K_g` is not positive definite on the motions that springs resist. Stability along the
-    /// others is the question of [`Self::driven_on`]. `false` if the points of action of some load are not known.
-    pub(super) fn has_buckled(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> bool {
-        let is_known = |load: &Wrench<3>| load.points_of_action().stiffness().is_some();
-        if !self.loads_of_bodies(load).iter().all(is_known) {
-            return false;
-        }
-        let Some(mut stiffness) = self.both_stiffnesses(there, load) else { return false };
-        if self.is_stable(&stiffness, 1.0) {
-            return false;
-        }
-        let count = size_of(self.sites()).count();
-        let elastic = DMatrix::from_fn(count, count, |i, j| stiffness.0[(i.max(j), i.min(j))]);
-        let (values, motions) = symmetric_eigen(&elastic);
-        // A stiffness above all others keeps the object from moving along motions that springs do not resist.
-        for k in (0..count).filter(|k| values[*k] <= NEGLIGIBLE * values[0]) {
-            for (i, j) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-                stiffness.0[(i, j)] += FIXED * values[0] * motions[(i, k)] * motions[(j, k)];
-            }
-        }
-        !self.is_stable(&stiffness, 1.0) && self.is_stable(&stiffness, 0.0)
+    /// Whether the grasp buckles under these contact forces, N, in coordinate axes, and this load: `K + K_g` is not positive definite on the motions
+    /// that springs resist. Stability along the others is the question of [`Self::driven_on`]. `false` unless it [may](Self::may_buckle).
+    pub(super) fn buckles(
+        &self,
+        forces: &[SVector<f64, 3>],
+        is_open: &(dyn Fn(usize) -> bool + Sync),
+        load: &Wrench<3>,
+    ) -> bool {
+        self.may_buckle(load) && self.unstable_at(1.0, forces, is_open, load).is_some()
     }
 
-    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g of the forces; `None` where the grasp is solved with band
-    /// matrices.
-    fn both_stiffnesses(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<(Square, Square)> {
-        if uses_band(size_of(self.sites())) {
+    /// Whether [`Self::buckles`] has an answer: the points of action of the load are known, and the grasp is not solved with band matrices.
+    pub(super) fn may_buckle(&self, load: &Wrench<3>) -> bool {
+        !uses_band(size_of(self.sites())) && self.acts_at_known_points(load)
+    }
+
+    /// Whether the points of action of the load on every body are known.
+    pub(super) fn acts_at_known_points(&self, load: &Wrench<3>) -> bool {
+        self.loads_of_bodies(load).iter().all(|load| load.points_of_action().stiffness().is_some())
+    }
+
+    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g, if `K + t K_g` is not positive definite for t = `times` although
+    /// K is. Motions that springs do not resist are left out: K has a stiffness for them as large as the largest of all. `None` also where the grasp
+    /// is solved with band matrices.
+    fn unstable_at(
+        &self,
+        times: f64,
+        forces: &[SVector<f64, 3>],
+        is_open: &(dyn Fn(usize) -> bool + Sync),
+        load: &Wrench<3>,
+    ) -> Option<(Square, Square)> {
+        let size = size_of(self.sites());
+        if uses_band(size) {
             return None;
         }
-        let is_open = |i: usize| {
-            there.contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
-        };
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
-        Some((tangent_stiffness(self.sites(), springs), self.geometric_stiffness(&forces_in(there), load)))
+        let mut both = (tangent_stiffness(self.sites(), springs), self.geometric_stiffness(forces, load));
+        // Of a grasp that is stable in every motion the free motions need not be found.
+        if self.is_stable(&both, times) {
+            return None;
+        }
+        let count = size.count();
+        let elastic = DMatrix::from_fn(count, count, |i, j| both.0[(i.max(j), i.min(j))]);
+        let (values, motions) = symmetric_eigen(&elastic);
+        for k in (0..count).filter(|k| values[*k] <= NEGLIGIBLE * values[0]) {
+            for (i, j) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+                both.0[(i, j)] += values[0] * motions[(i, k)] * motions[(j, k)];
+            }
+        }
+        (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
     }
 
     /// Whether `K + t K_g` is positive definite for t = `times`.
@@ -173,6 +186,11 @@ impl Engine {
     }
 }
 
+/// Whether a contact is open in an equilibrium, by the index of the contact.
+pub(super) fn is_open_in(there: &Equilibrium<3>) -> impl Fn(usize) -> bool + Sync + '_ {
+    move |i| there.contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
+}
+
 /// The contact forces on the bodies.
 pub(super) fn forces_in(there: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
     mapped(&there.contacts, &|answer| answer.force_world)
@@ -181,10 +199,6 @@ pub(super) fn forces_in(there: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
 /// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
 /// a larger value would leave too little reserve before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
-
-/// Stiffness that stands for a rigid constraint, as a multiple of the largest stiffness. If larger, rounding of this
-/// stiffness would hide small ones; if smaller, the constraint gives way.
-const FIXED: f64 = 1e3;
 
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.
 fn sticking_springs(site: &Site) -> SMatrix<f64, 3, 3> {

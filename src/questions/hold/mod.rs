@@ -29,6 +29,7 @@
 mod applied_load;
 mod caught_jump;
 mod driven_on;
+mod end_of_theory;
 mod face;
 mod in_slips;
 mod left_out;

@@ -5,6 +5,7 @@ use core::fmt;
 
 use super::verdict::{Holding, Lost, Verdict};
 use super::way_out::WayOut;
+use crate::equilibrium::TooFar;
 use crate::load_path::LossKind;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::search::Doubt;
@@ -82,6 +83,8 @@ pub enum LossVerb {
     GivesWay,
     /// Motions are no longer [small](crate::Settings::small_motions), without gross slip before.
     GoesTooFar,
+    /// The forces turn with the parts on which they act, and take all that the springs resist.
+    Buckles,
 }
 
 impl ShortVerdict {
@@ -143,6 +146,7 @@ impl<const C: usize> Lost<C> {
     /// The verb for this loss. `words` tells the plane from space, on which the vertical direction depends.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
+            _ if self.too_far == Some(TooFar::Buckles) => LossVerb::Buckles,
             _ if self.too_far.is_some() => {
                 let slips = self.is_gross_slip && self.factor > NEGLIGIBLE;
                 if slips { LossVerb::SlipsOut } else { LossVerb::GoesTooFar }
@@ -183,6 +187,7 @@ impl fmt::Display for LossVerb {
             Self::LetsGo => "LETS GO",
             Self::GivesWay => "GIVES WAY",
             Self::GoesTooFar => "GOES TOO FAR",
+            Self::Buckles => "BUCKLES",
         })
     }
 }

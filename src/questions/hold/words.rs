@@ -169,19 +169,14 @@ impl<const C: usize> Verdict<C> {
     ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
+        let is_at_rest = lost.factor <= NEGLIGIBLE;
+        let at = if is_at_rest { "rest already".to_owned() } else { self.part(lost.factor, words) };
         if *far == TooFar::Buckles {
-            let at = if lost.factor <= NEGLIGIBLE {
-                "rest already".to_owned()
-            } else {
-                self.part(lost.factor, words)
-            };
-            return write!(
-                f,
-                "BUCKLES at {at}: as the forces turn with the parts they act on, they take all that resists"
-            );
+            let what = "as the forces turn with the parts they act on, they take all that resists";
+            return write!(f, "{} at {at}: {what}", lost.verb(words));
         }
-        if lost.factor <= NEGLIGIBLE {
-            return write!(f, "GOES TOO FAR at rest already: {far:.digits$}{NO_LONGER_SMALL}");
+        if is_at_rest {
+            return write!(f, "GOES TOO FAR at {at}: {far:.digits$}{NO_LONGER_SMALL}");
         }
         match self.everything_slides {
             Some(all) if lost.is_gross_slip => {
@@ -189,7 +184,7 @@ impl<const C: usize> Verdict<C> {
                 write!(f, "SLIPS OUT at {part}: everything slides, {far:.digits$} from {from} on")
             }
             all => {
-                write!(f, "GOES TOO FAR at {}: ", self.part(lost.factor, words))?;
+                write!(f, "GOES TOO FAR at {at}: ")?;
                 if let Some(all) = all {
                     write!(f, "everything slides from {} on, and then ", amount(all))?;
                 }
