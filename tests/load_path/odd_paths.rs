@@ -30,10 +30,11 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
     if matches!(path.end(), Some(PathEnd::NoStart(_))) {
         return Ok(());
     }
-    // An object that snaps over rests again under a slightly larger load; there is no state between both.
-    let snaps_before = |place: (usize, f64)| {
+    // An object that snaps over rests again under a slightly larger load; there is no state between both, and there is one at every place after it.
+    let has_just_snapped = |place: (usize, f64), last: Option<(usize, f64)>| {
         let before = events.iter().rev().find(|event| (event.leg, event.fraction) < place);
-        before.is_some_and(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps))
+        let snap = before.filter(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps));
+        snap.is_some_and(|snap| last.is_none_or(|last| last <= (snap.leg, snap.fraction)))
     };
     let (last, end) = path.place();
     let mut told = Vec::new();
@@ -41,7 +42,8 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
         let most = if leg == last { end } else { 1.0 };
         for fraction in (0..=ASKED).map(|k| most * (k as f64 / ASKED as f64)) {
             let state = path.state_at(leg, fraction);
-            if state.is_some() || !snaps_before((leg, fraction)) {
+            let last = told.last().map(|(leg, fraction, _)| (*leg, *fraction));
+            if state.is_some() || !has_just_snapped((leg, fraction), last) {
                 told.push((leg, fraction, state.ok_or_else(|| format!("{leg}, {fraction}"))?));
             }
         }
