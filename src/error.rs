@@ -4,6 +4,7 @@ use core::fmt;
 
 use crate::prelude::*;
 pub use crate::words::ContactLabel;
+use crate::words::Words;
 
 /// Largest accepted magnitude of an input number. The square of a product of three larger numbers could overflow, and a norm that is infinite makes
 /// every relative residual look small. No unit of length or force brings a real grasp near this limit.
@@ -18,6 +19,11 @@ fn one_of(allowed: &str) -> String {
         "" => "and no other part has: what presses by overlap is the squeeze".to_owned(),
         allowed => format!("must be one of {allowed}"),
     }
+}
+
+/// A load as text, from its components: three in the plane, six in space.
+fn load_text(components: &[f64]) -> String {
+    Words::default().load_of(if components.len() == 3 { 2 } else { 3 }, components)
 }
 
 /// Whether a number is finite and at most [`LARGEST`] in size.
@@ -172,7 +178,9 @@ pub enum Error {
     CommandsWhileTurning,
     /// The load of a turn does not act before its leg, so that it would jump there.
     #[error(
-        "leg {leg}: its turn begins with the load {begins:?}, and {before:?} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`"
+        "leg {leg}: its turn begins with {}, and {} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`",
+        load_text(begins),
+        load_text(before)
     )]
     TurnBegins {
         /// Index of the leg, from 0.

@@ -7,9 +7,9 @@ use super::question::Question;
 use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
-use crate::grasp::{Hold, Wrench};
+use crate::grasp::{ATMOSPHERE, Hold, Wrench};
 use crate::load_path::Leg;
-use crate::need::{ATMOSPHERE, pressure_of_cup};
+use crate::need::pressure_of_cup;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
 use crate::statics::Closure;
@@ -69,7 +69,7 @@ impl Setup<3> {
             pressure_of_cup(points).unwrap_or(0.0)
         };
         // One part in a thousand is left to an atmosphere that is given rounded.
-        let contacts: Vec<_> = chosen(entries.len(), &|i| vacuum(*i) > 1.001 * ATMOSPHERE);
+        let contacts: Vec<_> = chosen(entries.len(), &|i| vacuum(*i) > (1.0 + NEGLIGIBLE) * ATMOSPHERE);
         if let Some(first) = contacts.first() {
             let (names, pressure) = (names(&contacts), vacuum(*first));
             warnings.push(Warning::BeyondVacuum { contacts, names, pressure });

@@ -39,7 +39,7 @@ impl Words {
     }
 
     /// [`Self::load`] from components, the first `axes` of which are the force.
-    fn load_of(self, axes: usize, components: &[f64]) -> String {
+    pub(crate) fn load_of(self, axes: usize, components: &[f64]) -> String {
         let largest = largest(components, &|x| x.abs());
         let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
         let components: Vec<_> = mapped(components, &clean);

@@ -81,7 +81,7 @@ pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;
 pub use suction_cup::SuctionCup;
-pub(crate) use vacuum::vacuum_is_gone;
+pub(crate) use vacuum::{ATMOSPHERE, vacuum_is_gone};
 pub use whole_contact::WholeContact;
 pub(crate) use whole_contact::{ContactPoints, WholeContacts};
 pub use wrench::{Twist, Wrench};

@@ -11,6 +11,9 @@ use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::listed;
 
+/// The pressure of the surrounding air at sea level, Pa: no vacuum pulls with more.
+pub(crate) const ATMOSPHERE: f64 = 101_325.0;
+
 /// Sentence for suction cups that have opened: "cup opens all around, and its vacuum is gone".
 pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
     let [opens, its] = if cups.len() == 1 { ["opens", "its"] } else { ["open", "their"] };

@@ -69,5 +69,5 @@ pub use answer::{Amount, AmountWindow, FarEnd, Needed, PressedBy, Quantity, Trie
 pub use batch::ShortAmount;
 pub use press::ContactPress;
 #[cfg(feature = "serde")]
-pub(crate) use press::{ATMOSPHERE, pressure_of_cup};
+pub(crate) use press::pressure_of_cup;
 pub use question::{Demand, Need};

@@ -3,13 +3,10 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{Contact, WholeContact};
+use crate::grasp::{ATMOSPHERE, Contact, WholeContact};
 use crate::numerics::{Space, mapped};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
-
-/// The pressure of the surrounding air at sea level, Pa: no vacuum pulls with more.
-pub(crate) const ATMOSPHERE: f64 = 101_325.0;
 
 /// The normal force of a contact.
 #[derive(Debug, Clone, PartialEq)]
