@@ -186,28 +186,45 @@ impl BoundScan {
 }
 
 /// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
-/// Such an amount lies beyond the amount at which a margin is [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with
-/// different contact states at rest. If contact states at rest change with the amount, the carried part of the load may jump. Amounts near `near`
-/// come first, then the pair with the largest ratio. Returns whether the verdict on one of the further amounts differs from the verdict on its
-/// neighbours.
+/// Such an amount lies where the whole load [might be carried](where_all_might_be_carried), beyond the amount at which a margin is
+/// [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with different contact states at rest. If contact states at rest
+/// change with the amount, the carried part of the load may jump. Amounts near `near` come first, then the pair with the largest ratio. Returns
+/// whether the verdict on one of the further amounts differs from the verdict on its neighbours.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
-    near: f64,
+    (plan, near): (&SearchPlan, f64),
     tries: TrialFunctions<'_>,
 ) -> Result<bool, Error> {
     let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
     let mut is_new = false;
     for count in 0..BETWEEN {
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let vanishes = where_a_margin_vanishes(&list).filter(|_| count < WHERE_MARGINS_VANISH);
-        let next = vanishes.map(|at| (at, true)).or_else(|| states_differ(&list, near, tries));
+        let carries = || where_all_might_be_carried(&list, plan).map(|at| (at, false));
+        let vanishes = || where_a_margin_vanishes(&list).map(|at| (at, true));
+        let guess = if count < WHERE_MARGINS_VANISH { carries().or_else(vanishes) } else { None };
+        let next = guess.or_else(|| states_differ(&list, near, tries));
         let Some((at, was_sufficient)) = next else { break };
         let now = (tries.short)(at)?;
         is_new |= now.carried().is_some() && now.is_sufficient() != was_sufficient;
         list.push((at, now));
     }
     Ok(is_new)
+}
+
+/// An amount between two neighbouring insufficient amounts, a little beyond the bound that is estimated from the one that carries more of the load.
+/// Of several such amounts, the one with which most is carried.
+fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Option<f64> {
+    let beyond = |here: &(f64, Trial), next: &(f64, Trial)| {
+        let fail = !here.1.is_sufficient() && !next.1.is_sufficient();
+        let carried =
+            here.1.carried().filter(|carried| fail && next.1.carried().is_some_and(|c| c < *carried))?;
+        let guess = plan.guessed(here.0, &here.1)?;
+        let is_between = (guess - here.0) * (guess - next.0) < 0.0;
+        is_between.then_some((carried, guess + BEYOND_A_MARGIN * (next.0 - guess)))
+    };
+    let both_ways = list.windows(2).flat_map(|pair| [beyond(&pair[0], &pair[1]), beyond(&pair[1], &pair[0])]);
+    both_ways.flatten().max_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, at)| at)
 }
 
 /// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether

@@ -221,7 +221,7 @@ impl FoundAmounts<'_, '_> {
         is_claimed: &dyn Fn(f64) -> bool,
     ) -> Result<bool, Error> {
         let is_asked = !plan.is_monotone && self.scan > 0;
-        if is_asked { between_known(&self.known(), is_claimed, near, self.tries) } else { Ok(false) }
+        if is_asked { between_known(&self.known(), is_claimed, (plan, near), self.tries) } else { Ok(false) }
     }
 
     /// The answer if all amounts that were tried in the harder direction (less squeeze, more load) are sufficient. The last of these amounts is `to`.

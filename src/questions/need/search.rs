@@ -111,7 +111,7 @@ impl SearchPlan {
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
     }
 
-    fn guessed(&self, at: f64, trial: &Trial) -> Option<f64> {
+    pub(super) fn guessed(&self, at: f64, trial: &Trial) -> Option<f64> {
         let carried = trial.carried().filter(|carried| *carried > 0.0 && carried.is_finite())?;
         let guess = match self.guess {
             BoundEstimate::Times => at * carried,

@@ -100,7 +100,8 @@ pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Upper limit of the number of these [`BETWEEN`] amounts that are tried because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]).
+/// Upper limit of the number of these [`BETWEEN`] amounts that are tried because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]) or the
+/// whole load might be carried.
 ///
 /// A margin that falls less and less steeply is zero farther on than its first extrapolation predicts. If 1, insufficient amounts there are missed.
 /// If larger, too few amounts are left to try between different contact states at rest.
