@@ -164,8 +164,7 @@ def hold_batch(
     Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows in which everything sticks take a few microseconds,
     rows in which contacts slide and none opens ten to a hundred. The load of any other row is followed as by :meth:`Grasp.hold`, in some 50 µs to
     a few milliseconds. The verdict of each row is that of :meth:`Grasp.hold`; its factors may differ by the error of steps along arcs. Loads
-    of rows have no points of action, so that turning over is not asked for, and buckling only at rest and where contacts slide. The bits do not
-    depend on the number of threads.
+    of rows have no points of action, so that neither buckling nor turning over is asked for. The bits do not depend on the number of threads.
 
     :param load: load that grows from 0 on top of the base, N and N m, shape (..., c) or (..., d).
     :param base: load at rest; zero unless given.

@@ -10,7 +10,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 type Place = (usize, f64);
 
 impl Engine {
-    /// The place from which on the theory no longer applies, if it comes before a loss of equilibrium. `load` is the load at a place.
+    /// The place from which on the theory no longer applies, if it comes before a loss of equilibrium. `load` is the load at a place. Whether the grasp
+    /// buckles is asked only if it [may](Self::may_buckle) under the whole load.
     pub(super) fn end_of_theory(
         &self,
         path: &LoadPath<'_, 3>,
@@ -19,11 +20,11 @@ impl Engine {
         let far = end_before_loss(path);
         let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
         let buckles = |place: &Place| {
-            let load = load(*place);
-            let state = if self.may_buckle(&load) { path.state_at(place.0, place.1) } else { None };
-            state.is_some_and(|state| self.buckles(&forces_in(&state), &is_open_in(&state), &load))
+            let state = path.state_at(place.0, place.1);
+            state.is_some_and(|state| self.buckles(&forces_in(&state), &is_open_in(&state), &load(*place)))
         };
-        buckling(end, &buckles).filter(|at| (at.leg, at.fraction) < end).or_else(|| far.cloned())
+        let buckling = if self.may_buckle(&load((0, 1.0))) { buckling(end, &buckles) } else { None };
+        buckling.filter(|at| (at.leg, at.fraction) < end).or_else(|| far.cloned())
     }
 }
 

@@ -33,7 +33,7 @@ impl Engine {
             let forces = paired(self.sites(), forces, &|(site, force)| site.frame * force);
             self.buckles(&forces, &|_| false, &ramp.load_at(factor))
         };
-        if forces.iter().zip([0.0, factor]).any(buckles) {
+        if self.may_buckle(&ramp.load_at(1.0)) && forces.iter().zip([0.0, factor]).any(buckles) {
             return None;
         }
         let parts = self.wholes();

@@ -66,17 +66,17 @@ impl Engine {
     }
 
     /// Whether the grasp buckles under these contact forces, N, in coordinate axes, and this load: `K + K_g` is not positive definite on the motions
-    /// that springs resist. Stability along the others is the question of [`Self::driven_on`]. `false` unless it [may](Self::may_buckle).
+    /// that springs resist. Stability along the others is the question of [`Self::driven_on`].
     pub(super) fn buckles(
         &self,
         forces: &[SVector<f64, 3>],
         is_open: &(dyn Fn(usize) -> bool + Sync),
         load: &Wrench<3>,
     ) -> bool {
-        self.may_buckle(load) && self.unstable_at(1.0, forces, is_open, load).is_some()
+        self.unstable_at(1.0, forces, is_open, load).is_some()
     }
 
-    /// Whether [`Self::buckles`] has an answer: the points of action of the load are known, and the grasp is not solved with band matrices.
+    /// Whether [`Self::buckles`] answers for this load: its points of action are known, and the grasp is not solved with band matrices.
     pub(super) fn may_buckle(&self, load: &Wrench<3>) -> bool {
         !uses_band(size_of(self.sites())) && self.acts_at_known_points(load)
     }
