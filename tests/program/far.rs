@@ -52,5 +52,6 @@ fn answers_in_brief_say_so() {
     let reply: Value = serde_json::from_str(text(&output.stdout).trim()).expect("JSON");
     let told = reply["brief"].as_array().expect("answers");
     let far: Vec<_> = told.iter().map(|brief| brief.get("beyond_small_motions").is_some()).collect();
-    assert_eq!(far, [true, true, true, true, false, false], "{reply}");
+    // The last load would turn the object by less than 0.1 rad, but the jaws buckle it at rest.
+    assert_eq!(far, [true, true, true, true, false, true], "{reply}");
 }
