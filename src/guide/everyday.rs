@@ -29,7 +29,10 @@
 //!
 //! ```text
 //! $ grasp-lcp need wedge.json
-//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: it turns by more than 5.7°; beyond this, results for small motions no longer apply. Tried were 14 amounts from 0.009 to 0.5
+//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides
+//!   if friction is 10 % less: 0.146281
+//!   with less: GOES TOO FAR at rest already: it turns by more than 5.7°; beyond this, results for small motions no longer apply
+//!   tried were 14 amounts from 0.009 to 0.5
 //! ```
 //!
 //! The value is the tangent of half the angle of the wedge, tan 7.5°, however hard the wedge is driven in. Here and below, 5.7° is 0.1 rad: at larger
@@ -49,7 +52,8 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and holds, and something slides, opens or gives way with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m
+//! TAKES an arm of 1.98101 m and holds, and something slides, opens or gives way with every amount that was tried
+//!   with more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m
 //! ```
 //!
 //! The arm is the horizontal distance of the climber from the foot of the ladder: 4.69 m along the ladder of 5 m. With the climber at this height
@@ -60,28 +64,37 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09928 times as much if friction is 10 % less and the squeeze is 5 % less. With less: under a force along (-0.292867, 0.956153): TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
+//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides
+//!   if friction is 10 % less and the squeeze is 5 % less: 1.09928 times as much
+//!   with less: under a force along (-0.292867, 0.956153): TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
 //! ```
 //!
 //! # How hard do three fingers have to press to carry a full mug of 400 g?
 //!
 //! ```text
 //! $ grasp-lcp need mug.json squeeze --mass 0.4 --at 0.006,0,-0.02
-//! NEEDS 3.49237 N at thumb, 2.01635 N at index and 2.01635 N at middle (0.349227 times the squeeze given) so that it holds and nothing slides up to 5.96783 times the squeeze given. It needs 1.16959 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 3.924 N of 3.924 N: the object turns about thumb, index and middle slide. More than 59.68 N at thumb, 34.4568 N at index and 34.4568 N at middle (5.96783 times the squeeze given) is too much: BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists. Tried were 12 amounts from 0.03 to 10 times the squeeze given
+//! NEEDS 3.49237 N at thumb, 2.01635 N at index and 2.01635 N at middle (0.349227 times the squeeze given) so that it holds and nothing slides up to 5.96783 times the squeeze given
+//!   if friction is 10 % less and the squeeze is 5 % less: 1.16959 times as much
+//!   with less: TURNS OUT at 3.924 N of 3.924 N: the object turns about thumb, index and middle slide
+//!   with more than 59.68 N at thumb, 34.4568 N at index and 34.4568 N at middle (5.96783 times the squeeze given): BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists
+//!   tried were 12 amounts from 0.03 to 10 times the squeeze given
 //! ```
 //!
 //! # How far can I tip a bottle before it slips in my hand?
 //!
 //! ```text
 //! $ grasp-lcp need bottle.json
-//! TAKES 36.4985° and holds, 36.4669° and nothing slides. It takes 28.3438° if friction is 10 % less and the squeeze is 5 % less. With more: GOES TOO FAR at 36.4985°: it turns by more than 5.7°
+//! TAKES 36.4985° and holds, 36.4669° and nothing slides
+//!   if friction is 10 % less and the squeeze is 5 % less: 28.3438°
+//!   with more: GOES TOO FAR at 36.4985°: it turns by more than 5.7°
 //! ```
 //!
 //! # How hard do I have to pull to get a book out of a row?
 //!
 //! ```text
 //! $ grasp-lcp need book.json
-//! TAKES 7 times the load, 7 N, and holds, and nothing slides. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip)
+//! TAKES 7 times the load, 7 N, and holds, and nothing slides
+//!   with more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip)
 //! ```
 //!
 //! The program answers the opposite question: it gives the greatest pull that the book withstands, and any greater pull gets the book out. The
@@ -109,7 +122,9 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 23.1986° anticlockwise and holds, 12.9946° and nothing slides. It takes 23.1986° if friction is 10 % less. With more: TIPS OVER at 23.1986°: the object tips over about left edge, right edge opens
+//! TAKES 23.1986° anticlockwise and holds, 12.9946° and nothing slides
+//!   if friction is 10 % less: 23.1986°
+//!   with more: TIPS OVER at 23.1986°: the object tips over about left edge, right edge opens
 //! ```
 //!
 //! The glass tips at tan⁻¹ (30 mm / 70 mm) = 23.2°, from half the width of its foot and the height of its centre of mass. As a whole it would slide

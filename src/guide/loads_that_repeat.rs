@@ -66,7 +66,10 @@
 //!
 //! ```text
 //! $ grasp-lcp need tool.json squeeze --base 0,-5.886 --at=-0.05,0 --force 35,0 --repeats
-//! NEEDS 41.0639 N at palm, 13.688 N at index, 13.688 N at middle and 13.688 N at little (0.684398 times the squeeze given) so that it comes to rest however often the load is put on, 1.16794 times as much if friction is 10 % less and the squeeze is 5 % less. With less: GOES TOO FAR in a cycle: palm slips by more than 2.5 mm: results for small motions no longer apply. Tried were 11 amounts from 0.05 to 10 times the squeeze given
+//! NEEDS 41.0639 N at palm, 13.688 N at index, 13.688 N at middle and 13.688 N at little (0.684398 times the squeeze given) so that it comes to rest however often the load is put on
+//!   if friction is 10 % less and the squeeze is 5 % less: 1.16794 times as much
+//!   with less: GOES TOO FAR in a cycle: palm slips by more than 2.5 mm: results for small motions no longer apply
+//!   tried were 11 amounts from 0.05 to 10 times the squeeze given
 //! ```
 //!
 //! # Could it come to rest at all?

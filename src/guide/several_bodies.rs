@@ -42,7 +42,9 @@
 //!
 //! ```text
 //! $ grasp-lcp need scissor.json
-//! NEEDS a coefficient of friction of 0.6 so that it holds and nothing slides, 0.666667 if friction is 10 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y
+//! NEEDS a coefficient of friction of 0.6 so that it holds and nothing slides
+//!   if friction is 10 % less: 0.666667
+//!   with less: SLIPS OUT at once, under any part of 200 N: block moves along −y
 //! ```
 //!
 //! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and
@@ -63,7 +65,9 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 21.8014° anticlockwise and holds, 17.5855° and nothing slides. It takes 19.7989° if friction is 10 % less. With more: SLIPS OUT at 21.8014°: lower and upper move along −x; tray slides
+//! TAKES 21.8014° anticlockwise and holds, 17.5855° and nothing slides
+//!   if friction is 10 % less: 19.7989°
+//!   with more: SLIPS OUT at 21.8014°: lower and upper move along −x; tray slides
 //! ```
 //!
 //! All weights turn together. The stack slides on the tray at tan θ = 0.4, before its upper box slides or tips.

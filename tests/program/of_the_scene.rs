@@ -31,11 +31,11 @@ fn the_scenes_own_question_is_asked_whole() {
     let questions = format!("{HOLD}, {NEED}");
     let (answer, warned) = told(&questions, &["need", "-", "friction"]);
     assert!(
-        answer.starts_with("NEEDS a coefficient of friction of 0.3 so that nothing slides. ")
+        answer.starts_with("NEEDS a coefficient of friction of 0.3 so that nothing slides\n  with less: ")
             && warned.is_empty()
     );
     let (safe, _) = told(&questions, &["need", "-", "friction", "--safety", "1.5"]);
-    assert!(safe.contains(", 0.45 if the load is 1.5 times as large"), "{safe}");
+    assert!(safe.contains("\n  if the load is 1.5 times as large: 0.45"), "{safe}");
 }
 
 #[test]

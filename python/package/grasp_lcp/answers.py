@@ -203,7 +203,7 @@ class Sentence(Answer):
     """An answer whose sentence is the title of its picture."""
 
     def _title(self) -> str:
-        return self.says.partition(". ")[0]
+        return self.says.partition("\n")[0].partition(". ")[0]
 
 
 class Verdict(Sentence):

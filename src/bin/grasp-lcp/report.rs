@@ -88,6 +88,10 @@ impl Report<'_> {
                 self.proved(&answer.verdict)?;
                 self.state(answer.verdict.state.as_deref())
             }
+            (_, Answer::Need(answer)) => {
+                let (text, digits) = (&answer.needed, self.style.precision());
+                format!("{text:.digits$}").lines().skip(1).try_for_each(|line| self.line(line.trim_start()))
+            }
             (_, Answer::Shake(answer)) => self.state(answer.shaken.state.as_deref()),
             (_, Answer::Compare(answer)) => compared(self.out, self.style, &answer.comparison),
             (_, Answer::Improve(answer)) => self.improved(&answer.improved),

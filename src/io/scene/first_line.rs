@@ -73,7 +73,9 @@ impl<const C: usize> Answer<C> {
         let digits = words.precision();
         match self {
             Self::Hold(answer) => format!("{:.digits$}", answer.verdict),
-            Self::Need(answer) => format!("{:.digits$}", answer.needed),
+            Self::Need(answer) => {
+                format!("{:.digits$}", answer.needed).lines().next().unwrap_or_default().to_owned()
+            }
             Self::Improve(answer) => format!("{:.digits$}", answer.improved),
             Self::Shake(answer) => format!("{:.digits$}", answer.shaken),
             Self::Compare(answer) => answer.says.clone(),

@@ -41,7 +41,7 @@ pub struct HoldAnswer<const C: usize> {
 /// }"#)?;
 /// let answers = serde_json::to_value(scene.answers()?)?;
 /// let says = answers[0]["need"]["says"].as_str().unwrap_or_default();
-/// let needs = "NEEDS 12 N at left and right so that it holds and nothing slides, 12.6316 N if the squeeze is 5 % less. With less: SLIPS OUT at 12 N of 12 N";
+/// let needs = "NEEDS 12 N at left and right so that it holds and nothing slides\n  if the squeeze is 5 % less: 12.6316 N\n  with less: SLIPS OUT at 12 N of 12 N";
 /// assert!(says.starts_with(needs), "{says}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -49,7 +49,7 @@ pub struct HoldAnswer<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NeedAnswer {
-    /// The answer in a sentence.
+    /// The answer in a sentence, and in further lines what other amounts do.
     pub says: String,
     /// The value of the sought quantity, such as a squeeze. In the text the fields of `needed` are fields of this answer itself.
     #[serde(flatten)]

@@ -1,5 +1,6 @@
-//! The answer to a [`Need`](super::Need) in a sentence, as one would say it to a colleague. An amount (of squeeze, friction, load, arm or angle) is
-//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
+//! The answer to a [`Need`](super::Need) in words. The first line is the sentence that one would say to a colleague; each further line is one clause
+//! about other amounts. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it; the bound is the
+//! least or greatest sufficient amount.
 
 use core::fmt;
 
@@ -16,19 +17,21 @@ impl fmt::Display for Needed {
         self.amount(f)?;
         if matches!(self.amount, Amount::None { .. }) && !self.without_friction.is_empty() {
             let stay = if self.without_friction.len() == 1 { "stays" } else { "stay" };
-            write!(f, ". {} {stay} without friction", listed(&self.without_friction))?;
+            write!(f, "{LINE}{} {stay} without friction", listed(&self.without_friction))?;
         }
         match &self.of {
             _ if !self.in_place_of_squeeze => Ok(()),
-            None => f.write_str(
-                ". Nothing presses by command; ask for what presses by its name: `need … force --of NAME`",
+            None => write!(
+                f,
+                "{LINE}nothing presses by command; ask for what presses by its name: `need … force --of NAME`"
             ),
             Some(of) => {
-                f.write_str(". Nothing presses by command, so that there is no squeeze to seek; the load ")?;
-                match &of.part {
-                    Some(part) => write!(f, "on {} presses", printable(part)),
-                    None => f.write_str("at rest presses"),
-                }
+                let place =
+                    of.part.as_ref().map_or("at rest".to_owned(), |part| format!("on {}", printable(part)));
+                write!(
+                    f,
+                    "{LINE}nothing presses by command, so that there is no squeeze to seek; the load {place} presses"
+                )
             }
         }
     }
@@ -40,7 +43,7 @@ impl Needed {
             Amount::Bound { .. } => self.bound(f),
             Amount::Any { to, .. } if self.has_no_squeeze() => {
                 write!(f, "NEEDS no squeeze: {}", self.aim())?;
-                self.safe_amount(f, (*to, &[]), true)
+                self.safe_amount(f, (*to, &[]))
             }
             Amount::Any { to, until, tried } => self.any(f, *to, until.as_ref(), *tried),
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
@@ -55,7 +58,7 @@ impl Needed {
                     return Ok(());
                 }
                 let best = self.amount_text(Words::of(f), *best, &[]);
-                write!(f, ". With {}: {otherwise}", best.trim_end_matches(','))
+                write!(f, "{LINE}with {}: {otherwise}", best.trim_end_matches(','))
             }
             Amount::Undecided { at, doubt } => {
                 write!(f, "UNDECIDED at {}: {doubt}", self.amount_text(Words::of(f), *at, &[]))
@@ -113,19 +116,19 @@ impl Needed {
             }
             None => write!(f, "TAKES {much} and {aim}")?,
         }
-        let is_one_amount = self.beside(f, *sufficient)? && !ends_small_motions;
-        self.safe_amount(f, (*sufficient, presses), is_one_amount)?;
-        write!(f, ". With {} {otherwise}", if is_least { "less:" } else { "more:" })?;
+        self.beside(f, *sufficient)?;
+        self.safe_amount(f, (*sufficient, presses))?;
+        write!(f, "{LINE}with {}: {otherwise}", if is_least { "less" } else { "more" })?;
         if let Some(unknown) = unknown {
-            write!(f, ". With {} it is not known", self.short(words, *unknown, &[]))?;
+            write!(f, "{LINE}with {}: not known", self.short(words, *unknown, &[]))?;
         }
         if let Some(limit) = at_limit(at_their_limit) {
-            write!(f, ". At rest {limit}")?;
+            write!(f, "{LINE}at rest {limit}")?;
         }
         self.far_end(f, until.as_ref())?;
         let mentioned = 1 + usize::from(until.is_some()) + self.windows(f, elsewhere)?;
         if *changes > mentioned {
-            write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
+            write!(f, "{LINE}the verdict changes {changes} times among the amounts that were tried")?;
         }
         self.amounts_tried(f, *tried)
     }
@@ -154,8 +157,8 @@ impl Needed {
                 self.amount_text(words, amount, &[]).trim_end_matches(',')
             )?;
         }
-        let is_one_amount = self.beside(f, to)? && until.is_none();
-        self.safe_amount(f, (to, &[]), is_one_amount)?;
+        self.beside(f, to)?;
+        self.safe_amount(f, (to, &[]))?;
         self.far_end(f, until)?;
         self.amounts_tried(f, tried)
     }
@@ -170,8 +173,8 @@ impl Needed {
         if let Some(Amount::Bound { .. }) = self.sticks {
             f.write_str(", and nothing slides")?;
         }
-        write!(f, ". With more or less {otherwise}")?;
-        self.safe_amount(f, (sufficient, &[]), false)
+        write!(f, "{LINE}with more or less: {otherwise}")?;
+        self.safe_amount(f, (sufficient, &[]))
     }
 
     /// Writes that no amount is sufficient, with the proof or the range of amounts tried.
@@ -208,7 +211,7 @@ impl Needed {
                 (Some(one), None) => format!("{} and more", much(one)),
                 (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
             };
-            write!(f, ". Apart from that {range} would do")?;
+            write!(f, "{LINE}{range} would do, too")?;
         }
         Ok(mentioned)
     }
@@ -219,60 +222,61 @@ impl Needed {
             return Ok(());
         };
         let range = self.range(Words::of(f), roughly(from, true), roughly(to, false));
-        write!(f, ". Tried were {count} amounts from {range}")
+        write!(f, "{LINE}tried were {count} amounts from {range}")
     }
 
     /// Writes the far end of the sufficient amounts: amounts beyond it are too large, or too small.
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
-        let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
+        let more = if self.quantity.is_least() { "more" } else { "less" };
         let much = self.amount_text(Words::of(f), end.sufficient, &end.presses);
-        write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
+        write!(f, "{LINE}with {more} than {}: {}", much.trim_end_matches(','), end.otherwise)?;
         let limit = at_limit(&end.at_their_limit);
-        limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
+        limit.map_or(Ok(()), |limit| write!(f, "{LINE}there, at rest, {limit}"))
     }
 
-    /// Writes the amount with which nothing slides, after the amount with which the object is held. Returns whether the sentence has only one amount
-    /// up to here.
-    fn beside(&self, f: &mut fmt::Formatter<'_>, sufficient: f64) -> Result<bool, fmt::Error> {
+    /// Writes the amount with which nothing slides, after the amount with which the object is held.
+    fn beside(&self, f: &mut fmt::Formatter<'_>, sufficient: f64) -> fmt::Result {
         let words = Words::of(f);
         let is_least = self.quantity.is_least();
         match &self.sticks {
-            None => return Ok(true),
+            None => Ok(()),
             Some(Amount::Bound { sufficient: sticks, until, .. })
                 if (sticks - sufficient).abs() <= ALIKE_IN_WORDS * sufficient.abs() =>
             {
                 f.write_str(if is_least { " and nothing slides" } else { ", and nothing slides" })?;
-                self.sticks_until(f, until.as_ref())?;
-                return Ok(until.is_none());
+                self.sticks_until(f, until.as_ref())
             }
             Some(Amount::Bound { sufficient: sticks, presses, until, .. }) => {
-                let much = match until {
-                    None => self.short(words, *sticks, presses),
-                    Some(end) if is_least => {
-                        let [from, to] = [(*sticks, presses), (end.sufficient, &end.presses)]
-                            .map(|(amount, presses)| self.short(words, amount, presses));
-                        format!("{from} to {to}")
-                    }
-                    Some(end) => self.range(words, end.sufficient, *sticks),
-                };
+                let much = self.from_to(words, (*sticks, presses), until.as_ref());
                 write!(
                     f,
                     ", {much} {}",
                     if is_least { "so that nothing slides" } else { "and nothing slides" }
-                )?;
+                )
             }
             Some(Amount::Any { until, .. }) => {
                 f.write_str(", and nothing slides")?;
-                self.sticks_until(f, until.as_ref())?;
-                return Ok(until.is_none());
+                self.sticks_until(f, until.as_ref())
             }
             Some(Amount::None { .. }) => {
-                f.write_str(", and something slides, opens or gives way with every amount that was tried")?;
+                f.write_str(", and something slides, opens or gives way with every amount that was tried")
             }
-            Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known")?,
+            Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known"),
         }
-        Ok(false)
+    }
+
+    /// The interval of sufficient amounts from the bound `near` to the far end, or the bound alone, without the place: "3 N to 5 N".
+    fn from_to(&self, words: Words, near: (f64, &[ContactPress]), until: Option<&FarEnd>) -> String {
+        match until {
+            None => self.short(words, near.0, near.1),
+            Some(end) if self.quantity.is_least() => {
+                let ends = [near, (end.sufficient, &end.presses)];
+                let [from, to] = ends.map(|(amount, presses)| self.short(words, amount, presses));
+                format!("{from} to {to}")
+            }
+            Some(end) => self.range(words, end.sufficient, near.0),
+        }
     }
 
     /// Writes the far end of the amounts with which nothing slides.
@@ -301,7 +305,6 @@ impl Needed {
         &self,
         f: &mut fmt::Formatter<'_>,
         (sufficient, presses): (f64, &[ContactPress]),
-        is_one_amount: bool,
     ) -> fmt::Result {
         let words = Words::of(f);
         let less = [("friction", self.lower[0]), ("the squeeze", self.lower[1])];
@@ -312,13 +315,11 @@ impl Needed {
             let what = if self.is_loaded_at_rest { "the load beyond that at rest" } else { "the load" };
             less.push(format!("{what} is {} times as large", words.number(self.safety)));
         }
-        let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
-        match &self.safe {
+        let much = match &self.safe {
             Some(Amount::Bound { sufficient: safe, until: Some(end), is_too_far, .. })
                 if self.ends_small_motions(self.demand, *is_too_far) =>
             {
-                let much = self.in_small_motions(words, end, *safe);
-                write!(f, ". If {if_less} it holds {much}")
+                self.in_small_motions(words, end, *safe)
             }
             Some(Amount::Bound { sufficient: safe, presses: safe_presses, until, .. }) => {
                 let much = match (press::alike(presses), press::alike(safe_presses)) {
@@ -332,15 +333,7 @@ impl Needed {
                     (None, _) if !presses.is_empty() => {
                         format!("{} times as much", words.number(safe / sufficient))
                     }
-                    _ => match until {
-                        Some(end) if !self.quantity.is_least() => self.range(words, end.sufficient, *safe),
-                        Some(end) => {
-                            let [from, to] = [(*safe, safe_presses), (end.sufficient, &end.presses)]
-                                .map(|(amount, presses)| self.short(words, amount, presses));
-                            format!("{from} to {to}")
-                        }
-                        None => self.short(words, *safe, safe_presses),
-                    },
+                    _ => self.from_to(words, (*safe, safe_presses), until.as_ref()),
                 };
                 // The safe amount is sufficient with lower friction and squeeze or larger loads. With friction, squeeze and loads as given it may be
                 // too large or too small.
@@ -349,22 +342,18 @@ impl Needed {
                 } else {
                     " (which does not do as given)"
                 };
-                if is_one_amount {
-                    write!(f, ", {much} if {if_less}{beside}")
-                } else {
-                    write!(f, ". It {takes} {much} if {if_less}{beside}")
-                }
+                much + beside
             }
-            Some(Amount::None { .. }) if is_one_amount => write!(f, ", and no amount does if {if_less}"),
-            Some(Amount::None { .. }) => write!(f, ". No amount does if {if_less}"),
-            Some(Amount::Undecided { .. }) if is_one_amount => {
-                write!(f, ", and it is not known if {if_less}")
-            }
-            Some(Amount::Undecided { .. }) => write!(f, ". It is not known how much it {takes} if {if_less}"),
-            Some(Amount::Any { .. }) | None => Ok(()),
-        }
+            Some(Amount::None { .. }) => "no amount does".to_owned(),
+            Some(Amount::Undecided { .. }) => "not known".to_owned(),
+            Some(Amount::Any { .. }) | None => return Ok(()),
+        };
+        write!(f, "{LINE}if {}: {much}", listed(&less))
     }
 }
+
+/// What begins a further line of the answer.
+const LINE: &str = "\n  ";
 
 /// The clause about drives at their limit, if there are any: "motor is at its limit and presses no harder".
 fn at_limit(drives: &[String]) -> Option<String> {
