@@ -16,7 +16,8 @@ pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 /// The end of the message of [`Error::Part`]: the names of the `allowed` parts, or the words that no part has a load, command or force of its own.
 fn one_of(allowed: &str) -> String {
     match allowed {
-        "" => "and no other part has: what presses by overlap is the squeeze".to_owned(),
+        "" => "and no other part has: what presses by overlap is the squeeze, and a `mass` presses as given"
+            .to_owned(),
         allowed => format!("must be one of {allowed}"),
     }
 }

@@ -166,6 +166,7 @@ fn number_of_motion(motion: LossVerb) -> u8 {
         LossVerb::LetsGo => 5,
         LossVerb::GoesTooFar => 7,
         LossVerb::Buckles => 8,
+        LossVerb::Leaks => 9,
         _ => 6,
     }
 }

@@ -4,6 +4,7 @@ mod buckling;
 mod everyday;
 mod kinetic;
 mod kinetic_described_anew;
+mod leaks;
 mod left_out;
 mod nothing_near;
 mod nothing_near_in_space;

@@ -58,6 +58,7 @@ class LossMotion(IntEnum):
     GIVES_WAY = 6
     GOES_TOO_FAR = 7
     BUCKLES = 8
+    LEAKS = 9
     NONE = 255
     """The load is not lost up to where it was followed."""
 

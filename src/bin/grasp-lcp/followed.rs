@@ -57,9 +57,10 @@ impl Report<'_> {
     }
 
     fn small_motions_end(&mut self, far: &EndOfSmallMotions) -> io::Result<()> {
-        let (leg, fraction, what) = (far.leg, self.number(far.fraction), &far.what);
+        let (leg, fraction) = (far.leg, self.number(far.fraction));
         self.line(&format!(
-            "leg {leg} at {fraction}: CAUTION, from here on {what}: results for small motions no longer apply"
+            "leg {leg} at {fraction}: CAUTION, from here on {}",
+            far.what.caution(self.style.words)
         ))
     }
 

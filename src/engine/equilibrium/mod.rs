@@ -64,7 +64,7 @@ pub use refutation::Refutation;
 pub use residuals::Residuals;
 pub(crate) use sticking_response::{ContactForces, StickingResponse};
 pub use too_far::TooFar;
-pub(crate) use too_far::{CountedMotion, MotionData, farthest};
+pub(crate) use too_far::{AIR_FLOWS_IN, CountedMotion, MotionData, farthest};
 pub(crate) use write_out::site_states;
 
 pub(crate) use tolerances::ACCURATE;

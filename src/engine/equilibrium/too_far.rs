@@ -3,7 +3,7 @@
 //! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore satisfies all equations, but says
 //! little about the real object. This file alone measures motions against the limits, for answers and along load paths.
 
-use core::fmt;
+use core::{fmt, slice};
 
 use nalgebra::SVector;
 
@@ -16,7 +16,7 @@ use crate::prelude::*;
 use crate::search::{SearchSolution, SmallMotions};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-use crate::words::{LinkKind, Words, printable};
+use crate::words::{LinkKind, Words, listed, printable};
 
 /// The motion that is farthest beyond [`SmallMotions`], or the loss of stability that a theory of small motions does not see.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,9 +61,17 @@ pub enum TooFar {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         limit: f64,
     },
+    /// The lip of a suction cup opens at some of its points, where air flows in. The answer assumes that the vacuum lasts.
+    Leaks {
+        /// The cup, with the number of its points that are open.
+        cup: WholeContact,
+    },
     /// The grasp buckles: as the forces turn with the parts on which they act, they take more in some motion than the springs resist.
     Buckles,
 }
+
+/// What happens at a lip that is open in part.
+pub(crate) const AIR_FLOWS_IN: &str = "air flows in where the lip opens";
 
 /// Writes the name of the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
@@ -71,7 +79,9 @@ impl fmt::Display for TooFar {
         let name = match self {
             Self::Turns { body, .. } => body.as_ref().map_or("it".into(), |body| printable(body)),
             Self::JointTurns { joint, .. } => joint.text().into(),
-            Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
+            Self::Slips { contact, .. } | Self::Opens { contact, .. } | Self::Leaks { cup: contact } => {
+                contact.text()
+            }
             Self::Buckles => "it".into(),
         };
         write!(f, "{name} {}", self.verb_phrase(Words::of(f)))
@@ -79,9 +89,18 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
+    /// Whether a motion is too large. Buckling and a leak end what is held, however small motions are.
+    pub(crate) fn is_motion(&self) -> bool {
+        !matches!(self, Self::Buckles | Self::Leaks { .. })
+    }
+
     /// The caution for answers beyond small motions: "left slips by more than 4 mm: results for small motions no longer apply".
-    pub(crate) fn caution(&self, words: Words) -> String {
+    #[must_use]
+    pub fn caution(&self, words: Words) -> String {
         let digits = words.precision();
+        if let Self::Leaks { cup } = self {
+            return format!("{AIR_FLOWS_IN}, at {}", listed(slice::from_ref(cup)));
+        }
         format!("{self:.digits$}: results for small motions no longer apply")
     }
 
@@ -96,6 +115,7 @@ impl TooFar {
             }
             Self::Slips { limit, .. } => format!("slips by more than {}", words.length(*limit)),
             Self::Opens { limit, .. } => format!("opens by more than {}", words.length(*limit)),
+            Self::Leaks { .. } => "leaks".to_owned(),
             Self::Buckles => "buckles".to_owned(),
         }
     }

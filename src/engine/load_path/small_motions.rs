@@ -64,6 +64,13 @@ impl<'g> PiecewiseFollower<'g> {
             }
         };
         let leg = self.behind.last().map_or(run.program.leg, |last| last.leg);
+        let (from, states) =
+            self.behind.last().map_or((self.factor, states), |last| (last.from, &last.states));
+        if let Some(cup) = grasp.leaking_cup(&|i| states[i].is_open()) {
+            self.end_of_small_motions =
+                Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Leaks { cup } });
+            return;
+        }
         let end = |(fraction, motion): Place| {
             Some(EndOfSmallMotions { leg, fraction, what: grasp.too_far(&motion) })
         };

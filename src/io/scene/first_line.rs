@@ -285,11 +285,8 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     };
     match &path.small_motions_end {
         Some(far) => {
-            let (fraction, what) = (words.number(far.fraction), &far.what);
-            format!(
-                "{sentence}. CAUTION: from {fraction} of leg {} on {what}: results for small motions no longer apply",
-                far.leg
-            )
+            let (fraction, what) = (words.number(far.fraction), far.what.caution(words));
+            format!("{sentence}. CAUTION: from {fraction} of leg {} on {what}", far.leg)
         }
         None => sentence,
     }

@@ -68,6 +68,13 @@ impl Engine {
         cups
     }
 
+    /// The first suction cup whose lip is open at some of its points but not at all, with the number of open points.
+    pub(crate) fn leaking_cup(&self, is_open: &dyn Fn(usize) -> bool) -> Option<WholeContact> {
+        self.vacuum()?;
+        let open = self.wholes().with(&|i| self.contacts()[i].suction > 0.0 && is_open(i));
+        open.into_iter().find(|cup| !cup.is_whole())
+    }
+
     /// Label of the first suction cup; `None` without a cup.
     pub(crate) fn first_cup(&self) -> Option<ContactLabel> {
         let cups = self.cups_open(|_| true);

@@ -85,6 +85,8 @@ pub enum LossVerb {
     GoesTooFar,
     /// The forces turn with the parts on which they act, and take all that the springs resist.
     Buckles,
+    /// Air flows into a suction cup where its lip opens.
+    Leaks,
 }
 
 impl ShortVerdict {
@@ -147,6 +149,7 @@ impl<const C: usize> Lost<C> {
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         match &self.way_out {
             _ if self.too_far == Some(TooFar::Buckles) => LossVerb::Buckles,
+            _ if matches!(self.too_far, Some(TooFar::Leaks { .. })) => LossVerb::Leaks,
             _ if self.too_far.is_some() => {
                 let slips = self.is_gross_slip && self.factor > NEGLIGIBLE;
                 if slips { LossVerb::SlipsOut } else { LossVerb::GoesTooFar }
@@ -188,6 +191,7 @@ impl fmt::Display for LossVerb {
             Self::GivesWay => "GIVES WAY",
             Self::GoesTooFar => "GOES TOO FAR",
             Self::Buckles => "BUCKLES",
+            Self::Leaks => "LEAKS",
         })
     }
 }

@@ -171,6 +171,9 @@ impl<const C: usize> Verdict<C> {
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
         let is_at_rest = lost.factor <= NEGLIGIBLE;
         let at = if is_at_rest { "rest already".to_owned() } else { self.part(lost.factor, words) };
+        if let TooFar::Leaks { .. } = far {
+            return write!(f, "{} at {at}: {}", lost.verb(words), far.caution(words));
+        }
         if *far == TooFar::Buckles {
             let what = "as the forces turn with the parts they act on, they take all that resists";
             return write!(f, "{} at {at}: {what}", lost.verb(words));

@@ -11,7 +11,7 @@ use super::tolerances::MOST_LOADS;
 use super::trial::{NOT_AT_REST, RefutingLoads, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
-use crate::equilibrium::Settings;
+use crate::equilibrium::{Settings, TooFar};
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, PathFacts, Verdict, VerdictScope};
@@ -297,8 +297,8 @@ impl Loading {
                     _ if demand == Demand::Sticks => part.min(first_slip),
                     _ => part,
                 };
-                let is_too_far =
-                    verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some() && !lost.is_gross_slip);
+                let lost = verdict.lost.as_ref().filter(|lost| !lost.is_gross_slip);
+                let is_too_far = lost.and_then(|lost| lost.too_far.as_ref()).is_some_and(TooFar::is_motion);
                 Trial::Insufficient { says, carried, other, is_too_far }
             }
             None => Trial::Unknown(self.said(verdict)),

@@ -5,6 +5,7 @@ use core::fmt;
 use super::shakedown::{BindingContact, Shakedown};
 use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
+use crate::equilibrium::{AIR_FLOWS_IN, TooFar};
 use crate::grasp::{BodyMotion, PartLabel, WholeContact};
 use crate::hold::subject_and_verb;
 use crate::numerics::mapped;
@@ -19,7 +20,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.leaks.is_empty() {
             let cups = listed(&self.leaks);
-            write!(f, "LEAKS: air flows in where the lip opens, at {cups}; with the vacuum kept, ")?;
+            write!(f, "LEAKS: {AIR_FLOWS_IN}, at {cups}; with the vacuum kept, ")?;
         }
         self.write_verdict(f)?;
         if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
@@ -29,6 +30,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
         let state = self.state.as_ref().or_else(at_the_loss);
         let far = state.and_then(|state| state.too_far.as_ref()).or(self.too_far.as_ref());
+        let far = far.filter(|far| !matches!(far, TooFar::Leaks { .. }));
         far.map_or(Ok(()), |far| write!(f, ". CAUTION: {}", far.caution(Words::of(f))))
     }
 }
