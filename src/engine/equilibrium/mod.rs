@@ -36,6 +36,7 @@ mod face;
 mod geometry;
 mod hand_answer;
 mod influence;
+mod installed;
 mod no_equilibrium;
 mod pad_answer;
 mod parameter;
