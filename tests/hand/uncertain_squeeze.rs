@@ -44,14 +44,19 @@ fn scenes() -> Vec<(&'static str, Box<dyn Fn(f64) -> String>, Wrench, Wrench)> {
     vec![
         (
             "the tension of a tendon",
-            Box::new(|x| finger("", &format!(r#", "tendons": [{{ "arms": [-0.01], "tension": {} }}]"#, 40.0 * x))),
+            Box::new(|x| {
+                finger("", &format!(r#", "tendons": [{{ "arms": [-0.01], "tension": {} }}]"#, 40.0 * x))
+            }),
             Wrench::ZERO,
             down,
         ),
         (
             "the pull of a tendon",
             Box::new(|x| {
-                let pull = format!(r#", "tendons": [{{ "arms": [-0.01], "stiffness": 2e4, "pull": {} }}]"#, 2e-3 * x);
+                let pull = format!(
+                    r#", "tendons": [{{ "arms": [-0.01], "stiffness": 2e4, "pull": {} }}]"#,
+                    2e-3 * x
+                );
                 finger("", &pull)
             }),
             Wrench::ZERO,
@@ -92,7 +97,9 @@ fn scenes() -> Vec<(&'static str, Box<dyn Fn(f64) -> String>, Wrench, Wrench)> {
             Box::new(move |x| {
                 let pads = pads([-0.1, 0.1], r#", "on": "box""#);
                 let strap = strapped(x, r#", "on": "box""#);
-                format!(r#""bodies": [{{ "name": "box", "mass": 10, "centre_of_mass": [0, 0] }}], "gravity": [9.81, 0], "contacts": [{pads}], {strap}"#)
+                format!(
+                    r#""bodies": [{{ "name": "box", "mass": 10, "centre_of_mass": [0, 0] }}], "gravity": [9.81, 0], "contacts": [{pads}], {strap}"#
+                )
             }),
             Wrench::ZERO,
             down,

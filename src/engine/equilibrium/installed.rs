@@ -64,7 +64,9 @@ impl Engine {
     /// equilibrium is found.
     fn missing(&self, commands: &[SVector<f64, 3>], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands)?.solve(&Wrench::ZERO, &Settings::default())?;
-        let Outcome::Equilibrium(state) = outcome else { return Err(self.not_held(pressed[0].0, pressed[0].1)) };
+        let Outcome::Equilibrium(state) = outcome else {
+            return Err(self.not_held(pressed[0].0, pressed[0].1));
+        };
         // In a slack link the gap times the stiffness is added to the missing tension. The missing tension thus depends on the command even if the
         // link is slack.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];

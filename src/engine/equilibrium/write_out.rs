@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::answer::{Equilibrium, LocalAnswer, WorkDone};
 use super::cone::{AnswerFor, Cone};
 use super::contact_answer::{ContactAnswer, ContactState};
-use super::too_far::MotionData;
+use super::too_far::{MotionData, TooFar};
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{OmissionReason, OmittedPairs};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
@@ -45,7 +45,11 @@ impl Engine {
             stored_energy += stored.sum::<f64>();
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
-        let too_far = self.farthest_beyond(&small, &MotionData::found(problem, &found));
+        let too_far = if self.buckles_in(&contacts, load) {
+            Some(TooFar::Buckles)
+        } else {
+            self.farthest_beyond(&small, &MotionData::found(problem, &found))
+        };
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
