@@ -12,4 +12,5 @@ mod pressed;
 mod sensitivity;
 mod small_turns;
 mod theory;
+mod uncertain_squeeze;
 mod weakest;

@@ -2,7 +2,7 @@
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::{LossVerb, ShortVerdict, Verdict};
-use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Link, Wrench};
+use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Leg, Link, Wrench};
 use grasp_lcp::{Error, Settings, spatial};
 
 const LENGTH: f64 = 0.1;
@@ -10,13 +10,13 @@ const SIDEWAYS: f64 = 1e3;
 /// Stiffness of the links and the guide, N/m. The error of the closed form falls as one over it, to 3e-6 here; beyond, rounding prevails.
 const STIFF: f64 = 1e10;
 
-/// Two links of [`LENGTH`] in line, which a ram pushes with this force, N. Two springs without preload hold the knee sideways.
-fn pushed(force: f64) -> Verdict<2> {
+/// Two links of [`LENGTH`] in line, which a ram pushes. Two springs without preload hold the knee sideways.
+fn knee() -> Grasp {
     let beside = |name: &str, side: f64| {
         let finger = Contact::new([LENGTH, 0.01 * side], [0.0, -side]).series_stiffness(SIDEWAYS, SIDEWAYS);
         finger.friction(0.0).pressed_with(1e-6).on("first").name(name)
     };
-    let grasp = Bodies::new([Body::new("first"), Body::new("second"), Body::new("ram")])
+    Bodies::new([Body::new("first"), Body::new("second"), Body::new("ram")])
         .contacts([beside("above", 1.0), beside("below", -1.0)])
         .links([
             Link::hinge([0.0, 0.0]).stiffness(STIFF).to_ground("first"),
@@ -26,8 +26,27 @@ fn pushed(force: f64) -> Verdict<2> {
         ])
         .loaded("ram")
         .grasp()
-        .unwrap();
-    grasp.hold(Wrench::force_at([-force, 0.0], [2.0 * LENGTH, 0.0])).unwrap()
+        .unwrap()
+}
+
+/// A push of the ram with this force, N.
+fn push(force: f64) -> Wrench {
+    Wrench::force_at([-force, 0.0], [2.0 * LENGTH, 0.0])
+}
+
+fn pushed(force: f64) -> Verdict<2> {
+    knee().hold(push(force)).unwrap()
+}
+
+/// What an equilibrium, the first slip, a path to this load and a repeated load say that is too far.
+fn too_far(grasp: &Grasp, load: Wrench) -> Result<[Option<TooFar>; 4], Error> {
+    let state = grasp.solve(load)?.equilibrium().and_then(|state| state.too_far.clone());
+    let onset = grasp.onset(load)?;
+    let first = onset.event().and_then(|event| grasp.state_at_onset(event)?.too_far);
+    let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_by(load)])?;
+    path.run();
+    let shaken = grasp.shake(Wrench::ZERO, &Leg::there_and_back(load))?;
+    Ok([state, first, path.end_of_theory().map(|end| end.what), shaken.too_far])
 }
 
 /// The linear model holds any force. The knee turns both links by w/L. The springs resist with 2k w, the compressed links take 2P w/L: they buckle at
@@ -46,6 +65,10 @@ fn compressed_links_in_line_buckle() {
         assert!((lost.factor * part - 1.0).abs() < 1e-5, "{verdict}");
         assert_eq!(verdict.holds(), Some(part < 1.0), "{verdict}");
         assert_eq!(verdict.to_string().starts_with("BUCKLES at "), part > 1.0, "{verdict}");
+        let (grasp, load) = (knee(), push(part * critical));
+        let is_far = (part > 1.0).then_some(TooFar::Buckles);
+        let [state, _, path, shaken] = too_far(&grasp, load).unwrap();
+        assert_eq!([state, path, shaken], [(); 3].map(|()| is_far.clone()), "{part}");
     }
 }
 
@@ -76,6 +99,9 @@ fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
         let grasp = Grasp::new(bar.clone())?;
         let verdict = grasp.hold(load)?;
         settle(verdict.to_string(), verdict.holds(), brief.motion);
+        let is_far = (part > 1.0).then_some(TooFar::Buckles);
+        assert_eq!(too_far(&grasp, load)?, [(); 4].map(|()| is_far.clone()));
+        assert_eq!(too_far(&grasp, Wrench::force([0.0, -1.0]))?[..3], [None, None, None]);
         let warns = grasp.hold(Wrench::force([0.0, -1.0]))?.to_string();
         assert_eq!(
             warns.contains("CAUTION") && warns.contains("so that nothing stays"),

@@ -948,7 +948,7 @@ class Grasp:
         at: ArrayLike | None = None,
         turn: Mapping[str, Any] | None = None,
     ) -> LeastSqueeze:
-        """The least common factor of all commands with which every contact sticks under each of a set of loads.
+        """The least common factor of all commands and vacuums with which every contact sticks under each of a set of loads.
 
         Give exactly one of ``loads``, ``any_force`` and ``turn``.
 

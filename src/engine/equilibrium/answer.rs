@@ -75,7 +75,8 @@ pub struct Equilibrium<const C: usize> {
     pub body_loads: Vec<BodyLoad<C>>,
     /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so such
     /// an answer satisfies all conditions but says little about the object. For example, a wedge with a taper of only 1e-9 rad holds any load in the
-    /// theory, since the object may move any distance. `None` if all motions are small.
+    /// theory, since the object may move any distance. [`TooFar::Buckles`] if the grasp buckles under these forces, which is known if the points of
+    /// action of the load are; [`TooFar::Leaks`] if a suction cup leaks. `None` if all motions are small and the grasp is not known to buckle.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The contacts, in the order of the grasp; each point of a soft fingertip is one contact.
@@ -133,8 +134,8 @@ pub struct Equilibrium<const C: usize> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Whether a body turns, a joint turns, or a contact slips or opens by more than [small motions](crate::Settings::small_motions) allow.
-    /// [`Self::too_far`] then has the motion that is farthest beyond its limit.
+    /// Whether a body turns, a joint turns, or a contact slips or opens by more than [small motions](crate::Settings::small_motions) allow, or the grasp
+    /// buckles. [`Self::too_far`] then has the motion that is farthest beyond its limit, or says that it buckles.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
         self.too_far.is_some()

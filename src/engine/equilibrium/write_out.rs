@@ -45,8 +45,12 @@ impl Engine {
             stored_energy += stored.sum::<f64>();
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
-        let leaks = self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });
-        let too_far = leaks.or_else(|| self.farthest_beyond(&small, &MotionData::found(problem, &found)));
+        let leaks = || self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });
+        let too_far = if self.buckles_in(&contacts, load) {
+            Some(TooFar::Buckles)
+        } else {
+            leaks().or_else(|| self.farthest_beyond(&small, &MotionData::found(problem, &found)))
+        };
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),

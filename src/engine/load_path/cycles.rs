@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix, SVector};
 
+use super::end_of_theory::end_of_theory;
 use super::event::PathEnd;
 use super::following::{AnyPath, Following};
 use super::leg::Leg;
@@ -24,6 +25,8 @@ pub(crate) struct Cycles<'g> {
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
+    /// What was too far in the first cycle, or that the grasp buckled. Whether it does is not asked in later cycles, which have the same loads.
+    too_far: Option<TooFar>,
 }
 
 /// The state of a grasp between two cycles. Each list has an entry for each contact and drive.
@@ -104,7 +107,7 @@ impl<'g> Cycles<'g> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
         // A cycle is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
-        Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0 })
+        Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
 
     /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp. This is so if a
@@ -132,7 +135,7 @@ impl<'g> Cycles<'g> {
             PiecewiseFollower::at_start(run, &slipped)
         });
         let path = begin.ok()?;
-        let begun = Self { path, legs: self.legs.clone(), base: self.base, completed: 0 };
+        let begun = Self { path, legs: self.legs.clone(), base: self.base, completed: 0, too_far: None };
         let forces = &begun.path.follower.as_ref()?.node.at.forces;
         let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= NEGLIGIBLE * largest);
         is_there.then_some(begun)
@@ -148,9 +151,10 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The rotation, slip or opening on the path so far that first exceeded its limit of small motions; `None` if no motion has exceeded its limit.
+    /// The rotation, slip or opening on the path so far that first exceeded its limit of small motions, or that the grasp buckles; `None` if neither
+    /// happens.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
-        self.path.end_of_small_motions().map(|end| end.what.clone())
+        self.too_far.clone().or_else(|| Some(self.path.end_of_small_motions()?.what.clone()))
     }
 
     /// The index of the present leg within the present cycle, from 0, and the fraction of this leg that is done, from 0 to 1. The path counts legs
@@ -176,6 +180,9 @@ impl<'g> Cycles<'g> {
         // cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
+        if self.completed == 1 {
+            self.too_far = end_of_theory(&self.path, self.path.end_of_small_motions()).map(|end| end.what);
+        }
         self.end().is_none().then_some(())?;
         let first = (self.completed - 1) * self.legs.len();
         let follower = self.path.follower.as_mut()?;

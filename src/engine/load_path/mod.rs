@@ -69,6 +69,7 @@ mod cycles;
 mod display;
 mod drive_change;
 mod end_of_path;
+mod end_of_theory;
 mod energy;
 mod event;
 mod face;

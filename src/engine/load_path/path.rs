@@ -24,7 +24,7 @@ use crate::search::Settings;
 /// `T` is the type of the items: events of a [`LoadPath`], or steps of a [`SteppedPath`]. A [`LoadPath`] takes acceptable time for some hundreds of
 /// contacts, a [`SteppedPath`] for 10⁵. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
-pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
+pub struct Path<'g, const C: usize, T>(pub(super) Box<dyn AnyPath<C, T> + 'g>);
 
 /// A load program being followed: an iterator over its [`Event`]s that keeps the pieces already passed. Made by
 /// [`Grasp::follow`](crate::ask::Grasp::follow); when the iterator has ended, [`end`](Self::end) says how the path ended.
@@ -244,7 +244,7 @@ impl<const C: usize> LoadPath<'_, C> {
     }
 
     /// The first place, on the part of the path followed so far, at which a rotation, slip or opening exceeds its limit in
-    /// [`Settings::small_motions`]. Beyond it the answers are computed for the undeformed geometry and say little about the object. `None` if all
+    /// [`Settings::small_motions`], or a suction cup [leaks](crate::equilibrium::TooFar::Leaks). Beyond it the answers are computed for the undeformed geometry and say little about the object. `None` if all
     /// motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {

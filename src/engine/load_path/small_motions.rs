@@ -19,8 +19,8 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The place where the motions of a path cease to be [small](crate::Settings::small_motions): beyond it, answers are those for the undeformed
-/// geometry and say little about the object.
+/// The place where the motions of a path cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles: beyond it,
+/// answers are those for the undeformed geometry and kept vacuums, and say little about the object.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -31,7 +31,7 @@ pub struct EndOfSmallMotions {
     /// Fraction of the leg that is done, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// The motion that exceeds its limit beyond this fraction of the leg.
+    /// The motion that exceeds its limit beyond this fraction of the leg, the leak or the buckling.
     pub what: TooFar,
 }
 

@@ -63,7 +63,7 @@ pub struct Brief {
     /// The change of the contact state, or of the drive, in [`Self::first`]; for an equilibrium the state of this contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub state: Option<&'static str>,
-    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the model of small motions. Left out if false.
+    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the model of small motions, or buckles. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
     /// Whether a suction cup is [open all around](Equilibrium::open_cups), which means that the equilibrium does not hold. Left out if false.
@@ -116,7 +116,7 @@ impl Setup<3> {
             Question::Follow { start, legs, in_steps: None } => {
                 let mut path = grasp.follow(start, legs)?;
                 path.by_ref().for_each(drop);
-                let beyond_small_motions = path.end_of_small_motions().is_some();
+                let beyond_small_motions = path.end_of_theory().is_some();
                 Brief { beyond_small_motions, ..labels.path_briefly(path.end()) }
             }
             Question::Shake { base, .. } => shaken_briefly(&grasp.shake(base, &question.legs()?)?),

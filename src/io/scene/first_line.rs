@@ -101,11 +101,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let digits = words.precision();
     let sentence = match &answer.outcome {
         Outcome::Equilibrium(state) => {
-            let caution = state
-                .too_far
-                .as_ref()
-                .map_or(String::new(), |far| format!(". CAUTION: {}", far.caution(words)));
-            format!("EQUILIBRIUM{under}: {}{caution}", in_short(state))
+            format!("EQUILIBRIUM{under}: {}{}", in_short(state), caution(state, words))
         }
         Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM{under}: {none:.digits$}"),
         Outcome::Undecided(undecided) => format!("UNDECIDED{under}: {undecided}"),
@@ -120,6 +116,11 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
         }
         _ => format!("{sentence}; {from_rest}"),
     }
+}
+
+/// The caution for an equilibrium with motions that are not small, or that buckles: ". CAUTION: it turns by more than 5.7°: …"; else empty.
+fn caution<const C: usize>(state: &Equilibrium<C>, words: Words) -> String {
+    state.caution(words).map_or(String::new(), |far| format!(". CAUTION: {far}"))
 }
 
 const EVERYTHING_STICKS: &str = "everything sticks";
@@ -178,13 +179,11 @@ fn first_slip<const C: usize, At>(
         OnsetAnswer::At(event) => {
             let (what, leaves) = leaving(event, words);
             let (at, beyond) = (place(&event.at), &event.beyond);
-            let too_far = event.state.too_far.as_ref();
-            let caution = too_far.map_or(String::new(), |far| format!(". CAUTION: {}", far.caution(words)));
-            format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{caution}")
+            format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{}", caution(&event.state, words))
         }
         OnsetAnswer::Never => format!("NOTHING SLIDES {how_far}"),
         OnsetAnswer::AlreadySliding { state } => {
-            format!("SLIDES already where the load begins: {}", in_short(state))
+            format!("SLIDES already where the load begins: {}{}", in_short(state), caution(state, words))
         }
         OnsetAnswer::NoBase(none) => format!("NO EQUILIBRIUM where the load begins: {none:.digits$}"),
         OnsetAnswer::GivesWay { at, reason } => {

@@ -23,8 +23,8 @@ pub struct PathAnswer<const C: usize> {
     /// The steps, in order, if the path was followed in steps; otherwise empty.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<Step<C>>,
-    /// The point of the path where motions cease to be small, if they do. Beyond this point the answer, which assumes the undeformed geometry of the
-    /// grasp, is inaccurate.
+    /// The point of the path where motions cease to be small or the grasp buckles, if they do. Beyond this point the answer, which assumes the
+    /// undeformed geometry of the grasp, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
     /// The energies of each leg (section) of the load program that the path has reached; empty for a path in steps.
@@ -100,7 +100,7 @@ impl SceneNames<'_> {
             end: self.end(path.end(), path.state(), path.beyond()),
             events: moved(events, &|event| self.event(event)),
             steps: Vec::new(),
-            small_motions_end: path.end_of_small_motions().cloned(),
+            small_motions_end: path.end_of_theory(),
             energies: mapped(path.energies(), &balanced),
             step_error: path.step_error(),
         }

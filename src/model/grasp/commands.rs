@@ -146,4 +146,12 @@ impl<const C: usize> Contact<C> {
         (self.command, self.command_axes, self.press) = (self.commanded(), CommandAxes::Frame, None);
         self
     }
+
+    /// Multiplies the squeeze of this contact by `factor`: its command, constant force, vacuum, and given tension without load.
+    pub(crate) fn squeeze(&mut self, factor: f64) {
+        self.command *= factor;
+        self.force = self.force.map(|force| force * factor);
+        self.suction *= factor;
+        self.at_rest = self.at_rest.map(|tension| tension * factor);
+    }
 }

@@ -76,15 +76,10 @@ impl Engine {
             return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
         }
         let mut grasp = self.clone();
-        for contact in &mut grasp.contacts {
-            contact.command *= factor;
-            contact.force = contact.force.map(|force| force * factor);
-            contact.suction *= factor;
-            contact.at_rest = contact.at_rest.map(|tension| tension * factor);
-        }
+        grasp.contacts.iter_mut().for_each(|contact| contact.squeeze(factor));
         grasp.vacuum = Vacuum::of(grasp.space, &grasp.contacts, &grasp.sites);
         if let Some(linkage) = &mut grasp.linkage {
-            linkage.squeeze(factor);
+            linkage.squeeze(&|_| factor);
         }
         Ok(grasp)
     }

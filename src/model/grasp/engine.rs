@@ -66,17 +66,18 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// A copy of this grasp with other contact data at the same contact points. The springs of the joint or tendon with index i are scaled by
-    /// `stiffer(i)`.
+    /// A copy of this grasp with other contact data at the same contact points. The stiffness and the squeeze of the joint or tendon with index k are
+    /// multiplied by `times(k)`.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<3>>,
-        stiffer: &dyn Fn(usize) -> f64,
+        times: &dyn Fn(usize) -> [f64; 2],
     ) -> Result<Self, Error> {
         match &self.linkage {
             None => Self::of(self.space, self.size, contacts, &|_| true),
             Some(linkage) => {
-                let mut linkage = linkage.stiffened(stiffer);
+                let mut linkage = linkage.stiffened(&|k| times(k)[0]);
+                linkage.squeeze(&|k| times(k)[1]);
                 linkage.replace_pressing_forces(self.space, &self.contacts, &contacts);
                 Self::by_hand(self.size, contacts, linkage)
             }
@@ -181,7 +182,7 @@ impl Engine {
         for (i, contact) in contacts.iter_mut().enumerate() {
             contact.set_friction(friction(i, contact.friction));
         }
-        self.with_data(contacts, &|_| 1.0)
+        self.with_data(contacts, &|_| [1.0; 2])
     }
 
     /// A copy of this grasp with kinetic friction in place of static friction.
@@ -190,7 +191,7 @@ impl Engine {
         for contact in &mut contacts {
             contact.friction = contact.kinetic.take().unwrap_or(contact.friction);
         }
-        self.with_data(contacts, &|_| 1.0)
+        self.with_data(contacts, &|_| [1.0; 2])
     }
 
     /// Implements [`Grasp::label_of`](crate::ask::Grasp::label_of).

@@ -29,22 +29,27 @@ impl Engine {
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether a joint or a tendon has a nonzero command or constant torque. Slides, the joints that are added for contacts with a constant force, do
-    /// not count.
-    pub(crate) fn is_driven(&self) -> bool {
-        let is_pushed =
-            |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
-        let slides = self.wholes().iter().filter(is_pushed).count();
+    /// Whether the joint or tendon with this index, tendons after joints, has a nonzero command or constant torque. Slides, the joints that are added
+    /// for contacts with a constant force, do not count.
+    pub(crate) fn is_driven(&self, part: usize) -> bool {
         self.linkage().is_some_and(|linkage| {
-            let parts = linkage.joints.iter().chain(&linkage.tendons);
-            let held = parts.filter(|part| part.held_torque != 0.0).count();
-            held > slides || linkage.commands.iter().any(|command| *command != 0.0)
+            let mut slides = self.contacts.iter().zip(&linkage.motions).filter(|(contact, motions)| {
+                contact.force.is_some() && motions.first().is_some_and(|(slide, _)| *slide == part)
+            });
+            let named = linkage.joints.iter().chain(&linkage.tendons).nth(part);
+            let is_held = named.is_some_and(|named| named.held_torque != 0.0);
+            linkage.commands[part] != 0.0 || is_held && slides.next().is_none()
         })
+    }
+
+    /// Whether some joint or tendon [is driven](Self::is_driven).
+    pub(crate) fn is_hand_driven(&self) -> bool {
+        (0..self.joint_commands().len()).any(|part| self.is_driven(part))
     }
 
     /// Whether the grasp has a squeeze: a nonzero command, constant force or torque, or vacuum.
     pub(crate) fn is_squeezed(&self) -> bool {
-        self.is_driven() || (0..self.len()).any(|point| self.is_commanded(point))
+        self.is_hand_driven() || (0..self.len()).any(|point| self.is_commanded(point))
     }
 
     /// Whether contacts overlap by more than rounding: clearances below zero, as in a press fit.
@@ -58,7 +63,7 @@ impl Engine {
         for contact in contacts.iter_mut().filter(|contact| contact.clearance < 0.0) {
             contact.clearance *= factor;
         }
-        self.with_data(contacts, &|_| 1.0)
+        self.with_data(contacts, &|_| [1.0; 2])
     }
 
     /// Whether all forces except the caller's loads scale with the squeeze, i.e. with all commands, constant forces and vacuums. If so, twice the
@@ -115,15 +120,12 @@ impl Engine {
                 is_command &= !is_given && contact.suction == 0.0;
                 presses |= contact.command.amax() > 0.0 || force != 0.0;
                 size = size.filter(|_| contact.clearance == 0.0).map(|sum| sum + force);
-                contact.command *= factor;
-                contact.force = contact.force.map(|force| force * factor);
-                contact.at_rest = contact.at_rest.map(|tension| tension * factor);
-                contact.suction *= factor;
+                contact.squeeze(factor);
             }
             if presses {
                 return Ok((
                     of(false, is_command, size.map(|size: f64| (size.abs(), "N"))),
-                    self.with_data(contacts, &|_| 1.0)?,
+                    self.with_data(contacts, &|_| [1.0; 2])?,
                 ));
             }
         }

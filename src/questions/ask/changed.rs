@@ -164,7 +164,7 @@ impl<const C: usize> Grasp<C> {
 
     /// This grasp with other contacts, as many as before, and the same joints. The commands of links are not adjusted to their tensions.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
-        self.changed(self.engine.with_data(contacts.into_inside(), &|_| 1.0))
+        self.changed(self.engine.with_data(contacts.into_inside(), &|_| [1.0; 2]))
     }
 
     /// The force that the part with this name (a body, contact, cable or joint) exerts, and this grasp with that force multiplied by `factor`. The
@@ -182,6 +182,13 @@ impl<const C: usize> Grasp<C> {
     /// [`Self::squeezed`] without the last step, which adjusts the commands of links to their given tensions.
     pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.squeezed(factor))
+    }
+
+    /// This grasp with new commands of its links, so that each link with a given tension has that tension without load. Called after a change of the
+    /// grasp; without such links nothing changes.
+    pub(crate) fn installed_again(self) -> Result<Self, Error> {
+        let settings = self.settings;
+        Ok(Self::of(Arc::unwrap_or_clone(self.engine).installed()?).with(&settings))
     }
 
     /// This grasp with its squeeze (all that presses without load) multiplied by `factor`: commands of contacts, joints and tendons, constant torques

@@ -101,6 +101,12 @@ impl<const C: usize> Grasp<C> {
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
+    /// The grasp of an engine. Links with a given tension get commands such that each has this tension without load; an error if the grasp cannot
+    /// hold it.
+    fn installed_by(engine: Engine) -> Result<Self, Error> {
+        Ok(Self::of(engine.installed()?))
+    }
+
     pub(super) fn of(engine: Engine) -> Self {
         Self { engine: Arc::new(engine), settings: Settings::default(), door: Once::new() }
     }
@@ -256,7 +262,7 @@ impl<const C: usize> Grasp<C> {
 
     /// Whether this contact presses by its own command, constant force or vacuum, in a grasp in which no joint or tendon presses.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
-        self.engine.is_commanded(point) && !self.engine.is_driven()
+        self.engine.is_commanded(point) && !self.engine.is_hand_driven()
     }
 
     /// Whether [`Self::squeezed`] multiplies every force that acts before any load is applied.

@@ -4,7 +4,6 @@
 
 // Declared first, because rustdoc lists the methods of `Grasp` in the order of these modules.
 mod grasp;
-mod installed;
 
 mod changed;
 mod closer_look;

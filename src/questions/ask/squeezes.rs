@@ -1,4 +1,4 @@
-//! The least factor of the commands with which all contacts stick, and the direction in which the least force makes a contact stop sticking.
+//! The least factor of the squeeze with which all contacts stick, and the direction in which the least force makes a contact stop sticking.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -6,8 +6,8 @@ use crate::grasp::{Face, Wrench, inside, outside};
 use crate::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// The least factor on all finger commands with which every contact touches and sticks under each of a set of loads. In space friction cones are
-    /// round.
+    /// The least factor on all finger commands and vacuums with which every contact touches and sticks under each of a set of loads. In space
+    /// friction cones are round.
     ///
     /// The margin of every sticking condition is linear in the factor or concave, so the factors with which all conditions hold form an interval. The
     /// search begins at a lower bound of these factors. A condition broken at this bound gives a larger bound, until no condition is broken.

@@ -136,7 +136,7 @@ impl Engine {
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (largest_factor - 1.0) }
         };
-        let too_far = self.end_of_theory(&path, &|place| ramp.load_at(reached(place)));
+        let too_far = self.end_of_theory(&path, ramp);
         let end = too_far.as_ref().map_or(path.place(), |far| (far.leg, far.fraction));
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);

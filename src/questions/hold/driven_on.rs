@@ -2,15 +2,14 @@
 //! although every contact sticks; a part that is pinched above its centre of mass hangs.
 //!
 //! Along a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability: see
-//! `left_out`. Where it is stable, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. For a weight W that hangs
-//! at the distance l below a hinge, and a force F to the side of it, this is the angle `F l / (W l)`.
+//! `equilibrium/left_out`. Where it is stable, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. For a weight W
+//! that hangs at the distance l below a hinge, and a force F to the side of it, this is the angle `F l / (W l)`.
 
 use nalgebra::{DMatrix, SVector};
 
-use super::left_out::forces_in;
 use super::verdict::Verdict;
 use crate::contact::State;
-use crate::equilibrium::{Equilibrium, StickingResponse};
+use crate::equilibrium::{Equilibrium, StickingResponse, forces_in};
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Ramp;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -26,7 +25,7 @@ impl Engine {
     /// contact. In the last case the potential of the joint or contact would have to be included.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
         let free = mapped(&there.local.free_motions, &|motion| motion.to());
-        let (least, motion) = self.free_stiffness(&free, &forces_in(there), load)?.pop()?;
+        let (least, motion) = self.free_stiffness(&free, &forces_in(&there.contacts), load)?.pop()?;
         (least < 0.0).then(|| self.motion_outside(&motion))
     }
 

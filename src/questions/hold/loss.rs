@@ -4,7 +4,7 @@
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
 use crate::grasp::{Engine, WholeContact};
-use crate::load_path::{Loss, LossKind};
+use crate::load_path::{EndOfSmallMotions, LoadPath, Loss, LossKind, PathEnd, Ramp};
 
 use super::verdict::Lost;
 use super::way_out::{WayOut, comes_apart, way_out};
@@ -12,6 +12,13 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
+    /// The place from which on the theory of small motions no longer applies, if it comes before a loss of equilibrium. Whether the grasp buckles is
+    /// asked only if it [may](Self::may_buckle) under the whole load.
+    pub(super) fn end_of_theory(&self, path: &LoadPath<'_, 3>, ramp: &Ramp<3>) -> Option<EndOfSmallMotions> {
+        let far = end_before_loss(path);
+        if self.may_buckle(&ramp.load_at(1.0)) { path.end_of_theory_before(far) } else { far.cloned() }
+    }
+
     /// The [`Lost`] of a verdict, for a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The fields about
     /// proofs and kinetic friction stay empty.
     pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
@@ -102,4 +109,13 @@ impl<const C: usize> Lost<C> {
             nothing_near: None,
         }
     }
+}
+
+/// The end of small motions, if it comes before the loss of equilibrium by more than rounding, or if there is no loss; else `None`.
+fn end_before_loss<'p>(path: &'p LoadPath<'_, 3>) -> Option<&'p EndOfSmallMotions> {
+    let loss = path.end().and_then(PathEnd::loss);
+    let before = |far: &&EndOfSmallMotions| {
+        loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - NEGLIGIBLE)))
+    };
+    path.end_of_small_motions().filter(before)
 }

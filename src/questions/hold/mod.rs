@@ -29,10 +29,8 @@
 mod applied_load;
 mod caught_jump;
 mod driven_on;
-mod end_of_theory;
 mod face;
 mod in_slips;
-mod left_out;
 mod loss;
 mod short_verdict;
 mod verdict;

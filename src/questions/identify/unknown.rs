@@ -79,7 +79,8 @@ impl Unknown {
         Self::of(UnknownKind::Carried)
     }
 
-    /// The factor on the given squeeze: on normal commands, forces and vacuums of its contacts; for all contacts, on commands of joints, too.
+    /// The factor on the given squeeze: on commands, forces and vacuums of its contacts and links; for all contacts, on commands, constant torques
+    /// and tensions of joints and tendons, too.
     pub fn squeeze() -> Self {
         Self::of(UnknownKind::Squeeze)
     }
@@ -198,11 +199,7 @@ impl Unknown {
                     *base = *base + carried_by(contact, value);
                 }
                 UnknownKind::Squeeze if self.contacts.is_none() => {}
-                UnknownKind::Squeeze => {
-                    contact.command[0] *= value;
-                    contact.force = contact.force.map(|force| force * value);
-                    contact.suction *= value;
-                }
+                UnknownKind::Squeeze => contact.squeeze(value),
                 UnknownKind::Stiffness => contact.stiffness = contact.stiffness.scaled_tangentially(value),
             }
         }

@@ -1,4 +1,4 @@
-//! The least factor of the commands with which all contacts touch and stick under every one of a set of loads.
+//! The least factor of commands and vacuums with which all contacts touch and stick under every one of a set of loads.
 
 use super::loads::Loads;
 use super::parts::{Condition, ForceParts};
@@ -7,12 +7,12 @@ use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::search::Settings;
 
-/// The answer to "by which factor must the commands be multiplied so that all contacts stick under these loads?"
+/// The answer to "by which factor must commands and vacuums be multiplied so that all contacts stick under these loads?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastSqueeze<const C: usize> {
-    /// With the commands of the grasp times this factor all contacts touch and stick under every load; with a smaller factor some contact does not
-    /// stick under some load.
+    /// With the commands and vacuums of the grasp times this factor all contacts touch and stick under every load; with a smaller factor some contact
+    /// does not stick under some load.
     #[non_exhaustive]
     Factor {
         /// The least factor, at least zero, exact up to rounding.

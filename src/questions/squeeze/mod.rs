@@ -19,7 +19,7 @@
 //! |---|---|
 //! | `loads` | the loads that a grasp must hold |
 //! | `parts` | the condition `a·F >= 0` that is broken most under these loads at a given squeeze factor |
-//! | `least_squeeze` | the least factor of the commands with which all contacts stick |
+//! | `least_squeeze` | the least factor of commands and vacuums with which all contacts stick |
 //! | `weakest_direction` | the least force, over all directions, at which a contact stops sticking |
 //! | `farthest_direction` | the least force, over all directions, that moves the object beyond small motions while all contacts stick |
 

@@ -1,4 +1,4 @@
-//! Finds the sticking condition that is broken most under a set of loads, if all commands are multiplied by a factor.
+//! Finds the sticking condition that is broken most under a set of loads, if all commands and vacuums are multiplied by a factor.
 
 use nalgebra::SVector;
 
@@ -20,14 +20,14 @@ pub(super) struct Condition {
     pub(super) load: Wrench<3>,
 }
 
-/// The contact forces while all contacts stick, as a sum of two parts. One, `squeeze`, is due to the commands at factor 1. The other, `base`, is due
-/// to the loads and clearances, without commands.
+/// The contact forces while all contacts stick, as a sum of two parts. One, `squeeze`, is due to the commands and vacuums at factor 1. The other,
+/// `base`, is due to the loads and clearances, without commands and vacuums.
 pub(super) struct ForceParts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Contact forces without commands, due to the loads and clearances. For a list of loads there is an entry for each load. For a turning load
-    /// there are three entries, for its constant, cosine and sine terms. For a force of any direction there is one entry, for the base load.
+    /// Contact forces without commands and vacuums, due to the loads and clearances. For a list of loads there is an entry for each load. For a turning
+    /// load there are three entries, for its constant, cosine and sine terms. For a force of any direction there is one entry, for the base load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }
@@ -36,11 +36,12 @@ impl<'l> ForceParts<'l> {
     pub(super) fn of(sticking: StickingResponse<'_>, loads: &'l Loads<3>) -> Result<Self, Motion<3>> {
         let grasp = sticking.grasp;
         let commands: Vec<_> = mapped(grasp.contacts(), &|contact| SVector::from(contact.commanded()));
-        let squeeze = sticking.forces(&grasp.offset_changes(Some(&commands), None), &Vector::zeros())?;
+        let vacuum = grasp.vacuum().map_or_else(Vector::zeros, |vacuum| vacuum.inside.clone());
+        let squeeze = sticking.forces(&grasp.offset_changes(Some(&commands), None), &vacuum)?;
         let mut without = grasp.offsets();
         without.iter_mut().zip(&commands).for_each(|(offset, command)| *offset -= command);
         let at_rest = sticking.at_rest();
-        let under = |load: &Wrench<3>| sticking.forces(&without, &grasp.load_unchecked(load));
+        let under = |load: &Wrench<3>| sticking.forces(&without, &(grasp.load_unchecked(load) - &vacuum));
         let mut influences = Vec::new();
         let base = match loads {
             Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
@@ -51,7 +52,7 @@ impl<'l> ForceParts<'l> {
             Loads::Turn(turn) => {
                 let inside = turn.inside(grasp);
                 vec![
-                    sticking.forces(&without, &inside.constant)?,
+                    sticking.forces(&without, &(inside.constant - &vacuum))?,
                     sticking.forces(&at_rest, &inside.cosine)?,
                     sticking.forces(&at_rest, &inside.sine)?,
                 ]
@@ -60,8 +61,8 @@ impl<'l> ForceParts<'l> {
         Ok(Self { loads, edges: sticking.edges, squeeze, base, influences })
     }
 
-    /// Among the sticking conditions that are broken if the commands are multiplied by `factor`, the condition that needs the largest factor, with
-    /// its contact. `None` if no condition is broken.
+    /// Among the sticking conditions that are broken if commands and vacuums are multiplied by `factor`, the condition that needs the largest factor,
+    /// with its contact. `None` if no condition is broken.
     pub(super) fn broken(&self, factor: f64) -> Option<(usize, Condition)> {
         let mut most: Option<(f64, usize, Condition)> = None;
         for contact in 0..self.edges.len() {
@@ -85,8 +86,8 @@ impl<'l> ForceParts<'l> {
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact with the least margins `row·F` if the commands are multiplied by `factor`. For a list of loads there is
-    /// one condition under each load. For a force of any direction there is one for each facet of a polygonal cone and at most one for a round cone,
+    /// The sticking conditions of a contact with the least margins `row·F` if commands and vacuums are multiplied by `factor`. For a list of loads there
+    /// is one condition under each load. For a force of any direction there is one for each facet of a polygonal cone and at most one for a round cone,
     /// each under the force that is worst for it. For a turning load there is one condition at each angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];

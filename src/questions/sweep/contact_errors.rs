@@ -33,9 +33,7 @@ impl ContactErrors {
         let [friction, stiffness, squeeze] = [self.friction, self.stiffness, self.squeeze].each(factor);
         let mut off = contact.clone();
         off.set_friction(off.friction * friction);
-        off.command[0] *= squeeze;
-        off.force = contact.force.map(|force| force * squeeze);
-        off.suction *= squeeze;
+        off.squeeze(squeeze);
         off.stiffness = contact.stiffness.scaled(stiffness);
         off.point += self.moved;
         off.tilted(&self.tilt)

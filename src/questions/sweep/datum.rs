@@ -4,7 +4,7 @@ use super::contact_errors::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Engine};
-use crate::numerics::unit;
+use crate::numerics::{Each, unit};
 use crate::prelude::*;
 
 /// One uncertain datum of a grasp, with its error of one standard deviation σ.
@@ -12,8 +12,8 @@ use crate::prelude::*;
 pub(super) enum UncertainDatum {
     /// A datum that all points of the contact with this index share, with the errors that one σ makes.
     OfContact(usize, ContactErrors),
-    /// The stiffness of the joint with this index, with the σ of its logarithm.
-    OfJoint(usize, f64),
+    /// Stiffness and squeeze of the joint or tendon with this index, with the errors of their logarithms that one σ makes.
+    OfPart(usize, [f64; 2]),
 }
 
 /// Returns the grasp in which each of the uncertain `data` is in error by its entry of `z`, in standard deviations. An error if a datum leaves its
@@ -31,13 +31,16 @@ pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Re
             *point = errors.applied_to(point);
         }
     }
-    of.with_data(contacts, &|joint| {
-        let of_joint = |(datum, z): (&UncertainDatum, &f64)| match datum {
-            UncertainDatum::OfJoint(of, sigma) if *of == joint => sigma * z,
-            _ => 0.0,
-        };
-        factor(data.iter().zip(z).map(of_joint).sum())
-    })
+    of.with_data(contacts, &|part| {
+        [0, 1].each(|k| {
+            let of_part = |(datum, z): (&UncertainDatum, &f64)| match datum {
+                UncertainDatum::OfPart(of, errors) if *of == part => errors[k] * z,
+                _ => 0.0,
+            };
+            factor(data.iter().zip(z).map(of_part).sum())
+        })
+    })?
+    .installed()
 }
 
 impl Engine {
@@ -49,13 +52,11 @@ impl Engine {
         let axes = self.space().axes();
         let mut data = Vec::new();
         for ContactPoints { label, range } in self.wholes().iter() {
-            let given = &self.contacts()[range.start];
             let mut add = |errors| data.push(UncertainDatum::OfContact(label.index, errors));
             if stiffness != 0.0 {
                 add(ContactErrors { stiffness, ..none });
             }
-            let presses = given.commanded()[0] != 0.0 || given.force.is_some() || given.suction != 0.0;
-            if squeeze != 0.0 && presses {
+            if squeeze != 0.0 && range.clone().any(|point| self.is_commanded(point)) {
                 add(ContactErrors { squeeze, ..none });
             }
             for axis in (0..axes).filter(|_| position != 0.0) {
@@ -65,9 +66,14 @@ impl Engine {
                 add(ContactErrors { tilt: unit(axis) * normal, ..none });
             }
         }
-        let driven = |joint: &usize| stiffness != 0.0 && self.drives_of(*joint).next().is_some();
-        let joints = (0..self.joint_commands().len()).filter(driven);
-        data.extend(joints.map(|joint| UncertainDatum::OfJoint(joint, stiffness)));
+        for part in 0..self.joint_commands().len() {
+            if stiffness != 0.0 && self.drives_of(part).next().is_some() {
+                data.push(UncertainDatum::OfPart(part, [stiffness, 0.0]));
+            }
+            if squeeze != 0.0 && self.is_driven(part) {
+                data.push(UncertainDatum::OfPart(part, [0.0, squeeze]));
+            }
+        }
         data
     }
 }

@@ -9,10 +9,10 @@ use crate::load_path::{Onset, Ramp};
 use crate::numerics::{Draw, Each, IntoList, by_axis};
 use crate::prelude::*;
 
-/// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each contact is multiplied by a factor of its own,
-/// `exp(σ z)` with z normally distributed (mean 0, variance 1). The median of the product is the given value. The value keeps its sign, and zero and
-/// infinity are unchanged. A small σ is a relative standard deviation; with σ = 0 the value is exact. All points of a soft fingertip have the same
-/// errors.
+/// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each contact, link, joint and tendon is multiplied by
+/// a factor of its own, `exp(σ z)` with z normally distributed (mean 0, variance 1). The median of the product is the given value. The value keeps
+/// its sign, and zero and infinity are unchanged. A small σ is a relative standard deviation; with σ = 0 the value is exact. All points of a soft
+/// fingertip have the same errors.
 ///
 /// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each
 /// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
@@ -51,7 +51,8 @@ pub struct Uncertainty {
     /// Standard deviation σ of the logarithm of the stiffness. One random factor multiplies all stiffnesses of a contact: all axes, of object and
     /// finger.
     pub stiffness: f64,
-    /// Standard deviation σ of the logarithm of the normal command, of a force that holds a contact, and of suction.
+    /// Standard deviation σ of the logarithm of the squeeze: of commands, constant forces and vacuums of contacts, of the tensions of links without
+    /// load, and of commands and constant torques or tensions of joints and tendons. Overlaps (negative clearances) and loads of bodies are exact.
     pub squeeze: f64,
     /// Standard deviation σ of the contact points along each coordinate axis, m. It must be zero for a grasp with joints or of several bodies.
     pub position: f64,
@@ -81,8 +82,7 @@ impl Uncertainty {
         self
     }
 
-    /// This uncertainty with another standard deviation σ of the logarithm of the squeeze: of normal commands, of forces that hold contacts, and of
-    /// suction.
+    /// This uncertainty with another standard deviation σ of the logarithm of the [squeeze](Self::squeeze) of each contact, link, joint and tendon.
     pub const fn with_squeeze(mut self, sigma: f64) -> Self {
         self.squeeze = sigma;
         self
@@ -146,7 +146,11 @@ impl Engine {
                 *point = off.applied_to(point);
             }
         }
-        self.with_data(contacts, &|drive| factor(drawn(self.len() + drive).stiffness))
+        self.with_data(contacts, &|part| {
+            let ContactErrors { stiffness, squeeze, .. } = drawn(self.len() + part);
+            [stiffness, if self.is_driven(part) { squeeze } else { 0.0 }].each(factor)
+        })?
+        .installed()
     }
 
     /// Implements [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).

@@ -96,8 +96,14 @@ pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Re
     }
 }
 
-/// Two lines of text: the point of the force, and the constant load.
-pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<String> {
+/// The caution if the grasp buckles, or motions are not small, under the base load already.
+pub(crate) fn caution<const C: usize>(grasp: &Grasp<C>, base: &Wrench<C>) -> Option<String> {
+    let says = grasp.solve(base).ok()?.equilibrium()?.caution(Words::default())?;
+    Some(format!("CAUTION, at rest already {says}"))
+}
+
+/// Lines of text: the point of the force, the constant load, and the caution.
+pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>, caution: Option<String>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
     let load = base.components();
     let mut lines = vec![format!("Force at ({point}) m")];
@@ -106,6 +112,7 @@ pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<Strin
     } else {
         lines.push("no other load".to_owned());
     }
+    lines.extend(caution);
     lines
 }
 

@@ -16,7 +16,7 @@ pub(crate) struct DataDeviations {
     /// One standard deviation of stiffness, percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
     stiffness_off: f64,
-    /// One standard deviation of the clamping force, percent.
+    /// One standard deviation of what presses (clamping forces, commands, tensions, vacuums), percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 5.0, value_name = "PERCENT")]
     squeeze_off: f64,
     /// Standard deviations in reserve: with 3 one grasp in 740 slides below the force, with 2 one in 44. Every friction and squeeze is multiplied by

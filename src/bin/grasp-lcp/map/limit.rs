@@ -1,6 +1,7 @@
 //! The end of the load path in one direction of a map.
 
 use grasp_lcp::Error;
+use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
 use grasp_lcp::words::Words;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
@@ -20,6 +21,8 @@ pub(crate) enum LimitEnd {
     GivesWay,
     /// The motions of the path cease to be small.
     TooFar,
+    /// The grasp buckles.
+    Buckles,
     /// An equilibrium exists along the whole path, up to the largest force to which paths are followed.
     Held,
     /// Rounding errors stopped the path, or the path has no start.
@@ -27,13 +30,14 @@ pub(crate) enum LimitEnd {
 }
 
 impl LimitEnd {
-    pub(crate) const ALL: [Self; 8] = [
+    pub(crate) const ALL: [Self; 9] = [
         Self::Limit,
         Self::Snap,
         Self::Ends,
         Self::LetsGo,
         Self::GivesWay,
         Self::TooFar,
+        Self::Buckles,
         Self::Held,
         Self::Unknown,
     ];
@@ -46,6 +50,7 @@ impl LimitEnd {
             Self::LetsGo => "a contact lets go",
             Self::GivesWay => "nothing resists",
             Self::TooFar => "motions are no longer small",
+            Self::Buckles => "buckles",
             Self::Held => "held",
             Self::Unknown => "not known",
         }
@@ -77,15 +82,18 @@ pub(crate) fn last<const C: usize>(
     let grasp = grasp.with(&grasp.settings().with_step_error(STEP_ERROR));
     let mut path = grasp.follow(base, &[Leg::load_by(direction * most)])?;
     path.run_while_small();
-    let too_far = path.end_of_small_motions().map(|far| far.fraction);
-    let (end, fraction) = match path.end() {
-        end if too_far.is_some_and(|far| end.and_then(PathEnd::fraction).is_none_or(|end| far < end)) => {
-            (LimitEnd::TooFar, too_far.unwrap_or(f64::NAN))
+    let too_far = path.end_of_theory();
+    let (end, fraction) = match (path.end(), &too_far) {
+        (end, Some(far)) if end.and_then(PathEnd::fraction).is_none_or(|end| far.fraction < end) => {
+            let buckles = far.what == TooFar::Buckles;
+            (if buckles { LimitEnd::Buckles } else { LimitEnd::TooFar }, far.fraction)
         }
-        Some(PathEnd::Completed) => (LimitEnd::Held, f64::INFINITY),
-        Some(PathEnd::Lost(loss)) if loss.kind == LossKind::GivesWay => (LimitEnd::GivesWay, loss.fraction),
-        Some(PathEnd::Lost(loss)) if loss.kind == LossKind::LetsGo => (LimitEnd::LetsGo, loss.fraction),
-        Some(PathEnd::Lost(loss)) => {
+        (Some(PathEnd::Completed), _) => (LimitEnd::Held, f64::INFINITY),
+        (Some(PathEnd::Lost(loss)), _) if loss.kind == LossKind::GivesWay => {
+            (LimitEnd::GivesWay, loss.fraction)
+        }
+        (Some(PathEnd::Lost(loss)), _) if loss.kind == LossKind::LetsGo => (LimitEnd::LetsGo, loss.fraction),
+        (Some(PathEnd::Lost(loss)), _) => {
             let end = match path.beyond() {
                 Some(Beyond::LimitLoad) => LimitEnd::Limit,
                 Some(Beyond::Snap) => LimitEnd::Snap,

@@ -60,18 +60,19 @@ pub(crate) fn map(
         .sweep("load paths", &angles, MOST_SWEEP_TIME, |angle| limit::last(&grasp, base, pull(*angle), most))?
         .ok_or_else(ask::too_long)?;
     let weakest = ask::weakest(&quick, &base, at)?;
+    let caution = ask::caution(&grasp, &base);
     let Some(pictures) = pictures else {
         let along = |angle: &f64| [pull(*angle).components()[0], pull(*angle).components()[1]];
         let onsets = angles.iter().map(along).zip(&firsts).collect();
         let paths = angles.iter().map(along).zip(&lasts).collect();
         let reserves = reserves.iter().map(|(angle, held)| (along(angle), *held)).collect();
-        WrittenMap { at, base, data_deviations, onsets, reserves, paths, most, weakest }.print();
+        WrittenMap { at, base, data_deviations, onsets, reserves, paths, most, weakest, caution }.print();
         return Ok(());
     };
     let title = pictures.title();
     let weakest = weakest.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
 
-    let words = ask::words(at, &base);
+    let words = ask::words(at, &base, caution);
     println!("{title}: {}", words.join(", "));
     print_table(&angles, &firsts, &reserves, &lasts, most);
     println!("  {}", data_deviations.words().join(" "));
@@ -148,6 +149,7 @@ impl Drawing<'_> {
             (LimitEnd::Ends, "… where others may\nexist beyond"),
             (LimitEnd::GivesWay, "… where nothing resists"),
             (LimitEnd::TooFar, "… where motions are\nno longer small"),
+            (LimitEnd::Buckles, "… where it buckles"),
         ] {
             let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
             let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.force)).step_by(8).collect();

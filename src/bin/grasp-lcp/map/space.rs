@@ -63,6 +63,7 @@ pub(crate) fn map(
         .ok_or_else(ask::too_long)?;
     let lasts = load_paths(&grasp, watch, base, &pull, (&ways, most))?;
 
+    let caution = ask::caution(&grasp, &base);
     let Some(pictures) = pictures else {
         let onsets = directions.iter().copied().zip(&firsts).collect();
         let paths = ways.iter().copied().zip(lasts.iter().flatten()).collect();
@@ -76,12 +77,13 @@ pub(crate) fn map(
             paths,
             most,
             weakest: Some((weakest, onset)),
+            caution,
         }
         .print();
         return Ok(());
     };
     let title = pictures.title();
-    let words = ask::words(at, &base).join(", ");
+    let words = ask::words(at, &base, caution).join(", ");
     println!("{title}: {words}");
     print_table((&grasp, watch), (&first, &reserve), &pull, (base, most), weakest)?;
     println!("  {}", data_deviations.words().join(" "));

@@ -19,6 +19,7 @@ pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) paths: Vec<([f64; C], &'a LimitForce)>,
     pub(super) most: f64,
     pub(super) weakest: Option<([f64; C], f64)>,
+    pub(super) caution: Option<String>,
 }
 
 impl<const C: usize> WrittenMap<'_, C> {
@@ -47,6 +48,7 @@ impl<const C: usize> WrittenMap<'_, C> {
             "onsets": self.onsets.iter().map(onset).collect::<Vec<_>>(),
             "reserves": self.reserves.iter().map(reserve).collect::<Vec<_>>(),
             "followed_to": self.most,
+            "caution": self.caution,
             "paths": self.paths.iter().map(path).collect::<Vec<_>>(),
         });
         println!("{map}");

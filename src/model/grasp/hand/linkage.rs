@@ -131,11 +131,12 @@ impl Linkage {
         linkage
     }
 
-    /// Multiplies all commands, constant torques and constant tensions by `factor`.
-    pub(crate) fn squeeze(&mut self, factor: f64) {
-        self.commands.iter_mut().for_each(|command| *command *= factor);
-        for part in self.joints.iter_mut().chain(&mut self.tendons) {
-            part.hold(factor, &mut self.held_forces);
+    /// Multiplies the command and the constant torque or tension of the joint or tendon with index k by `times(k)`; tendons are numbered after the
+    /// joints.
+    pub(crate) fn squeeze(&mut self, times: &dyn Fn(usize) -> f64) {
+        self.commands.iter_mut().enumerate().for_each(|(k, command)| *command *= times(k));
+        for (k, part) in self.joints.iter_mut().chain(&mut self.tendons).enumerate() {
+            part.hold(times(k), &mut self.held_forces);
         }
     }
 

@@ -13,7 +13,8 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 
-use crate::equilibrium::{ContactState, Equilibrium};
+use super::answer::Equilibrium;
+use super::contact_answer::{ContactAnswer, ContactState};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{PositiveBand, Square, dot, mapped, symmetric_eigen};
@@ -28,7 +29,7 @@ impl Engine {
     ///
     /// The fraction is negative if the forces lower the resistance. The base load is taken to act at the point of its line nearest to the centroid.
     /// `None` if the size of the fraction is at most a tenth, for several bodies, and if `ΔW·q` is not positive.
-    pub(super) fn left_out_by_small_motions(
+    pub(crate) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,
         there: &Equilibrium<3>,
@@ -42,8 +43,9 @@ impl Engine {
         let kept: f64 = dot(&moved, load.components());
         // In the plane the only angle is the last one, about the axis out of the plane.
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
-        let left_out = rotation
-            .dot(&(self.stiffness_of_arms(0, self.origin(), &forces_in(rest), &Wrench::ZERO) * rotation));
+        let left_out = rotation.dot(
+            &(self.stiffness_of_arms(0, self.origin(), &forces_in(&rest.contacts), &Wrench::ZERO) * rotation),
+        );
         // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
         // stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
@@ -54,9 +56,10 @@ impl Engine {
     ///
     /// `None` if the size of the fraction is below a half, and if the grasp has so many coordinates that it is solved with band matrices. Struts
     /// between two bodies are treated as if they were infinitely long.
-    pub(super) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
+    pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
-        let stiffness = self.unstable_at(unstable, &forces_in(there), &is_open_in(there), load)?;
+        let stiffness =
+            self.unstable_at(unstable, &forces_in(&there.contacts), &is_open_in(&there.contacts), load)?;
         // Thirty bisections give nine digits, of which two are printed.
         for _ in 0..30 {
             let middle = 0.5 * (stable + unstable);
@@ -66,8 +69,8 @@ impl Engine {
     }
 
     /// Whether the grasp buckles under these contact forces, N, in coordinate axes, and this load: `K + K_g` is not positive definite on the motions
-    /// that springs resist. Stability along the others is the question of [`Self::driven_on`].
-    pub(super) fn buckles(
+    /// that springs resist. Stability along the others is the question of `hold/driven_on`.
+    pub(crate) fn buckles(
         &self,
         forces: &[SVector<f64, 3>],
         is_open: &(dyn Fn(usize) -> bool + Sync),
@@ -76,13 +79,18 @@ impl Engine {
         self.unstable_at(1.0, forces, is_open, load).is_some()
     }
 
+    /// Whether the grasp buckles in an equilibrium with these contacts under this load, if it [may](Self::may_buckle).
+    pub(super) fn buckles_in(&self, contacts: &[ContactAnswer<3>], load: &Wrench<3>) -> bool {
+        self.may_buckle(load) && self.buckles(&forces_in(contacts), &is_open_in(contacts), load)
+    }
+
     /// Whether [`Self::buckles`] answers for this load: its points of action are known, and the grasp is not solved with band matrices.
-    pub(super) fn may_buckle(&self, load: &Wrench<3>) -> bool {
+    pub(crate) fn may_buckle(&self, load: &Wrench<3>) -> bool {
         !uses_band(size_of(self.sites())) && self.acts_at_known_points(load)
     }
 
     /// Whether the points of action of the load on every body are known.
-    pub(super) fn acts_at_known_points(&self, load: &Wrench<3>) -> bool {
+    pub(crate) fn acts_at_known_points(&self, load: &Wrench<3>) -> bool {
         self.loads_of_bodies(load).iter().all(|load| load.points_of_action().stiffness().is_some())
     }
 
@@ -131,7 +139,7 @@ impl Engine {
     /// The geometric stiffness of contact forces in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with
     /// arms r about the point to which the coordinates of the body refer. A rope to the ground with the pull T and the length L adds `T |u|²/L` for the
     /// displacement u across it.
-    pub(super) fn geometric_stiffness(&self, forces: &[SVector<f64, 3>], load: &Wrench<3>) -> Square {
+    pub(crate) fn geometric_stiffness(&self, forces: &[SVector<f64, 3>], load: &Wrench<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
         let (bodies, loads) = (self.bodies(), self.loads_of_bodies(load));
@@ -160,7 +168,7 @@ impl Engine {
     }
 
     /// The length of a rope or spring to the ground; `None` for other contacts and drives.
-    pub(super) fn rope(&self, site: usize) -> Option<f64> {
+    pub(crate) fn rope(&self, site: usize) -> Option<f64> {
         let contact = self.contacts().get(site)?;
         let is_rope = matches!(contact.link, Some(LinkKind::Cable | LinkKind::Spring));
         (is_rope && contact.against.is_none()).then(|| contact.normal.norm())
@@ -187,13 +195,13 @@ impl Engine {
 }
 
 /// Whether a contact is open in an equilibrium, by the index of the contact.
-pub(super) fn is_open_in(there: &Equilibrium<3>) -> impl Fn(usize) -> bool + Sync + '_ {
-    move |i| there.contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
+fn is_open_in(contacts: &[ContactAnswer<3>]) -> impl Fn(usize) -> bool + Sync + '_ {
+    move |i| contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
 }
 
 /// The contact forces on the bodies.
-pub(super) fn forces_in(there: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
-    mapped(&there.contacts, &|answer| answer.force_world)
+pub(crate) fn forces_in(contacts: &[ContactAnswer<3>]) -> Vec<SVector<f64, 3>> {
+    mapped(contacts, &|answer| answer.force_world)
 }
 
 /// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;

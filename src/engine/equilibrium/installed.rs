@@ -1,47 +1,28 @@
 //! Links that are to have a given tension without load: Newton's method finds the commands that give them this tension.
 
-use alloc::sync::Arc;
+use nalgebra::{DMatrix, DVector, SVector};
 
-use nalgebra::{DMatrix, DVector};
-
-use super::grasp::Grasp;
+use super::answer::Outcome;
 use crate::error::Error;
-use crate::grasp::{Engine, Wrench, outside};
+use crate::grasp::{Contact, Engine, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
+use crate::search::Settings;
 
-impl<const C: usize> Grasp<C> {
-    /// The grasp of an engine. Links with a given tension get commands such that each has this tension without load; an error if the grasp cannot
-    /// hold it.
-    pub(super) fn installed_by(engine: Engine) -> Result<Self, Error> {
-        Grasp::<3>::of(engine).installed().map(outside)
-    }
-
-    /// This grasp with new commands of its links, so that each link with a given tension has that tension without load. Called after a change of the
-    /// grasp; without such links nothing changes.
-    pub(crate) fn installed_again(self) -> Result<Self, Error> {
-        if self.engine.contacts().iter().all(|contact| contact.at_rest.is_none()) {
-            return Ok(self);
-        }
-        let settings = self.settings;
-        Ok(Self::installed_by(Arc::unwrap_or_clone(self.engine))?.with(&settings))
-    }
-}
-
-impl Grasp<3> {
+impl Engine {
     /// This grasp with commands of its links such that each link with a given tension has this tension without load; an error if the grasp cannot
-    /// hold it.
-    fn installed(self) -> Result<Self, Error> {
+    /// hold it. Called after a change of the grasp; without such links nothing changes.
+    pub(crate) fn installed(self) -> Result<Self, Error> {
         // If the squeeze was multiplied by zero, so was the tension. A link without tension keeps the command that it has.
-        let wanted = |contact: &crate::grasp::Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
+        let wanted = |contact: &Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
         if pressed.is_empty() {
             return Ok(self);
         }
         let stiffness: Vec<f64> = mapped(&pressed, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
-        let mut commands: Vec<[f64; 3]> = mapped(self.contacts(), &|contact| contact.command.into());
+        let mut commands: Vec<SVector<f64, 3>> = mapped(self.contacts(), &|contact| contact.command);
         let mut missing = self.missing(&commands, &pressed)?;
         // Limit on Newton steps. One is enough while no contact changes its state; each change of state may take one more.
         for _ in 0..20 {
@@ -75,15 +56,17 @@ impl Grasp<3> {
         // The method has failed if the tension of a link is off by more than this fraction: the other contacts cannot hold against the link.
         match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
-            None => self.with_commands(commands),
+            None => self.with_commands(&commands),
         }
     }
 
     /// For each link with a given tension, this tension minus the tension that the link has under these commands without load, N. An error if no
     /// equilibrium is found.
-    fn missing(&self, commands: &[[f64; 3]], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
-        let outcome = self.with_commands(commands.iter().copied())?.solve(Wrench::ZERO)?;
-        let state = outcome.equilibrium().ok_or_else(|| self.not_held(pressed[0].0, pressed[0].1))?;
+    fn missing(&self, commands: &[SVector<f64, 3>], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
+        let outcome = self.with_commands(commands)?.solve(&Wrench::ZERO, &Settings::default())?;
+        let Outcome::Equilibrium(state) = outcome else {
+            return Err(self.not_held(pressed[0].0, pressed[0].1));
+        };
         // In a slack link the gap times the stiffness is added to the missing tension. The missing tension thus depends on the command even if the
         // link is slack.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];

@@ -1,0 +1,57 @@
+//! The place on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, or the grasp
+//! buckles.
+
+use super::event::Event;
+use super::following::AnyPath;
+use super::path::LoadPath;
+use super::small_motions::EndOfSmallMotions;
+use crate::equilibrium::TooFar;
+use crate::numerics::tolerances::NEGLIGIBLE;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
+impl<const C: usize> LoadPath<'_, C> {
+    /// The place, on the part of the path followed so far, from which on the answers say little about the object: a motion is no longer small or a
+    /// suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Whether it buckles is asked at rest, at the end of each leg and at
+    /// the end of the path, if the points of action of the load are known; the place is then found to nine digits.
+    #[must_use]
+    pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
+        self.end_of_theory_before(self.end_of_small_motions())
+    }
+
+    /// [`Self::end_of_theory`] if motions are small up to the place `far`.
+    pub(crate) fn end_of_theory_before(&self, far: Option<&EndOfSmallMotions>) -> Option<EndOfSmallMotions> {
+        end_of_theory(&*self.0, far)
+    }
+}
+
+/// The place from which on the grasp buckles, if it comes before the place `far` at which motions cease to be small; else `far`.
+pub(super) fn end_of_theory<const C: usize>(
+    path: &dyn AnyPath<C, Event<C>>,
+    far: Option<&EndOfSmallMotions>,
+) -> Option<EndOfSmallMotions> {
+    let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
+    let buckling = buckling(path, end).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
+    buckling.or_else(|| far.cloned())
+}
+
+/// The place, to nine digits, from which on the grasp buckles. It is asked at rest, at the end of each leg and at the place `end`. `None` if the grasp
+/// buckles at none of these, and if the points of action of the load at `end` are not known.
+fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
+    path.state_at(end.0, end.1)?.load.points_of_action().stiffness()?;
+    let buckles = |place: &(usize, f64)| {
+        path.state_at(place.0, place.1).is_some_and(|state| state.too_far == Some(TooFar::Buckles))
+    };
+    let mut places = vec![(0, 0.0)];
+    places.extend((0..end.0).map(|leg| (leg, 1.0)));
+    places.push(end);
+    places.dedup();
+    let first = places.iter().position(buckles)?;
+    let (leg, mut to) = places[first];
+    let mut from = if first == 0 { to } else { 0.0 };
+    while to - from > NEGLIGIBLE * to {
+        let middle = 0.5 * (from + to);
+        *(if buckles(&(leg, middle)) { &mut to } else { &mut from }) = middle;
+    }
+    Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
+}
