@@ -88,7 +88,7 @@ impl Workspace {
         let failure = self.follow(lcp, settings, limit)?;
         let Some([i, j]) = small_basis(lcp, attempt) else { return Some(failure) };
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
-        if self.path.run_from(lcp.m.as_slice(), |k| k == i || k == j, settings, limit) {
+        if self.path.run_from(lcp.m.as_slice(), &|k| k == i || k == j, settings, limit) {
             return self.finish_or_resume(lcp, settings, limit);
         }
         Some(failure)

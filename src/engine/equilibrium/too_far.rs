@@ -10,7 +10,7 @@ use nalgebra::SVector;
 use crate::contact::State;
 use crate::grasp::{Engine, HandPart, JointKind, PartLabel, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, largest};
+use crate::numerics::{Vector, highest, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, SmallMotions};
@@ -138,7 +138,7 @@ impl CountedMotion {
 
 /// The motion whose length is the largest multiple of its limit, whether or not it is beyond the limit; `None` for an empty list.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
-    motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
+    highest(motions, &CountedMotion::over_the_limit)
 }
 
 /// An equilibrium, given by the data from which its motions are measured: contact states, forces, finger offsets, slips and twist.

@@ -80,7 +80,7 @@ impl LinearProblem {
         let SolutionMemory { x, change } = memory;
         if let Some((band, null)) = &self.band {
             self.stretched_into(x, |contact| offsets[contact]);
-            if null.are_out_of_reach(x, &load.wrench, || band.growth()) {
+            if null.are_out_of_reach(x, &load.wrench, &|| band.growth()) {
                 return Err(Unbalanced { motion: None });
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));

@@ -60,7 +60,7 @@ impl Problem<'_> {
     pub(crate) fn tangent_factors(&self, state: &(dyn Fn(usize) -> State + Sync)) -> TangentFactors {
         self.tangent_in_a_band(state).unwrap_or_else(|| {
             let tangent = |i: usize| self.local(i).tangent(&state(i)).matrix();
-            TangentFactors::Whole(Factors::new(&tangent_stiffness(self.sites, tangent)))
+            TangentFactors::Whole(Factors::new(&tangent_stiffness(self.sites, &tangent)))
         })
     }
 
@@ -83,7 +83,7 @@ impl Problem<'_> {
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
 /// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over the contacts and drives `sites`; `springs(i)` returns C_i of contact i.
-pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
+pub(crate) fn tangent_stiffness(sites: &[Site], springs: &(dyn Fn(usize) -> SpringTangent + Sync)) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
         for i in contacts {

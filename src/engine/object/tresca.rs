@@ -95,7 +95,7 @@ impl GivenLimits {
         }
         let contacts = problem.locals().zip(&problem.offsets);
         let contacts: Option<Vec<_>> =
-            contacts.map(|(local, offset)| Limited::of(&local, offset, on_polygons)).collect();
+            contacts.map(|(local, offset)| Limited::of(&local, offset, on_polygons)).all_some();
         let mut load = vec![0.0; count];
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = *w);
         Some(Self {

@@ -109,7 +109,7 @@ impl Chart {
             return Err(PictureError(format!("{} are too many to be drawn", charts.len())));
         }
         let mut fault = None;
-        let svg = sheet(size, |paper| {
+        let svg = sheet(size, &mut |paper| {
             for (k, chart) in charts.iter().enumerate() {
                 let corner = (wide * (k % columns) as f64, high * (k / columns) as f64);
                 if let Err(error) = chart.draw_on(paper, corner) {

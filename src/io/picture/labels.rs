@@ -4,7 +4,7 @@ use super::palette::GREY;
 use super::sheet::{PaperPoint, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{IntoList, largest, lowest, mapped, summed};
 
 /// The rectangle of a name: its middle, and its width and height, pixels.
 type NamePlate = (PaperPoint, (f64, f64));
@@ -69,7 +69,7 @@ impl Labels {
             Some(plate) if is_clear(&plate) => plate,
             _ => {
                 let all = self.anywhere(size).into_iter().chain(beside);
-                self.best(point, all.collect())?
+                self.best(point, all.list())?
             }
         };
         let ((x, y), (wide, high)) = plate;
@@ -85,8 +85,8 @@ impl Labels {
     /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
     fn best(&self, point: PaperPoint, plates: Vec<NamePlate>) -> Option<NamePlate> {
         let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
-        let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
-        best.map(|(_, plate)| plate)
+        let free = free.map(|plate| (self.cost(point, &plate), plate)).list();
+        lowest(&free, &|(cost, _)| *cost).map(|(_, plate)| *plate)
     }
 
     fn plates_beside(&self, point: PaperPoint, (wide, high): (f64, f64)) -> Vec<NamePlate> {

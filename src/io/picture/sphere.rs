@@ -111,13 +111,13 @@ impl SphereMap {
             }
         }
         let notes = mapped(&self.notes, &|note| lines(note, 114)).concat();
-        Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), |paper| {
+        Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), &mut |paper| {
             paper.title(&self.title);
             for (side, middle) in SPHERE.discs.into_iter().enumerate() {
                 self.draw_disc(paper, side, middle, &bands);
             }
-            for (direction, label, dot) in marked {
-                draw_mark(paper, direction, label, dot);
+            for (direction, label, dot) in &marked {
+                draw_mark(paper, *direction, label, *dot);
             }
             self.draw_scale(paper, &bands);
             for (k, note) in notes.iter().enumerate() {

@@ -26,7 +26,7 @@ impl Setup<3> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
-        Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).collect())
+        Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).list())
     }
 
     /// A warning about contacts without a stiffness, if an answer depends on the stiffness of these contacts.

@@ -12,7 +12,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Harmonic, IntoList, Turning, moved, numbered, unit};
+use crate::numerics::{Harmonic, IntoList, Turning, lowest, moved, numbered, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking. For a contact that stays open, they apply to a vector whose first component is the gap.
@@ -47,10 +47,7 @@ impl Edges {
     /// The coefficients of the condition `a·F >= 0` with the least value at a force F, and this value; `None` without conditions.
     pub(crate) fn worst(&self, force: &SVector<f64, 3>) -> Option<(SVector<f64, 3>, f64)> {
         match self {
-            Self::Rows(rows) => {
-                let values = rows.iter().map(|row| (*row, row.dot(force)));
-                values.min_by(|(_, a), (_, b)| a.total_cmp(b))
-            }
+            Self::Rows(rows) => lowest(rows, &|row| row.dot(force)).map(|row| (*row, row.dot(force))),
             Self::Round { limit } => {
                 let friction = tangential(force);
                 let size = friction.norm();

@@ -2,12 +2,12 @@
 //! one such force scaled.
 
 use super::engine::Engine;
-use super::hand::Linkage;
+use super::hand::{Linkage, NamedPart};
 use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, counted, mapped};
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
@@ -33,11 +33,11 @@ impl Engine {
     /// not count.
     pub(crate) fn is_driven(&self) -> bool {
         let is_pushed =
-            |contact: &&ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
-        let slides = self.wholes().iter().filter(is_pushed).count();
+            |contact: &ContactPoints| self.contacts[contact.range.start].force.unwrap_or(0.0) != 0.0;
+        let slides = counted(self.wholes(), &is_pushed);
         self.linkage().is_some_and(|linkage| {
-            let parts = linkage.joints.iter().chain(&linkage.tendons);
-            let held = parts.filter(|part| part.held_torque != 0.0).count();
+            let is_held = |part: &NamedPart| part.held_torque != 0.0;
+            let held = counted(&linkage.joints, &is_held) + counted(&linkage.tendons, &is_held);
             held > slides || linkage.commands.iter().any(|command| *command != 0.0)
         })
     }

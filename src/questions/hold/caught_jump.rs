@@ -6,8 +6,8 @@ use core::fmt;
 use super::words::amount_of;
 use crate::grasp::{Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
-use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{IntoList, largest};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -150,10 +150,10 @@ impl CaughtJump {
                 let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
                 CaughtSlip { distance: distances.fold(0.0, f64::max), contact }
             };
-            let (slips, moves) = (whole.map(far).collect(), CaughtMotion::of(parts, jump));
+            let (slips, moves) = (whole.map(far).list(), CaughtMotion::of(parts, jump));
             Self { factor, slips, moves, snaps: jump.snaps, energy_lost: jump.energy_lost }
         };
-        jumps.map(caught).collect()
+        jumps.map(caught).list()
     }
 }
 
@@ -166,7 +166,7 @@ impl fmt::Display for CaughtJump {
         // named.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
-        let slips: Vec<_> = slips.collect();
+        let slips: Vec<_> = slips.list();
         let (none, slips) = (slips.is_empty(), listed(&slips));
         match (self.snaps, none) {
             (true, true) => f.write_str("snaps over"),

@@ -9,8 +9,8 @@ use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::equilibrium::TooFar;
 use crate::grasp::{Motion, WholeContact, Wrench};
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
@@ -232,7 +232,7 @@ impl<const C: usize> Verdict<C> {
     /// [`MOST_NAMES`].
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all = self.state.iter().flat_map(|state| &state.contacts);
-        let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();
+        let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).list();
         let words = Words::of(f);
         cables.iter().filter(|_| cables.len() <= MOST_NAMES).try_for_each(|cable| {
             let (name, pull) = (cable.contact.text(), cable.force[0]);
@@ -382,7 +382,7 @@ pub(super) fn they_open(parts: &[WholeContact]) -> String {
         let link = list.first()?.link;
         Some(subject_and_verb(&list, opens(link), open(link)))
     });
-    clauses.collect::<Vec<_>>().join(", ")
+    clauses.list().join(", ")
 }
 
 /// Names with a verb in singular or plural: "left slides", "left and right slide".

@@ -93,7 +93,7 @@ struct Spread {
 
 /// The number of the group of each slip; `None` unless every slip is in a group.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
-    model.asked.slips.iter().map(|slip| slip.group).collect()
+    model.asked.slips.iter().map(|slip| slip.group).all_some()
 }
 
 impl Spread {

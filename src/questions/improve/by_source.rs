@@ -9,7 +9,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::Vector;
+use crate::numerics::{IntoList, Vector};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
@@ -54,7 +54,7 @@ impl StickingForces {
         ];
         let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(load));
         sources.extend(loads.iter().map(under));
-        let sources = sources.into_iter().collect::<Option<_>>();
+        let sources = sources.into_iter().all_some();
         Ok(sources.map(|sources| Self { grasp, sources }))
     }
 

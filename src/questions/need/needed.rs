@@ -21,7 +21,7 @@ use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside};
-use crate::numerics::{Space, largest};
+use crate::numerics::{IntoList, Space, largest};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -347,7 +347,7 @@ fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
 /// less load). `None` if no tried amount is insufficient.
 fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
-    let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
+    let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).list();
     beyond.sort_by(|(a, _), (b, _)| ample(*a).total_cmp(&ample(*b)));
     let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::Insufficient { .. }))?;
     let last = beyond[..first]

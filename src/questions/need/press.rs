@@ -4,7 +4,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{ATMOSPHERE, Contact, WholeContact};
-use crate::numerics::{Space, mapped};
+use crate::numerics::{IntoList, Space, mapped};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
@@ -46,7 +46,7 @@ pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
         let pressed = point.stiffness.series()[0] * (point.command[0] - point.clearance);
         Some(point.force.unwrap_or(pressed)).filter(|force| is_plain && *force > 0.0)
     };
-    points.iter().map(of_point).sum()
+    points.iter().try_fold(-0.0, |sum, point| Some(sum + of_point(point)?))
 }
 
 /// How far the pressure in a suction cup is below the pressure of the surrounding air, Pa, if these points in space form its ring-shaped lip. In the
@@ -93,7 +93,7 @@ fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     let is_meant = |press: &&ContactPress| {
         (press.is_set || !is_one_set) && press.force > 0.0 && press.force >= ALIKE_IN_WORDS * most
     };
-    presses.iter().filter(is_meant).collect()
+    presses.iter().filter(is_meant).list()
 }
 
 /// Whether a number is the same at all these contacts, to within [`ALIKE_IN_WORDS`].
@@ -160,7 +160,7 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
 
 /// The multiple `times` of the given squeeze, with the force that is set, if no contact presses at rest.
 fn with_what_is_set(words: Words, presses: &[ContactPress], times: String) -> String {
-    let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).collect();
+    let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).list();
     match set.first().and_then(|first| first.pressed_with) {
         Some(force) if is_alike(&set, &|press| press.pressed_with) && set.len() <= MOST_NAMES => {
             let names: Vec<_> = mapped(&set, &|press| press.part.text());

@@ -11,7 +11,7 @@ use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
 use crate::grasp::{Engine, Space, Twist, Wrench};
-use crate::numerics::{Map, Vector, mapped, unit};
+use crate::numerics::{IntoList, Map, Vector, highest, mapped, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -39,8 +39,8 @@ impl ContactCone {
                 (force, force.dot(&u))
             }
             Cone::Corners(corners) => {
-                let works = corners.iter().map(|force| (*force, force.dot(&u)));
-                works.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((unit(0), u[0]))
+                let most = highest(corners, &|force| force.dot(&u));
+                most.map_or((unit(0), u[0]), |force| (*force, force.dot(&u)))
             }
         }
     }
@@ -93,7 +93,7 @@ impl WrenchSet {
         };
         let contacts =
             problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);
-        let contacts = contacts.collect::<Result<_, _>>()?;
+        let contacts = contacts.all_ok()?;
         let set = Self { space, contacts, budget, scale, vacuum: Vector::zeros(), flat: Vec::new() };
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
