@@ -246,9 +246,13 @@ impl Engine {
         match motion.of {
             MotionOf::Body(first) => {
                 let named = self.bodies().and_then(|bodies| {
-                    bodies.places.iter().zip(&bodies.names).find(|(place, _)| place.first == first)
+                    bodies
+                        .places
+                        .iter()
+                        .position(|place| place.first == first)
+                        .map(|body| &bodies.names[body])
                 });
-                TooFar::Turns { body: named.map(|(_, name)| name.to_string()), limit }
+                TooFar::Turns { body: named.map(ToString::to_string), limit }
             }
             MotionOf::Joint(joint) => {
                 let joint = HandPart::Joint(joint);

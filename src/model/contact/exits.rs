@@ -76,7 +76,7 @@ impl LocalLaw<'_> {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
                 let mut exits = self.exits(line);
-                exits.retain(|exit| own.iter().flatten().all(|&j| exit.facet != facets[j]));
+                exits.retain(|exit| own.iter().all(|own| own.is_none_or(|j| exit.facet != facets[j])));
                 exits
             }
         }

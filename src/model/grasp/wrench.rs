@@ -77,7 +77,8 @@ macro_rules! vector_like {
             /// A vector with these components, in the order of [`Self::components`]. Missing components are zero, surplus components are ignored.
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
-                all.iter_mut().zip(components).take(of_the_object::<C>()).for_each(|(x, given)| *x = *given);
+                let count = components.len().min(of_the_object::<C>());
+                all.as_mut_slice()[..count].copy_from_slice(&components[..count]);
                 Self::of_all(all)
             }
 

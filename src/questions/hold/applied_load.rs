@@ -281,7 +281,7 @@ impl Engine {
         first_slip: Option<&FirstSlip>,
     ) -> Holding<3> {
         let jumps = || events.iter().filter_map(|event| event.jump.as_deref());
-        let slips: Vec<_> = jumps().flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).list();
+        let slips = jumps().map(|jump| mapped(&jump.slips, &|slip| slip.contact.index)).list().concat();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || slips.contains(&i)

@@ -73,7 +73,7 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
     target.by_unknowns(&|kind, unknown, value| {
         // An unknown squeeze of some contacts scales only their normal commands. If tangential commands exist, derivatives with respect to all
         // components would be wrong.
-        let along = |i: usize| contacts[i].command.iter().skip(1).any(|x| *x != 0.0);
+        let along = |i: usize| contacts[i].command.as_slice()[1..].iter().any(|x| *x != 0.0);
         let of_some = target.asked.unknowns[unknown].contacts.is_some();
         if kind == UnknownKind::Squeeze && (!presses || of_some && target.contacts_of(unknown).any(along)) {
             return None;

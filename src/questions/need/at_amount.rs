@@ -8,7 +8,7 @@ use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{inside, outside};
 use crate::load_path::{Leg, Ramp};
-use crate::numerics::{IntoList, tried};
+use crate::numerics::{IntoList, largest, tried};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
@@ -83,10 +83,9 @@ impl Need<3> {
 
 /// The largest fraction of its friction that a closed contact uses: `|f_t| / (|f_t| + margin)`.
 fn used(state: &Equilibrium<3>) -> f64 {
-    let rubs = state.contacts.iter().filter(|answer| answer.state != ContactState::Separated);
-    let part = rubs.map(|answer| {
+    largest(&state.contacts, &|answer| {
         let (friction, left) = (answer.friction_force(), answer.margin.max(0.0));
-        if friction > 0.0 { friction / (friction + left) } else { 0.0 }
-    });
-    part.fold(0.0, f64::max)
+        let rubs = answer.state != ContactState::Separated && friction > 0.0;
+        if rubs { friction / (friction + left) } else { 0.0 }
+    })
 }

@@ -170,7 +170,7 @@ impl<'a> Picture<'a> {
             load.paint(&axes, &mut painting);
         }
         let place = |point| axes.place(point);
-        let leaves = self.way_out.as_ref().and_then(|way| way.paint(&mut painting, place));
+        let leaves = self.way_out.as_ref().and_then(|way| way.paint(&mut painting, &place));
         Ok(sheet((size.0, size.1 + more), &mut |paper| {
             for (k, line) in title.iter().enumerate() {
                 paper.title_line(line_heights.0 * k as f64, line);
