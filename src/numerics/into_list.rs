@@ -12,30 +12,15 @@ pub(crate) trait IntoList: Iterator + Sized {
             all.push(element);
         }
     }
-
-    /// The values of all elements, in order; `None` from the first element that has none.
-    fn all_some<T>(mut self) -> Option<Vec<T>>
-    where
-        Self: Iterator<Item = Option<T>>,
-    {
-        let mut all = const { Vec::new() };
-        loop {
-            let Some(element) = self.next() else { return Some(all) };
-            all.push(element?);
-        }
-    }
-
-    /// The values of all elements, in order, or the first error.
-    fn all_ok<T, E>(mut self) -> Result<Vec<T>, E>
-    where
-        Self: Iterator<Item = Result<T, E>>,
-    {
-        let mut all = const { Vec::new() };
-        loop {
-            let Some(element) = self.next() else { return Ok(all) };
-            all.push(element?);
-        }
-    }
 }
 
 impl<I: Iterator> IntoList for I {}
+
+/// The values of all elements, in order; `None` from the first element that has none.
+pub(crate) fn all_some<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
+    let mut all = Vec::new();
+    for element in elements {
+        all.push(element?);
+    }
+    Some(all)
+}

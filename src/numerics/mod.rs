@@ -105,7 +105,7 @@ pub(crate) use factors::Factors;
 pub(crate) use few_equations::{Equation, MOST_UNKNOWNS, solved};
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
-pub(crate) use into_list::IntoList;
+pub(crate) use into_list::{IntoList, all_some};
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;

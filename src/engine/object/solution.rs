@@ -58,7 +58,7 @@ impl LinearProblem {
         &self,
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
-        load: impl Into<Load>,
+        load: Load,
     ) -> Result<ForcesAndTwist, Unbalanced> {
         let mut state = ForcesAndTwist::default();
         self.solve_into(sites, offsets, load, (&mut SolutionMemory::default(), &mut state))?;
@@ -70,10 +70,9 @@ impl LinearProblem {
         &self,
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
-        load: impl Into<Load>,
+        load: Load,
         (memory, state): (&mut SolutionMemory, &mut ForcesAndTwist),
     ) -> Result<(), Unbalanced> {
-        let load = load.into();
         if let Some(motion) = motion_of_work(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }

@@ -4,7 +4,7 @@ use super::palette::GREY;
 use super::sheet::{PaperPoint, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
-use crate::numerics::{IntoList, largest, lowest, mapped, summed};
+use crate::numerics::{IntoList, largest, lowest, mapped, picked, summed};
 
 /// The rectangle of a name: its middle, and its width and height, pixels.
 type NamePlate = (PaperPoint, (f64, f64));
@@ -84,8 +84,8 @@ impl Labels {
 
     /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
     fn best(&self, point: PaperPoint, plates: Vec<NamePlate>) -> Option<NamePlate> {
-        let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
-        let free = free.map(|plate| (self.cost(point, &plate), plate)).list();
+        let free =
+            picked(&plates, &|plate| (!self.overlaps(plate)).then(|| (self.cost(point, plate), *plate)));
         lowest(&free, &|(cost, _)| *cost).map(|(_, plate)| *plate)
     }
 

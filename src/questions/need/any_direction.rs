@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Each, IntoList, Space, dot, numbered};
+use crate::numerics::{Each, IntoList, Space, chosen, dot, numbered};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
@@ -282,7 +282,7 @@ fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
         Space::Planar => (one + 1) % count == other || (other + 1) % count == one,
         Space::Spatial => one != other && dot(&all[one], &all[other]) > 0.32_f64.cos(),
     };
-    numbered(count, &|one| (0..count).filter(|other| is_near(one, *other)).list())
+    numbered(count, &|one| chosen(count, &|other| is_near(one, *other)))
 }
 
 fn unit(vector: [f64; 3]) -> [f64; 3] {

@@ -264,8 +264,9 @@ fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
         let is_apart = (next.0 - root).abs() > (BETWEEN_STATES - 1.0) * root;
         (all_suffice && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
     };
-    let both_ways = |of: &[(f64, Trial)]| [[&of[0], &of[1], &of[2]], [&of[2], &of[1], &of[0]]].each(beyond);
-    list.windows(3).flat_map(both_ways).flatten().next()
+    let either_way =
+        |of: &[(f64, Trial)]| beyond([&of[0], &of[1], &of[2]]).or_else(|| beyond([&of[2], &of[1], &of[0]]));
+    list.windows(3).find_map(either_way)
 }
 
 /// Sorts amounts, in ascending order if `up`, else in descending order.

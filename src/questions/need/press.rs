@@ -4,7 +4,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{ATMOSPHERE, Contact, WholeContact};
-use crate::numerics::{IntoList, Space, mapped};
+use crate::numerics::{IntoList, Space, largest, mapped, summed};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
@@ -53,10 +53,10 @@ pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
 /// plane there is no area, and the result is `None`.
 pub(crate) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     let count = points.len() as f64;
-    let vacuum: f64 = points.iter().map(|point| point.suction).sum();
+    let vacuum: f64 = summed(points, &|point| point.suction);
     let middle = points.iter().fold(SVector::<f64, 3>::zeros(), |sum, point| sum + point.point / count);
     let radius = |point: &Contact<3>| (point.point - middle).norm();
-    let size = points.iter().map(radius).fold(0.0, f64::max);
+    let size = largest(points, &radius);
     let is_ring = points.iter().all(|point| point.space == Space::Spatial)
         && points.len() > 2
         && points.iter().all(|point| size - radius(point) <= ALIKE_IN_WORDS * size);
@@ -89,7 +89,7 @@ impl ContactPress {
 /// press are returned.
 fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     let is_one_set = presses.iter().any(|press| press.is_set);
-    let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
+    let most = largest(presses, &|press| press.force);
     let is_meant = |press: &&ContactPress| {
         (press.is_set || !is_one_set) && press.force > 0.0 && press.force >= ALIKE_IN_WORDS * most
     };

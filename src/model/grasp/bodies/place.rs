@@ -10,7 +10,9 @@ use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
 use crate::grasp::points_of_action::PointsOfAction;
 use crate::grasp::wrench::Wrench;
-use crate::numerics::{IntoList, Size, Space, Vector, dot, mapped, numbered, paired, summed};
+use crate::numerics::{
+    IntoList, Size, Space, Vector, chosen, dot, indexed, mapped, numbered, paired, summed, tried,
+};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -84,14 +86,12 @@ impl PlacedBodies {
     /// [`Error::Body`] if a contact names an unknown body, names no body although there are several, or has the same body on both sides.
     pub(crate) fn place(&mut self, contacts: &[Contact<3>], first: usize) -> Result<usize, Error> {
         self.space = space_of(contacts);
-        let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
-        self.sides = sides.all_ok()?;
+        let numbered = indexed(contacts, &|contact| contact);
+        self.sides = tried(&numbered, &|(i, contact)| self.sides_of(contact, *i))?;
         let mut next = first;
         for body in 0..self.names.len() {
-            let points = {
-                let touches = |(i, _): &(usize, &Contact<3>)| self.touches(*i, body);
-                contacts.iter().enumerate().filter(touches).map(|(_, contact)| contact.point).list()
-            };
+            let touching = chosen(contacts.len(), &|i| self.touches(*i, body));
+            let points = mapped(&touching, &|i| contacts[*i].point);
             let count = points.len().max(1) as f64;
             let centre = points.iter().fold(SVector::zeros(), |sum, point| sum + point / count);
             let rms_radius = summed(&points, &|point| (point - centre).norm_squared() / count).sqrt();
