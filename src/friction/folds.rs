@@ -10,8 +10,7 @@ use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, IterationLimits, descend};
 use super::problem::{FrictionProblem, part};
 use super::tolerances::ON_CENTRAL_PATH;
-use crate::numerics::vector_of;
-use crate::numerics::{IntoList, total};
+use crate::numerics::{IntoList, total, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 

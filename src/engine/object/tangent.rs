@@ -8,7 +8,7 @@
 //! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
 //! After a step R is mere rounding, so that a few steps give the last digits if T is regular. For a singular T see [`super::LinearProblem`].
 
-use crate::numerics::{Each, Square, Vector};
+use crate::numerics::{Each, Factors, PartialPivoting, Square, Vector, in_halves};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
@@ -19,7 +19,6 @@ use super::problem::Problem;
 use super::solution::ForcesAndTwist;
 use crate::contact::State;
 use crate::grasp::{Site, size_of};
-use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
 /// LU factors of the tangent stiffness T; with many coordinates ([`uses_band`]) T is factorised as a band matrix.

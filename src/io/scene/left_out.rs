@@ -11,9 +11,8 @@ use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::{Error, LARGEST};
 use crate::grasp::Link;
 use crate::load_path::Ramp;
-use crate::numerics::IntoList;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{IntoList, mapped};
 
 /// Default stiffness of a contact in all directions, N/m.
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;

@@ -1,6 +1,6 @@
 //! Wrenches (loads on the object) and twists (its small motions).
 
-use crate::numerics::Vector;
+use crate::numerics::{Space, Vector};
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -9,7 +9,6 @@ use nalgebra::{ArrayStorage, Matrix, SVector};
 use super::points_of_action::PointsOfAction;
 use super::rotation::of_the_object;
 use crate::error::{Error, is_moderate};
-use crate::numerics::Space;
 
 /// A load on the object: forces first, then moments about the origin of the coordinates. It has 3 components in the plane and 6 in space.
 ///

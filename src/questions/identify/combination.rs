@@ -2,8 +2,7 @@
 //! is a load or angle at which a contact, or the object, was observed to slip.
 
 use super::tolerances::NO_COMPONENT;
-use crate::numerics::Each;
-use crate::numerics::IntoList;
+use crate::numerics::{Each, IntoList};
 use nalgebra::DMatrix;
 
 use crate::prelude::*;

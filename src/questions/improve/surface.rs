@@ -1,7 +1,6 @@
 //! Curves and surfaces that contacts may move along.
 
-use crate::numerics::Each;
-use crate::numerics::IntoList;
+use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;
 
 use super::spline::Spline;

@@ -6,8 +6,7 @@ use nalgebra::SVector;
 use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
 use crate::grasp::site::Site;
-use crate::numerics::{Size, Vector};
-use crate::numerics::{Space, summed};
+use crate::numerics::{Size, Space, Vector, summed};
 use crate::prelude::*;
 
 /// The part of the hand to which a drive, a spring with its command, belongs.
