@@ -165,7 +165,7 @@ impl FirstToLeave {
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // If the value of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
-    local.for_each_condition(&local.trial_state(), at, |value, size| clear &= value > NEGLIGIBLE * size);
+    local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 

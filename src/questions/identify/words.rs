@@ -124,7 +124,7 @@ fn are(names: &[String]) -> String {
 
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| format!("{}{}", first.to_uppercase(), letters.as_str()))
+    letters.next().map_or_else(String::new, |first| first.to_string().to_uppercase() + letters.as_str())
 }
 
 impl Estimate {

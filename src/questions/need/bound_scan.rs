@@ -14,7 +14,7 @@ use super::tolerances::{
 use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Each, IntoList, highest, increasing, mapped, moved};
+use crate::numerics::{Each, IntoList, highest, increasing, mapped, moved, numbered, picked};
 use crate::prelude::*;
 
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
@@ -37,11 +37,11 @@ impl SearchPlan {
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
         // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
         // a larger ratio than 4 they would be farther apart.
-        let fine = (1..=count).map(|k| most.powf((k as f64 / count as f64).powi(3)));
+        let mut parts = numbered(count, &|k| most.powf(((k + 1) as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
-        let coarse = (coarse && count > 0).then_some(16.0);
-        let parts = fine.chain(coarse).map(|part| if up { from * part } else { from / part });
-        parts.filter(|amount| self.contains(*amount)).list()
+        parts.extend((coarse && count > 0).then_some(16.0));
+        let amount = |part: &f64| if up { from * part } else { from / part };
+        picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))
     }
 
     /// Two amounts, just inside and just outside the upper (if `up`) or lower end of the range. Empty unless a proof excludes all amounts beyond that
