@@ -81,6 +81,6 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
 fn largest_product(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| total(to - from, &|k| row[from + k] * row[from + k]).sqrt();
-    let joints = summed(&row.as_slice()[object..], &|x| x.abs());
+    let joints = summed(row.as_slice().get(object..).unwrap_or_default(), &|x| x.abs());
     part(0, axes) + part(axes, object) + joints
 }
