@@ -77,7 +77,7 @@ impl<'g> StickingResponse<'g> {
         offsets: &[SVector<f64, 3>],
         load: &Vector,
     ) -> Result<ContactForces, Motion<3>> {
-        match self.linear_problem.solve(self.problem.sites, offsets, load.into()) {
+        match self.linear_problem.solve(self.problem.sites, offsets, load) {
             Ok(state) => {
                 let sizes = self.problem.force_sizes(offsets, load.norm(), &state);
                 Ok(ContactForces { of: state.forces, sizes })
@@ -97,7 +97,7 @@ impl<'g> StickingResponse<'g> {
     /// Forces and motion under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if no forces in the states of
     /// this response balance them.
     pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<ForcesAndTwist> {
-        self.linear_problem.solve(self.problem.sites, offsets, load.into()).ok()
+        self.linear_problem.solve(self.problem.sites, offsets, load).ok()
     }
 }
 

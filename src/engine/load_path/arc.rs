@@ -387,7 +387,7 @@ impl Segment<'_> {
     ) -> Result<PathPoint, NoEquilibrium<3>> {
         let linear_problem = alloc::sync::Arc::new(LinearProblem::new(&self.problem, states));
         let rate = linear_problem
-            .solve(self.problem.sites, &self.change, (&self.trajectory.rate_at(factor)).into())
+            .solve(self.problem.sites, &self.change, &self.trajectory.rate_at(factor))
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = self.pushed_along(&linear_problem, rate, pushed);
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).list();

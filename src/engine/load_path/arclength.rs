@@ -21,9 +21,7 @@ impl PiecewiseFollower<'_> {
         if let Trajectory::Turn { angle, .. } = self.segment.trajectory {
             let later = self.segment.trajectory.rate_at(self.factor + FRAC_PI_2 / angle);
             let at_rest = vec![SVector::zeros(); self.node.states.len()];
-            if let Ok(rate) =
-                point.linear_problem.solve(self.segment.grasp.sites(), &at_rest, (&later).into())
-            {
+            if let Ok(rate) = point.linear_problem.solve(self.segment.grasp.sites(), &at_rest, &later) {
                 size = size.hypot(rate.twist.norm());
             }
         }

@@ -174,7 +174,7 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
         return false;
     }
     let trial = rates.trial();
-    let Ok(state) = trial.solve(rates.sites, &rates.offsets, (&rates.wrench).into()) else { return false };
+    let Ok(state) = trial.solve(rates.sites, &rates.offsets, &rates.wrench) else { return false };
     let settings = lcp::Settings { prove_infeasible: true, ..lcp::Settings::one_path() };
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
@@ -262,7 +262,7 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         let linear_problem = LinearProblem::new(problem, &states);
         let (Ok(now), Ok(next)) = (
             linear_problem.solve(problem.sites, &problem.offsets, problem.load()),
-            linear_problem.solve(rates.sites, &rates.offsets, (&rates.wrench).into()),
+            linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench),
         ) else {
             return false;
         };

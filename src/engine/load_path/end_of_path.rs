@@ -59,7 +59,7 @@ pub(super) fn end_of_path(
 /// reversed if, summed over contacts, the slip would be opposite to the friction forces.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let linear_problem = LinearProblem::new(rates, states);
-    let solved = match linear_problem.solve(rates.sites, &rates.offsets, (&rates.wrench).into()) {
+    let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
             // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the motion is taken along which the
             // rate of the load does the most work. If only commands change, the load is used instead of its rate.

@@ -47,7 +47,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     let mut factor = exit.step;
     let load = segment.trajectory.at(factor);
     segment.offsets_into(factor, offsets);
-    linear_problem.solve_into(problem.sites, offsets, (&load).into(), (solution, there)).ok()?;
+    linear_problem.solve_into(problem.sites, offsets, &(&load).into(), (solution, there)).ok()?;
     let more = problem.local(contact).step_to_exit(&exit, &there.forces[contact], &line.rate);
     if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
@@ -110,7 +110,7 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let load = inside.at(angle);
-    let mut there = linear_problem.solve(problem.sites, &problem.offsets, (&load).into()).ok()?;
+    let mut there = linear_problem.solve(problem.sites, &problem.offsets, &load).ok()?;
     let rate = turned.waves[*contact][0].of.rate_at(angle);
     let more = problem.local(*contact).step_to_exit(&exit, &there.forces[*contact], &rate);
     if more.abs() > LARGEST_CORRECTION * angle || !is_balanced(problem.sites, &load, &there.forces) {

@@ -108,7 +108,7 @@ impl<'g> Segment<'g> {
             .solve(self.problem.sites, &self.problem.offsets, self.problem.load())
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = linear_problem
-            .solve(self.problem.sites, &self.change, rate.into())
+            .solve(self.problem.sites, &self.change, rate)
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = self.pushed_along(&linear_problem, rate, pushed);
         let at = self.state(&linear_problem, factor, near).unwrap_or_else(|| ForcesAndTwist {
@@ -210,7 +210,7 @@ impl<'g> Segment<'g> {
         near: Option<&Vector>,
     ) -> Option<ForcesAndTwist> {
         let wrench = self.trajectory.at(factor);
-        let at = linear_problem.solve(self.problem.sites, &self.offsets(factor), (&wrench).into()).ok()?;
+        let at = linear_problem.solve(self.problem.sites, &self.offsets(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(linear_problem, at, near) } else { at })
     }
 

@@ -101,7 +101,7 @@ fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
         return None;
     }
     let trial = rates.trial();
-    let state = trial.solve(rates.sites, &rates.offsets, (&rates.wrench).into()).ok()?;
+    let state = trial.solve(rates.sites, &rates.offsets, &rates.wrench).ok()?;
     let in_units = |(site, force): (&Site, &SVector<f64, 3>)| {
         let axes = 0..site.springs.axes();
         axes.map(|axis| (force[axis] / site.springs.root_along(axis)).abs()).fold(0.0, f64::max)

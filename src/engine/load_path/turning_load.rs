@@ -36,7 +36,7 @@ impl Segment<'_> {
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let solved = |offsets: &[SVector<f64, 3>], load: &Vector| {
             linear_problem
-                .solve(self.problem.sites, offsets, load.into())
+                .solve(self.problem.sites, offsets, load)
                 .map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {

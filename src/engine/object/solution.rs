@@ -58,10 +58,10 @@ impl LinearProblem {
         &self,
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
-        load: Load,
+        load: impl Into<Load>,
     ) -> Result<ForcesAndTwist, Unbalanced> {
         let mut state = ForcesAndTwist::default();
-        self.solve_into(sites, offsets, load, (&mut SolutionMemory::default(), &mut state))?;
+        self.solve_into(sites, offsets, &load.into(), (&mut SolutionMemory::default(), &mut state))?;
         Ok(state)
     }
 
@@ -70,7 +70,7 @@ impl LinearProblem {
         &self,
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
-        load: Load,
+        load: &Load,
         (memory, state): (&mut SolutionMemory, &mut ForcesAndTwist),
     ) -> Result<(), Unbalanced> {
         if let Some(motion) = motion_of_work(&self.unbalanced, &load.wrench) {
@@ -86,7 +86,7 @@ impl LinearProblem {
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
             // With band factors each correction is smaller than the correction before by a constant factor only. Refinement ends when a correction is
             // at most this fraction of the largest force.
-            if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
+            if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
                 return Ok(());
@@ -113,7 +113,7 @@ impl LinearProblem {
         factors.stretches.subtract(x, &step);
         let mut twist = PreciseTwist::new(self.size(), factors.stretches.preimage(&step));
         let respond = |x: &mut [f64], rest: &Vector| factors.respond(x, rest);
-        self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
+        self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
         state.twist = without(twist.value(), &self.free);
         self.forces_into(&mut state.forces, x, offsets.len());
         Ok(())

@@ -31,7 +31,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     let conditions = |problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector| {
         let mut list = Vec::new();
         for_each_condition(problem, &found.states, forces, twist, &mut |value, size| {
-            list.push((value, size))
+            list.push((value, size));
         });
         list
     };

@@ -63,13 +63,13 @@ impl Labels {
     /// The best position of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins
     /// a name to a point that is not near. `None` if no free position is left on the paper.
     fn place(&mut self, paper: &mut Sheet, point: PaperPoint, size: (f64, f64)) -> Option<PaperPoint> {
-        let beside = self.best(point, self.plates_beside(point, size));
+        let beside = self.best(point, &self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;
         let plate = match beside {
             Some(plate) if is_clear(&plate) => plate,
             _ => {
                 let all = self.anywhere(size).into_iter().chain(beside);
-                self.best(point, all.list())?
+                self.best(point, &all.list())?
             }
         };
         let ((x, y), (wide, high)) = plate;
@@ -83,9 +83,9 @@ impl Labels {
     }
 
     /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
-    fn best(&self, point: PaperPoint, plates: Vec<NamePlate>) -> Option<NamePlate> {
+    fn best(&self, point: PaperPoint, plates: &[NamePlate]) -> Option<NamePlate> {
         let free =
-            picked(&plates, &|plate| (!self.overlaps(plate)).then(|| (self.cost(point, plate), *plate)));
+            picked(plates, &|plate| (!self.overlaps(plate)).then(|| (self.cost(point, plate), *plate)));
         lowest(&free, &|(cost, _)| *cost).map(|(_, plate)| *plate)
     }
 

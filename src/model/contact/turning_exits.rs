@@ -218,7 +218,7 @@ fn linear_exit(
     facet: SVector<f64, 3>,
     most: f64,
 ) -> Option<TurningExit> {
-    let margin = wave.component(&component);
+    let margin = wave.component(component);
     let (slack, fastest) = (ZERO_SLACK * weight * wave.size, weight * wave.turning_size);
     let step = match Start::of(&margin, slack, ZERO_SLACK * fastest) {
         Start::Stays => return None,

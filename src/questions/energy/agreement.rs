@@ -96,7 +96,7 @@ impl Line<'_> {
     fn forces(&self, springs: &LinearProblem) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-        let rates = springs.solve(problem.sites, &self.change, (&self.direction).into()).ok()?;
+        let rates = springs.solve(problem.sites, &self.change, &self.direction).ok()?;
         Some([start.forces, rates.forces])
     }
 
