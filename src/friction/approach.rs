@@ -9,8 +9,6 @@
 
 use super::alart_curnier::Anchored;
 use super::blocks::Blocks;
-use super::central_path;
-use super::elimination;
 use super::equations::{Equations, IterationLimits, descend, newton_step};
 use super::folds::around_folds;
 use super::problem::FrictionProblem;
@@ -18,6 +16,7 @@ use super::progress::SolveProgress;
 use super::settings::Settings;
 use super::sweeps::sweep;
 use super::tolerances::{ROUND_CONVERGED, WORTH_POLISHING};
+use super::{central_path, elimination};
 use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::prelude::*;
 use core::ops::ControlFlow;

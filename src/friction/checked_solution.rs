@@ -5,8 +5,8 @@ use super::problem::{FrictionProblem, part};
 use super::solution::Solution;
 use super::tolerances::OUTSIDE_CONE;
 use crate::lcp::tolerances::{BACKWARD_ERROR, LOST};
-use crate::numerics::numbered;
 use crate::numerics::tolerances::{FEW_ROUNDINGS, NEGLIGIBLE};
+use crate::numerics::{numbered, total};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
@@ -94,7 +94,7 @@ impl<const C: usize> FrictionProblem<C> {
             let force = part::<C>(&r, i).abs();
             let columns = self.w.columns(C * i, C);
             let unseen = |(row, terms): (usize, &f64)| {
-                (0..C).map(|k| columns[(row, k)].abs() * force[k]).sum::<f64>() <= FEW_ROUNDINGS * terms
+                total(C, &|k| columns[(row, k)].abs() * force[k]) <= FEW_ROUNDINGS * terms
             };
             if columns.iter().any(|w| *w != 0.0) && terms.iter().enumerate().all(unseen) {
                 r.fixed_rows_mut::<C>(C * i).fill(0.0);

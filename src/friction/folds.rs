@@ -10,8 +10,7 @@ use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, IterationLimits, descend};
 use super::problem::{FrictionProblem, part};
 use super::tolerances::ON_CENTRAL_PATH;
-use crate::numerics::IntoList;
-use crate::numerics::vector_of;
+use crate::numerics::{IntoList, total, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -124,8 +123,7 @@ impl<const C: usize> Path<'_, C> {
     /// Diagonal of the metric for changes of forces and ln τ along the path. Forces are measured relative to their size at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
-        let energy =
-            (0..self.problem.len()).map(|i| x.rows(C * i, C).norm_squared() / self.rho[i]).sum::<f64>();
+        let energy = total(self.problem.len(), &|i| x.rows(C * i, C).norm_squared() / self.rho[i]);
         vector_of(size + 1, &|k| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 

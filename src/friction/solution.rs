@@ -1,7 +1,7 @@
 //! The solution of a frictional contact problem.
 
 use super::law::{ContactMode, Residuals};
-use crate::numerics::Each;
+use crate::numerics::{Each, counted};
 use crate::prelude::*;
 use core::fmt;
 use nalgebra::DVector;
@@ -29,7 +29,7 @@ pub struct Solution {
 
 impl fmt::Display for Solution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let count = |state| self.states.iter().filter(|s| **s == state).count();
+        let count = |state| counted(&self.states, &|s| *s == state);
         let [open, sticking, sliding] =
             [ContactMode::Open, ContactMode::Sticking, ContactMode::Sliding].each(count);
         write!(

@@ -84,7 +84,7 @@ impl Workspace {
                 return None;
             };
             let active: Vec<bool> = numbered(lcp.len(), &|i| self.path.dictionary.is_active(i));
-            if !self.path.run_from(lcp.m.as_slice(), |i| active[i], settings, limit) {
+            if !self.path.run_from(lcp.m.as_slice(), &|i| active[i], settings, limit) {
                 return Some(failure);
             }
         }

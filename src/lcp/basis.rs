@@ -1,5 +1,6 @@
 //! Complementary bases.
 
+use crate::numerics::counted;
 use crate::prelude::*;
 
 /// A complementary basis: of every pair (w_i, z_i) one variable is basic, the other is nonbasic and zero.
@@ -59,7 +60,7 @@ impl Basis {
     /// Number of elements of α, the basic z_i.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.basic_z.iter().filter(|basic| **basic).count()
+        counted(&self.basic_z, &|basic| *basic)
     }
 
     /// Number n of pairs (w_i, z_i).

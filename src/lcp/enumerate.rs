@@ -1,16 +1,14 @@
 //! All solutions of a small problem, by enumeration.
 
 use super::basis::Basis;
-use super::linear_program;
 use super::point::LcpPoint;
-use super::principal;
 use super::problem::Lcp;
 use super::residuals::ignores_q;
 use super::scaling::Scaling;
 use super::settings::Settings;
 use super::solution::Solution;
 use super::tolerances::{MOST_ENUMERATED, ZERO_VALUE};
-use super::vertices;
+use super::{linear_program, principal, vertices};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Each, chosen, matrix_of, vector_of};
 use crate::prelude::*;

@@ -107,7 +107,7 @@ impl LcpError {
         if v.len() != needed {
             return Err(Self::Length { what, given: v.len(), needed });
         }
-        match v.iter().position(|x| !x.is_finite()) {
+        match v.as_slice().iter().position(|x| !x.is_finite()) {
             Some(row) => Err(Self::VectorEntry { what, row, value: v[row] }),
             None => Ok(()),
         }
@@ -115,7 +115,7 @@ impl LcpError {
 
     fn check_entries(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
         // nalgebra stores matrices column by column.
-        match m.iter().position(|x| !x.is_finite()) {
+        match m.as_slice().iter().position(|x| !x.is_finite()) {
             Some(at) => {
                 let (row, column) = (at % m.nrows(), at / m.nrows());
                 Err(Self::MatrixEntry { what, row, column, value: m[at] })

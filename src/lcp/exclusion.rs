@@ -105,7 +105,7 @@ impl ExclusionTest<'_> {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
         let domain = |j| if basic(j) { Domain::NotNegative } else { Domain::Zero };
-        cleaned(&y).any(|y| self.lcp.contradicts(&y, basic, domain))
+        cleaned(&y).any(|y| self.lcp.contradicts(&y, &basic, &domain))
     }
 }
 

@@ -22,7 +22,7 @@ impl Lcp {
     /// A y of a length other than n proves nothing, nor does a y with an entry that is negative or not finite.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
-        self.contradicts(y, |_| false, |_| Domain::NotNegative)
+        self.contradicts(y, &|_| false, &|_| Domain::NotNegative)
     }
 
     /// Whether y proves that constraints on M z + q and z contradict each other. Rows i with `vanishes(i)` must be zero, all others nonnegative; z_j
@@ -30,8 +30,8 @@ impl Lcp {
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
-        vanishes: impl Fn(usize) -> bool,
-        domain: impl Fn(usize) -> Domain,
+        vanishes: &dyn Fn(usize) -> bool,
+        domain: &dyn Fn(usize) -> Domain,
     ) -> bool {
         y.len() == self.len()
             && y.iter().enumerate().all(|(i, y)| y.is_finite() && (*y >= 0.0 || vanishes(i)))

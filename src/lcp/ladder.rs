@@ -3,16 +3,13 @@
 //! The order is: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
 //! describes when each attempt is made.
 
-use super::enumerate;
-use super::exclusion;
-use super::linear_program;
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
 use super::solution::Solution;
 use super::tolerances::{MOST_ENUMERATED, MOST_ROWS_WITH_VERTICES};
-use super::vertices;
 use super::workspace::Workspace;
+use super::{enumerate, exclusion, linear_program, vertices};
 use crate::numerics::generic;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -88,7 +85,7 @@ impl Workspace {
         let failure = self.follow(lcp, settings, limit)?;
         let Some([i, j]) = small_basis(lcp, attempt) else { return Some(failure) };
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
-        if self.path.run_from(lcp.m.as_slice(), |k| k == i || k == j, settings, limit) {
+        if self.path.run_from(lcp.m.as_slice(), &|k| k == i || k == j, settings, limit) {
             return self.finish_or_resume(lcp, settings, limit);
         }
         Some(failure)

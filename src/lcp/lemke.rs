@@ -47,7 +47,7 @@ impl LemkePath {
     pub(super) fn run_from(
         &mut self,
         m: &[f64],
-        active: impl Fn(usize) -> bool,
+        active: &dyn Fn(usize) -> bool,
         settings: &Settings,
         limit: usize,
     ) -> bool {

@@ -2,6 +2,7 @@
 
 use super::residuals::Residuals;
 use super::solution::{Solution, SolutionView};
+use crate::numerics::counted;
 use core::convert::Infallible;
 use core::fmt;
 use nalgebra::DVector;
@@ -158,7 +159,7 @@ impl Certificate {
 
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows = self.y.iter().filter(|y| **y != 0.0).count();
+        let rows = counted(self.y.as_slice(), &|y| *y != 0.0);
         write!(f, "a combination of {rows} of {} rows ({} pivots)", self.y.len(), self.pivots)
     }
 }

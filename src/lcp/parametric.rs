@@ -157,7 +157,7 @@ impl<'a> Parametric<'a> {
         self.remembered.clone_from(&self.basis);
         let (m, basis) = (self.lcp.m.as_slice(), &self.basis);
         if !self.workspace.holds(basis) {
-            let installed = self.workspace.path.install_basis(m, |i| basis.contains(i));
+            let installed = self.workspace.path.install_basis(m, &|i| basis.contains(i));
             installed.map_err(PathEnd::Breakdown)?;
             self.workspace.path.cover_violations(m, ZERO_VALUE);
         }

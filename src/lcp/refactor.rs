@@ -170,7 +170,7 @@ impl LemkePath {
     pub(super) fn install_basis(
         &mut self,
         m: &[f64],
-        active: impl Fn(usize) -> bool,
+        active: &dyn Fn(usize) -> bool,
     ) -> Result<(), BreakdownCause> {
         self.leaving.clear();
         self.leaving.extend((0..self.q.len()).filter(|i| active(*i)));
@@ -246,7 +246,7 @@ mod tests {
             (0..36).map(|k| f64::from(k + 1).sin() + if k % 7 == 0 { 3.0 } else { 0.0 }).collect();
         let mut path = LemkePath::default();
         path.prepare(&m, &[1.0, -2.0, 3.0, -1.0, 0.5, 2.0]);
-        path.install_basis(&m, |i| i % 2 == 0).expect("regular");
+        path.install_basis(&m, &|i| i % 2 == 0).expect("regular");
         for entering in [LemkeVariable::Z(1), LemkeVariable::W(2)] {
             path.dictionary.enter(entering, &m, &path.scaling);
             let sound = path.dictionary.u.clone();

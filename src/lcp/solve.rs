@@ -88,7 +88,7 @@ impl Workspace {
         self.prepare(lcp);
         refill(&mut self.path.d, lcp.len(), 0.0);
         let fits = basis.len() == lcp.len()
-            && self.path.install_basis(lcp.m.as_slice(), |i| basis.contains(i)).is_ok();
+            && self.path.install_basis(lcp.m.as_slice(), &|i| basis.contains(i)).is_ok();
         let failure = if fits { self.resume(lcp, settings) } else { self.climb(lcp, settings) };
         self.answer(failure)
     }

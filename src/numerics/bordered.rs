@@ -9,7 +9,6 @@
 //! of the arclength. T alone becomes singular at a fold of the path, where the bordered matrix is regular.
 
 use super::coordinates::{Indices, Square, Vector};
-use crate::numerics::Each;
 
 /// LU factors with partial pivoting of a bordered matrix: d rows of the balance matrix T, then the border row.
 #[derive(Debug, Clone)]
@@ -94,10 +93,12 @@ impl Bordered {
 
     /// The smallest absolute pivot divided by the largest.
     pub(crate) fn least_pivot(&self) -> f64 {
-        let inverses =
-            (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(core::iter::once(self.corner));
-        let pivots = inverses.map(|inverse| 1.0 / inverse.abs());
-        let [least, largest] = [f64::min, f64::max].each(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
+        let mut least = 1.0 / self.corner.abs();
+        let mut largest = least;
+        for k in 0..self.rows.size().count() {
+            let pivot = 1.0 / self.rows[(k, k)].abs();
+            (least, largest) = (least.min(pivot), largest.max(pivot));
+        }
         least / largest
     }
 

@@ -5,13 +5,22 @@ use crate::prelude::*;
 /// An iterator whose elements make a list. `collect` compiles several adapters for each iterator, and asks it for its length first.
 pub(crate) trait IntoList: Iterator + Sized {
     /// The elements, in order.
-    fn list(self) -> Vec<Self::Item> {
-        let mut all = Vec::new();
-        for element in self {
+    fn list(mut self) -> Vec<Self::Item> {
+        let mut all = const { Vec::new() };
+        loop {
+            let Some(element) = self.next() else { return all };
             all.push(element);
         }
-        all
     }
 }
 
 impl<I: Iterator> IntoList for I {}
+
+/// The values of all elements, in order; `None` from the first element that has none.
+pub(crate) fn all_some<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
+    let mut all = Vec::new();
+    for element in elements {
+        all.push(element?);
+    }
+    Some(all)
+}

@@ -113,6 +113,46 @@ pub(crate) fn least<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     least
 }
 
+/// The first element with the least value of `f`; `None` for an empty list.
+pub(crate) fn lowest<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> Option<&'a T> {
+    let mut lowest = list.first()?;
+    for element in &list[1..] {
+        if f(element).total_cmp(&f(lowest)).is_lt() {
+            lowest = element;
+        }
+    }
+    Some(lowest)
+}
+
+/// The last element with the greatest value of `f`; `None` for an empty list.
+pub(crate) fn highest<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> Option<&'a T> {
+    let mut highest = list.first()?;
+    for element in &list[1..] {
+        if f(element).total_cmp(&f(highest)).is_ge() {
+            highest = element;
+        }
+    }
+    Some(highest)
+}
+
+/// The number of elements for which `is_meant` is true.
+pub(crate) fn counted<T>(list: &[T], is_meant: &dyn Fn(&T) -> bool) -> usize {
+    let mut count = 0;
+    for element in list {
+        count += usize::from(is_meant(element));
+    }
+    count
+}
+
+/// The sum of `f` over the numbers from 0 to `count` − 1, added in order.
+pub(crate) fn total(count: usize, f: &dyn Fn(usize) -> f64) -> f64 {
+    let mut sum = -0.0;
+    for k in 0..count {
+        sum += f(k);
+    }
+    sum
+}
+
 /// The dot product of two lists, added in order.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sum = -0.0;

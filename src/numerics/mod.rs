@@ -105,13 +105,13 @@ pub(crate) use factors::Factors;
 pub(crate) use few_equations::{Equation, MOST_UNKNOWNS, solved};
 pub(crate) use harmonic::Harmonic;
 pub(crate) use increasing::increasing;
-pub(crate) use into_list::IntoList;
+pub(crate) use into_list::{IntoList, all_some};
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use mapped::{
-    chosen, dot, indexed, largest, least, mapped, matrix_of, moved, numbered, paired, picked, summed, tried,
-    vector_of,
+    chosen, counted, dot, highest, indexed, largest, least, lowest, mapped, matrix_of, moved, numbered,
+    paired, picked, summed, total, tried, vector_of,
 };
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};

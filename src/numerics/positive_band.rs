@@ -3,8 +3,7 @@
 //! With entries up to b positions from the diagonal, n rows cost ½ n b² multiplications, a quarter of the cost for an unsymmetric band.
 
 use super::tolerances::POSITIVE_PIVOT;
-use crate::numerics::IntoList;
-use crate::numerics::dot;
+use crate::numerics::{IntoList, dot};
 use crate::prelude::*;
 
 /// The lower half of a band matrix with entries up to `half_bandwidth` positions from the diagonal, or of its Cholesky factor.

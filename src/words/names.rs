@@ -27,16 +27,14 @@ fn is_control(c: char) -> bool {
 
 /// Names in a list: "left, right and thumb"; in a long list, "a, b, c, d, e, f and 7 more".
 pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
+    in_a_list(&mapped(names, &ToString::to_string))
+}
+
+fn in_a_list(names: &[String]) -> String {
     match names {
         [] => "nothing".to_owned(),
-        [one] => one.to_string(),
-        many if many.len() > MOST_NAMES => {
-            let first: Vec<_> = mapped(&many[..6], &ToString::to_string);
-            format!("{} and {} more", first.join(", "), many.len() - first.len())
-        }
-        [first @ .., last] => {
-            let first: Vec<_> = mapped(first, &ToString::to_string);
-            format!("{} and {last}", first.join(", "))
-        }
+        [one] => one.clone(),
+        many if many.len() > MOST_NAMES => format!("{} and {} more", many[..6].join(", "), many.len() - 6),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }

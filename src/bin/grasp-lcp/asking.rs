@@ -8,7 +8,7 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::identify::FitEnding;
 use grasp_lcp::need::Amount;
-use grasp_lcp::scene::{OnsetAnswer, PathOutcome, Scene};
+use grasp_lcp::scene::{Answer, OnsetAnswer, PathOutcome, Scene, Setup};
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::words::{Unit, Words};
 
@@ -19,7 +19,6 @@ use crate::own_masses::shared_centre;
 use crate::progress_line::ProgressLine;
 use crate::words::Style;
 use crate::{files, report};
-use grasp_lcp::scene::{Answer, Setup};
 
 /// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether an answer is
 /// undecided.

@@ -1,7 +1,6 @@
 //! Failures of the program, and their exit codes.
 
-use std::fmt;
-use std::io;
+use std::{fmt, io};
 
 /// The reason why the program fails.
 #[derive(Debug)]

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use grasp_lcp::spatial::Need;
-use grasp_lcp::spatial::Wrench;
+use grasp_lcp::spatial::{Need, Wrench};
 use grasp_lcp::words::printable;
 
 use crate::arguments::{NeedArguments, Numbers, SoughtQuantity};

@@ -2,9 +2,8 @@
 //!
 //! The macros shadow those of the standard library, which panic on such errors.
 
-use std::fmt;
 use std::io::{self, Write};
-use std::process;
+use std::{fmt, process};
 
 use crate::failure::Failure;
 

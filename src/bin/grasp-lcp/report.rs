@@ -9,12 +9,11 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::Improved;
 use grasp_lcp::load_path::{Beyond, DepartingContact, Departure, EdgeOf, PartChange};
-use grasp_lcp::scene::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
+use grasp_lcp::scene::{Angle, Answer, Factor, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
 use grasp_lcp::words::printable;
 
 use crate::table::{compared, table};
 use crate::words::{NO_WORDS, Style};
-use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// Prints the answer to a question of a scene: its first line, then its tables and details.
 pub(crate) fn print(

@@ -38,7 +38,9 @@ impl Engine {
                 _ => of_forces.max(of_displacements),
             });
             let mut distinct = true;
-            problem.local(i).for_each_condition(state, &at, |value, size| distinct &= value > least * size);
+            problem
+                .local(i)
+                .for_each_condition(state, &at, &mut |value, size| distinct &= value > least * size);
             distinct
         };
         Some(equilibrium.local.states.iter().enumerate().take(self.len()).map(distinct).list())

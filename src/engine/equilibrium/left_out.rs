@@ -17,7 +17,7 @@ use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{PositiveBand, Square, dot, mapped, symmetric_eigen};
+use crate::numerics::{IntoList, PositiveBand, Square, dot, mapped, symmetric_eigen};
 use crate::object::{tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::words::LinkKind;
@@ -39,7 +39,7 @@ impl Engine {
         }
         let (load, twist) = (there.load - rest.load, there.twist.components());
         let moved = twist.iter().zip(rest.twist.components()).map(|(to, from)| to - from);
-        let moved: Vec<f64> = moved.collect();
+        let moved: Vec<f64> = moved.list();
         let kept: f64 = dot(&moved, load.components());
         // In the plane the only angle is the last one, about the axis out of the plane.
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
@@ -110,7 +110,7 @@ impl Engine {
         }
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
-        let mut both = (tangent_stiffness(self.sites(), springs), self.geometric_stiffness(forces, load));
+        let mut both = (tangent_stiffness(self.sites(), &springs), self.geometric_stiffness(forces, load));
         // Of a grasp that is stable in every motion the free motions need not be found.
         if self.is_stable(&both, times) {
             return None;

@@ -8,7 +8,7 @@ use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
 use crate::grasp::{ContactPoints, Engine, Space, Wrench};
-use crate::numerics::{Vector, picked};
+use crate::numerics::{IntoList, Vector, counted, picked};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -181,7 +181,7 @@ impl Engine {
             contacts[range.start].point_of_pad?;
             let middle = whole.mean(&|i| contacts[i].point);
             let of = &solved[range.clone()];
-            let count = |is_so: fn(&ContactState<3>) -> bool| of.iter().filter(|c| is_so(&c.state)).count();
+            let count = |is_so: fn(&ContactState<3>) -> bool| counted(of, &|c| is_so(&c.state));
             Some(PadAnswer {
                 contact: label.clone(),
                 first: range.start,
@@ -225,6 +225,6 @@ impl Engine {
         }
         // A sum below this fraction of the sizes of its terms is rounding.
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
-        Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).collect::<Vec<_>>()))
+        Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).list()))
     }
 }

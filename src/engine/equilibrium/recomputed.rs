@@ -267,8 +267,8 @@ impl Engine {
 }
 
 fn is_finite(answer: &ContactAnswer<3>) -> bool {
-    let numbers = answer.force.iter().chain(&answer.force_world).chain(&answer.slip);
-    answer.gap.is_finite() && numbers.into_iter().all(|x| x.is_finite())
+    let vectors = [&answer.force, &answer.force_world, &answer.slip];
+    answer.gap.is_finite() && vectors.iter().all(|v| v.as_slice().iter().all(|x| x.is_finite()))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 use crate::contact::State;
 use crate::grasp::{Engine, HandPart, JointKind, PartLabel, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, largest};
+use crate::numerics::{Vector, highest, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, SmallMotions};
@@ -158,7 +158,7 @@ impl CountedMotion {
 
 /// The motion whose length is the largest multiple of its limit, whether or not it is beyond the limit; `None` for an empty list.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
-    motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
+    highest(motions, &CountedMotion::over_the_limit)
 }
 
 /// An equilibrium, given by the data from which its motions are measured: contact states, forces, finger offsets, slips and twist.
@@ -266,9 +266,13 @@ impl Engine {
         match motion.of {
             MotionOf::Body(first) => {
                 let named = self.bodies().and_then(|bodies| {
-                    bodies.places.iter().zip(&bodies.names).find(|(place, _)| place.first == first)
+                    bodies
+                        .places
+                        .iter()
+                        .position(|place| place.first == first)
+                        .map(|body| &bodies.names[body])
                 });
-                TooFar::Turns { body: named.map(|(_, name)| name.to_string()), limit }
+                TooFar::Turns { body: named.map(ToString::to_string), limit }
             }
             MotionOf::Joint(joint) => {
                 let joint = HandPart::Joint(joint);

@@ -16,7 +16,7 @@ use nalgebra::SVector;
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{IntoList, mapped, matrix_of, numbered, vector_of};
+use crate::numerics::{IntoList, mapped, matrix_of, numbered, total, vector_of};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
@@ -148,7 +148,7 @@ fn form(
         let jump = &jumps[i];
         let springs = &problem.sites[jump.contact].springs;
         let force = &state.forces[jump.contact];
-        (0..springs.axes()).map(|a| jump.row[a] * force[a] / springs.root_along(a)).sum()
+        total(springs.axes(), &|a| jump.row[a] * force[a] / springs.root_along(a))
     });
     let z_unit = mapped(jumps, &|jump| jump.z_unit);
     let w_unit = mapped(jumps, &|jump| jump.w_unit);

@@ -16,7 +16,7 @@
 
 use core::cell::OnceCell;
 
-use crate::numerics::{Each, IntoList, by_axis};
+use crate::numerics::{Each, IntoList, Vector, by_axis};
 use nalgebra::{Matrix, SVector};
 
 use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
@@ -25,7 +25,6 @@ use super::tolerances::SLACK_ON_AN_ARC;
 use crate::contact::{Slide, State, Tangent, tangential, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
-use crate::numerics::Vector;
 use crate::object::{ForcesAndTwist, Imbalance, LinearProblem};
 use crate::prelude::*;
 

@@ -270,12 +270,12 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         // upper bound: a larger violation is real, however badly conditioned the linear problem is.
         let rounding = (ZERO_SLACK * linear_problem.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
-        for_each_condition(problem, &states, &now.forces, &now.twist, |value, size| {
+        for_each_condition(problem, &states, &now.forces, &now.twist, &mut |value, size| {
             values.push((value, size));
         });
         let mut holds = true;
         let mut at = 0;
-        for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
+        for_each_condition(rates, &states, &next.forces, &next.twist, &mut |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
             // A condition that is positive at the end is also taken as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of

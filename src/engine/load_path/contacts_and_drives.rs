@@ -8,8 +8,7 @@ use super::onset_margins::DepartingPart;
 use super::turn::EdgeOf;
 use crate::error::ContactLabel;
 use crate::grasp::{DriveLaw, Engine, PartLabel};
-use crate::numerics::IntoList;
-use crate::numerics::moved;
+use crate::numerics::{IntoList, moved};
 use crate::prelude::*;
 
 impl Engine {

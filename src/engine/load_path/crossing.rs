@@ -8,6 +8,7 @@ use super::flow::{Flow, FlowStep, Rule, StepGoal};
 use super::piecewise_follower::PiecewiseFollower;
 use super::segment::PathPoint;
 use super::watched_condition::{ConditionValue, watch};
+use crate::numerics::{chosen, lowest};
 use crate::prelude::*;
 
 /// A step along an arc: its arclength, the state at its end, and the watched conditions of contact states, evaluated at the end.
@@ -54,8 +55,8 @@ impl PiecewiseFollower<'_> {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
             from / (from - to)
         };
-        let violated = (0..start.len()).filter(|&k| end.watches[k].is_violated());
-        violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
+        let violated = chosen(start.len(), &|k| end.watches[*k].is_violated());
+        lowest(&violated, &|k| part(*k)).copied()
     }
 
     /// Shortens the step `end`, which violates condition `k`, until it ends where a watched condition is just met and no other is violated. The

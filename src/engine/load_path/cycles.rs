@@ -261,8 +261,8 @@ impl CycleRecord {
             }
             jump.states.iter().for_each(|states| self.note(leg, states));
         }
-        let forces = piece.here.lines.iter().map(|line| line.force).chain(piece.there.forces.iter().copied());
-        self.largest = forces.map(|force| force.norm()).fold(self.largest, f64::max);
+        self.largest = self.largest.max(largest(&piece.here.lines, &|line| line.force.norm()));
+        self.largest = self.largest.max(largest(&piece.there.forces, &Matrix::norm));
         for (i, state) in piece.states.iter().enumerate() {
             if state.slides() {
                 self.slid[i] += (after[i] - piece.problem.slips[i]).norm();

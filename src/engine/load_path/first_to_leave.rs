@@ -47,7 +47,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     let mut factor = exit.step;
     let load = segment.trajectory.at(factor);
     segment.offsets_into(factor, offsets);
-    linear_problem.solve_into(problem.sites, offsets, &load, (solution, there)).ok()?;
+    linear_problem.solve_into(problem.sites, offsets, &(&load).into(), (solution, there)).ok()?;
     let more = problem.local(contact).step_to_exit(&exit, &there.forces[contact], &line.rate);
     if more.abs() > LARGEST_CORRECTION * factor || !is_balanced(problem.sites, &load, &there.forces) {
         return None;
@@ -165,7 +165,7 @@ impl FirstToLeave {
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // If the value of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
-    local.for_each_condition(&local.trial_state(), at, |value, size| clear &= value > NEGLIGIBLE * size);
+    local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 

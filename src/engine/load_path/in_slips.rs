@@ -205,8 +205,9 @@ impl Slips<'_> {
             return None;
         }
         *rates = vec![0.0, 1.0];
-        let along = |(slip, p): (&f64, &SVector<f64, 3>)| [p[1] * slip, p[2] * slip];
-        rates.extend(slips.iter().zip(directions).flat_map(along));
+        for (slip, p) in slips.iter().zip(directions) {
+            rates.extend_from_slice(&[p[1] * slip, p[2] * slip]);
+        }
         if slips.iter().all(|slip| *slip > 0.0) {
             // The unit of slip is chosen so that slips and load factor have equal weight in the arclength at the beginning.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();

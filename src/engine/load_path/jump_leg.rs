@@ -26,7 +26,7 @@ use super::program_run::ProgramRun;
 use super::stored_piece::{ArcStep, JumpRecord};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
-use crate::numerics::{IntoList, Vector, chosen, largest};
+use crate::numerics::{Vector, chosen, largest, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
@@ -108,9 +108,9 @@ impl<'g> JumpInProgress<'g> {
 
     /// For each contact that has slid in the jump so far, its slip since the beginning of the jump.
     fn slips(&self, run: &ProgramRun<'g>) -> Vec<JumpSlip<3>> {
-        let contacts = run.grasp.contacts().iter().enumerate().filter(|(i, _)| self.record.slid[*i]);
+        let contacts = chosen(run.grasp.len(), &|i| self.record.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.record.slips[i];
-        contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).list()
+        mapped(&contacts, &|i| JumpSlip { contact: run.grasp.contacts()[*i].label(*i), slip: slip(*i) })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Active sets and slip memory at a node of the path (the place of an event, or the start of a leg). Slip memory is the accumulated slip of each
 //! contact. The active set of a contact consists of the edges of its cone on which its force lies.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};
 
 use super::first_exits::ExitsReached;
@@ -12,7 +12,6 @@ use super::trajectory::Trajectory;
 use super::watched_condition::{has_vanished, is_vanishing};
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
-use crate::numerics::Vector;
 use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::object::{ForcesAndTwist, Problem, least_spring_force};
 use crate::prelude::*;

@@ -1,15 +1,14 @@
 //! The tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). The matrices are full,
 //! or band matrices if there are many coordinates.
 
-use crate::numerics::Each;
+use crate::numerics::{
+    Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
+};
 use alloc::sync::Arc;
 use core::ops::Range;
 
 use crate::grasp::Site;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{
-    Band, Bordered, BorderedBand, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
-};
 use crate::object::uses_band;
 use crate::prelude::*;
 

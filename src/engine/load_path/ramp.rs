@@ -1,6 +1,6 @@
 //! A ramp: a load, commands, or both, that change in proportion to one load factor.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, mapped};
 use alloc::borrow::Cow;
 
 use nalgebra::SVector;
@@ -9,7 +9,6 @@ use nalgebra::SVector;
 use super::written_leg::{check_drives, check_rows};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::mapped;
 use crate::prelude::*;
 
 /// A load and commands that change in proportion to a load factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ

@@ -6,7 +6,9 @@ use super::tolerances::LITTLE_NORMAL_FORCE;
 use super::within_a_step::BoundedCubic;
 use crate::contact::tangential_norm;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Each, Stepped, explicit_step, largest, numbered, paired, regula_falsi};
+use crate::numerics::{
+    Each, Stepped, chosen, explicit_step, largest, lowest, numbered, paired, regula_falsi,
+};
 use crate::prelude::*;
 
 /// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates per unit of arclength, and the
@@ -217,5 +219,5 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
 /// ends of the step. `None` if no condition is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
-    (0..start.len()).filter(|k| end[*k] < 0.0).min_by(|a, b| part(*a).total_cmp(&part(*b)))
+    lowest(&chosen(start.len(), &|k| end[*k] < 0.0), &|k| part(*k)).copied()
 }

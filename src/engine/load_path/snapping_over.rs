@@ -33,7 +33,7 @@ use super::trajectory::Trajectory;
 use super::transition::change;
 use crate::contact::ContactResponse;
 use crate::grasp::{Engine, Site};
-use crate::numerics::{PartialPivoting, Vector, largest};
+use crate::numerics::{IntoList, PartialPivoting, Vector, largest};
 use crate::object::{Problem, tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::search::{SearchSolution, SmallMotions};
@@ -70,7 +70,7 @@ impl<'g> StateAfterSnap<'g> {
             let local = problem.local(i);
             local.tangent(&local.trial_state()).matrix()
         };
-        let damping = tangent_stiffness(problem.sites, |i| damper(&problem, i));
+        let damping = tangent_stiffness(problem.sites, &|i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
         // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction.
         // Therefore the present friction cones are restored.
@@ -89,7 +89,7 @@ impl<'g> StateAfterSnap<'g> {
             let both = |i: usize| {
                 problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
             };
-            let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, both));
+            let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, &both));
             // The determinant is not positive if the step is too long near an unstable equilibrium. An implicit step would then go back to this
             // equilibrium.
             let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
@@ -254,9 +254,8 @@ impl<'g> PiecewiseFollower<'g> {
         let (from, goal) = (problem.wrench.clone(), segment.trajectory.at(0.0));
         segment.trajectory = Trajectory::Straight { rate: goal - &from, from };
         segment.problem = problem;
-        let forces = contacts.iter().map(|contact| contact.force).collect();
-        let found =
-            SearchSolution::new(contacts.iter().map(|contact| contact.state).collect(), forces, twist);
+        let forces = contacts.iter().map(|contact| contact.force).list();
+        let found = SearchSolution::new(contacts.iter().map(|contact| contact.state).list(), forces, twist);
         let (states, before) = (found.states.clone(), &self.node);
         let ways = directions(&segment.problem, &found);
         let node = Node { holds: before.holds.clone(), ..Node::at_start(&mut segment, found) };
@@ -264,7 +263,7 @@ impl<'g> PiecewiseFollower<'g> {
             let was = (before.states[i], before.directions[i]);
             change(was, (states[i], ways[i])).map(|change| (i, change))
         });
-        let changes = changes.collect();
+        let changes = changes.list();
         (Self { at_node: true, ..Self::at_segment_start(segment, node) }, changes)
     }
 }

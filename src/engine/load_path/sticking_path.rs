@@ -1,7 +1,7 @@
 //! Follows a growing or turning load while no contact slides. Where a gap closes, the path continues with this contact sticking, too. The path ends
 //! where a contact stops sticking.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;
 
 use super::first_exits::ExitsReached;
@@ -11,7 +11,6 @@ use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::grasp::Wrench;
-use crate::numerics::mapped;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, FoundBy, SearchOutcome, SearchSolution, Settings, settle};

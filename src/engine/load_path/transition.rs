@@ -7,6 +7,7 @@ use super::event::Change;
 use crate::contact::{Mode, State};
 use crate::forms::{Form, clearly_breaks, kinematic_form};
 use crate::grasp::{Site, Space};
+use crate::numerics::all_some;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
@@ -16,7 +17,7 @@ use crate::search::{SearchSolution, combinations, search_among};
 /// present contact states. `None` if the laws of the rates exclude that some contact keeps its state.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
-    locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
+    all_some(locals.map(|((local, law), state)| local.in_the_rates(law, *state)))
 }
 
 /// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. Each state is given with

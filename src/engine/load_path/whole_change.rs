@@ -6,7 +6,7 @@ use core::fmt;
 use super::event::{Change, ContactChange, Event};
 use crate::equilibrium::{ContactState, Equilibrium, PadAnswer};
 use crate::error::ContactLabel;
-use crate::numerics::picked;
+use crate::numerics::{IntoList, picked};
 use crate::prelude::*;
 use crate::words::{Words, opens};
 
@@ -117,7 +117,7 @@ impl<const C: usize> fmt::Display for Event<C> {
         write!(f, "leg {} at {fraction}, {load}:", self.leg)?;
         let contacts = self.whole_changes().into_iter().map(|change| format!(" {change:.digits$}"));
         let drives = self.drives.iter().map(|drive| format!(" {} {}", drive.part.text(), drive.what));
-        let texts: Vec<_> = contacts.chain(drives).collect();
+        let texts: Vec<_> = contacts.chain(drives).list();
         f.write_str(&if texts.is_empty() { " more points change".to_owned() } else { texts.join(",") })?;
         match &self.jump {
             Some(jump) => write!(f, "; {jump:.digits$}"),

@@ -8,7 +8,10 @@
 //! `x = α - A q`, and balance the load W if `Bᵀx = -W`. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B
 //! are factorised by orthogonal transformations.
 
-use crate::numerics::{IntoList, Map, Size, Square, Vector, mapped};
+use crate::numerics::{
+    CompletePivoting, IntoList, Map, Once, Orthogonal, Size, Square, Vector, mapped, orthonormalise_against,
+    without,
+};
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -19,7 +22,6 @@ use super::null_motions::NullMotions;
 use super::problem::Problem;
 use crate::contact::{Spring, State};
 use crate::grasp::{Site, size_of};
-use crate::numerics::{CompletePivoting, Once, Orthogonal, orthonormalise_against, without};
 use crate::prelude::*;
 
 /// The linear problem in which every contact keeps one known state, factorised. Offsets and load are not part of it.

@@ -92,12 +92,10 @@ impl NullMotions {
     /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces `x`. If
     /// the load and these forces together do more work along z than rounding explains, they cannot be in balance. `growth` is the factor by which the
     /// LU factors amplify rounding.
-    pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
+    pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: &dyn Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
-            let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
-            let known = NO_WORK
-                * (sizes(&mut stretches.iter().zip(x).map(|(a, b)| a * b))
-                    + sizes(&mut z.iter().zip(load.iter()).map(|(a, b)| a * b)));
+            let sizes = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + (a * b).abs());
+            let known = NO_WORK * (sizes(stretches, x) + sizes(z.as_slice(), load.as_slice()));
             let work = (dot(stretches, x) + z.dot(load)).abs();
             work > known && work > known * growth()
         })

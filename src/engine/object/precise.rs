@@ -3,11 +3,10 @@
 //! The residual of a stiff spring may be the difference of numbers 1e14 times as large. With grasp maps, load and twist in twice the working
 //! precision, solving again for the residual gives forces that are right to the last digit.
 
-use crate::numerics::{Size, Vector, WHOLE};
+use crate::numerics::{DoubleDouble, Size, Vector, WHOLE};
 
 use super::load::Load;
 use crate::grasp::Site;
-use crate::numerics::DoubleDouble;
 
 /// A vector in twice the working precision.
 #[derive(Debug, Clone)]

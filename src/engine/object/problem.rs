@@ -9,7 +9,7 @@
 //! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law that relates rates of force and stretch at its present
 //! state ([`Law`]).
 
-use crate::numerics::{IntoList, Size, Vector, by_axis, indexed};
+use crate::numerics::{DoubleDouble, IntoList, Size, Vector, by_axis, cleared_for, indexed, numbered};
 use alloc::sync::Arc;
 
 use nalgebra::SVector;
@@ -19,7 +19,6 @@ use super::precise::PreciseTwist;
 use crate::contact::{Coulomb, Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
 use crate::grasp::{CachedValue, Engine, Site, Space, Wrench, size_of};
-use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
 /// The static problem, or the rate problem for derivatives along a load path: the law and the offset a_i of each contact, and the load W. Moments are
@@ -213,11 +212,7 @@ impl<'g> Problem<'g> {
 
     /// The values of the function `of` for the laws of all contacts, in the order of contacts.
     pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_>) -> T) -> Vec<T> {
-        let mut answers = Vec::with_capacity(self.len());
-        for contact in 0..self.len() {
-            answers.push(of(self.local(contact)));
-        }
-        answers
+        numbered(self.len(), &|contact| of(self.local(contact)))
     }
 
     /// Stretch `a_i - G_iᵀq` of contact i, from its offset a_i, its grasp map G_i and the twist q of the object.

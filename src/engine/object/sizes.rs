@@ -1,6 +1,6 @@
 //! Sizes of forces, N, and of displacements, m, to which their rounding errors are proportional.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
 
 use super::newton::Imbalance;
@@ -9,7 +9,6 @@ use super::solution::ForcesAndTwist;
 use super::tolerances::NO_FORCE;
 use crate::contact::SpringState;
 use crate::grasp::Site;
-use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// The least force, N, that the displacements of a contact could cause in its springs; forces far below it are mere rounding. It is the minimum over

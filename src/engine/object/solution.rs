@@ -61,7 +61,7 @@ impl LinearProblem {
         load: impl Into<Load>,
     ) -> Result<ForcesAndTwist, Unbalanced> {
         let mut state = ForcesAndTwist::default();
-        self.solve_into(sites, offsets, load, (&mut SolutionMemory::default(), &mut state))?;
+        self.solve_into(sites, offsets, &load.into(), (&mut SolutionMemory::default(), &mut state))?;
         Ok(state)
     }
 
@@ -70,24 +70,23 @@ impl LinearProblem {
         &self,
         sites: &[Site],
         offsets: &[SVector<f64, 3>],
-        load: impl Into<Load>,
+        load: &Load,
         (memory, state): (&mut SolutionMemory, &mut ForcesAndTwist),
     ) -> Result<(), Unbalanced> {
-        let load = load.into();
         if let Some(motion) = motion_of_work(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }
         let SolutionMemory { x, change } = memory;
         if let Some((band, null)) = &self.band {
             self.stretched_into(x, |contact| offsets[contact]);
-            if null.are_out_of_reach(x, &load.wrench, || band.growth()) {
+            if null.are_out_of_reach(x, &load.wrench, &|| band.growth()) {
                 return Err(Unbalanced { motion: None });
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
             // With band factors each correction is smaller than the correction before by a constant factor only. Refinement ends when a correction is
             // at most this fraction of the largest force.
-            if self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, 1e-15)) {
+            if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
                 return Ok(());
@@ -114,7 +113,7 @@ impl LinearProblem {
         factors.stretches.subtract(x, &step);
         let mut twist = PreciseTwist::new(self.size(), factors.stretches.preimage(&step));
         let respond = |x: &mut [f64], rest: &Vector| factors.respond(x, rest);
-        self.refine(sites, (offsets, &load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
+        self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, NEARLY_CORRECTED));
         state.twist = without(twist.value(), &self.free);
         self.forces_into(&mut state.forces, x, offsets.len());
         Ok(())

@@ -8,7 +8,7 @@
 //! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
 //! After a step R is mere rounding, so that a few steps give the last digits if T is regular. For a singular T see [`super::LinearProblem`].
 
-use crate::numerics::{Each, Square, Vector};
+use crate::numerics::{Each, Factors, PartialPivoting, Square, Vector, in_halves};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
@@ -19,7 +19,6 @@ use super::problem::Problem;
 use super::solution::ForcesAndTwist;
 use crate::contact::State;
 use crate::grasp::{Site, size_of};
-use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
 /// LU factors of the tangent stiffness T; with many coordinates ([`uses_band`]) T is factorised as a band matrix.
@@ -60,7 +59,7 @@ impl Problem<'_> {
     pub(crate) fn tangent_factors(&self, state: &(dyn Fn(usize) -> State + Sync)) -> TangentFactors {
         self.tangent_in_a_band(state).unwrap_or_else(|| {
             let tangent = |i: usize| self.local(i).tangent(&state(i)).matrix();
-            TangentFactors::Whole(Factors::new(&tangent_stiffness(self.sites, tangent)))
+            TangentFactors::Whole(Factors::new(&tangent_stiffness(self.sites, &tangent)))
         })
     }
 
@@ -83,7 +82,7 @@ impl Problem<'_> {
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
 /// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over the contacts and drives `sites`; `springs(i)` returns C_i of contact i.
-pub(crate) fn tangent_stiffness(sites: &[Site], springs: impl Fn(usize) -> SpringTangent + Sync) -> Square {
+pub(crate) fn tangent_stiffness(sites: &[Site], springs: &(dyn Fn(usize) -> SpringTangent + Sync)) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
         for i in contacts {

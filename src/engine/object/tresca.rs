@@ -25,7 +25,7 @@ use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
 use crate::numerics::{
-    IntoList, PositiveBand, Vector, by_axis, dot, mapped, moved, narrow_order, paired, widest,
+    IntoList, PositiveBand, Vector, all_some, by_axis, dot, mapped, moved, narrow_order, paired, widest,
 };
 use crate::prelude::*;
 
@@ -95,7 +95,7 @@ impl GivenLimits {
         }
         let contacts = problem.locals().zip(&problem.offsets);
         let contacts: Option<Vec<_>> =
-            contacts.map(|(local, offset)| Limited::of(&local, offset, on_polygons)).collect();
+            all_some(contacts.map(|(local, offset)| Limited::of(&local, offset, on_polygons)));
         let mut load = vec![0.0; count];
         problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = *w);
         Some(Self {

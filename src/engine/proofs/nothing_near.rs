@@ -20,7 +20,7 @@
 
 use crate::contact::Resistance;
 use crate::grasp::Space;
-use crate::numerics::{Vector, increasing, mapped, unit};
+use crate::numerics::{Vector, increasing, mapped, summed, total, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -80,7 +80,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
 /// the force and moment parts of `row` and of the sizes of all other entries.
 fn largest_product(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
-    let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();
-    let joints = row.as_slice().iter().skip(object).map(|x| x.abs()).sum::<f64>();
+    let part = |from: usize, to: usize| total(to - from, &|k| row[from + k] * row[from + k]).sqrt();
+    let joints = summed(row.as_slice().get(object..).unwrap_or_default(), &|x| x.abs());
     part(0, axes) + part(axes, object) + joints
 }

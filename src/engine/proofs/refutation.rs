@@ -11,13 +11,12 @@
 //! for every q. A label restricts the state of a contact, or the direction of its friction. If, under the labels of a case, no contact's term on the
 //! left side can be positive, the case has no equilibrium.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 use crate::contact::{Label, LocalLaw, State};
 use crate::grasp::Site;
-use crate::numerics::Vector;
 use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 

@@ -109,7 +109,7 @@ pub(super) fn admit_regular(
     state: ForcesAndTwist,
 ) -> Option<SearchSolution> {
     let mut holds = true;
-    for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
+    for_each_condition(problem, &states, &state.forces, &state.twist, &mut |value, size| {
         // For NaN the comparison is false, so the states are refused.
         holds &= value >= -ZERO_SLACK * size;
     });
@@ -123,7 +123,7 @@ pub(super) fn breaking(problem: &Problem, states: &[State], at: &ForcesAndTwist)
     let breaks = |contact: &usize| {
         let force = &at.forces[*contact];
         let (mut holds, at) = (true, problem.at_moved((*contact, force), &at.twist, norm, largest));
-        problem.local(*contact).for_each_condition(&states[*contact], &at, |value, size| {
+        problem.local(*contact).for_each_condition(&states[*contact], &at, &mut |value, size| {
             holds &= value >= -ZERO_SLACK * size;
         });
         !holds
@@ -137,13 +137,13 @@ pub(crate) fn for_each_condition(
     states: &[State],
     forces: &[SVector<f64, 3>],
     twist: &Vector,
-    mut visit: impl FnMut(f64, f64),
+    visit: &mut dyn FnMut(f64, f64),
 ) {
     let largest = problem.largest_force(forces, twist);
     let norm = problem.size_of_motion(twist, largest);
     for (contact, (state, force)) in states.iter().zip(forces).enumerate() {
         let at = problem.at_moved((contact, force), twist, norm, largest);
-        problem.local(contact).for_each_condition(state, &at, &mut visit);
+        problem.local(contact).for_each_condition(state, &at, visit);
     }
 }
 
@@ -159,7 +159,7 @@ fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector)
 /// Values of the inequalities of all contacts and drives, which should not be negative, and for each value the size of its terms.
 fn slacks(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
-    for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
+    for_each_condition(problem, states, &at.forces, &at.twist, &mut |value, size| {
         values.push(value);
         sizes.push(size);
     });
@@ -170,7 +170,7 @@ fn slacks(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> (Vec<f64>
 /// value is NaN.
 fn violation(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> f64 {
     let mut worst = 0.0;
-    for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
+    for_each_condition(problem, states, &at.forces, &at.twist, &mut |value, size| {
         worst = worse(worst, value, size);
     });
     worst
@@ -201,7 +201,7 @@ fn least_admissible_shift(
             let site = &problem.sites[contact];
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
-            problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
+            problem.local(contact).for_each_condition(state, &at, &mut |rate, rate_size| {
                 // If the change of an inequality's value per unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very
                 // long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {

@@ -18,12 +18,11 @@ use super::settings::Settings;
 use super::tolerances::{MANY_CONTACTS, MOST_WORK, NEAR_THE_RELAXED_STATE, SEVERAL_CONTACTS};
 use super::touching::touching_contacts;
 use super::tree::{BranchAndBound, has_round_cones, most_cases, search_tree};
-use crate::forms;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{WHOLE, mapped};
 use crate::object::{Problem, SpringDashpotRelaxation, newton_on_cones, twist_by_tresca};
 use crate::prelude::*;
-use crate::proofs;
+use crate::{forms, proofs};
 
 /// A method of the ladder. `applies` is the condition under which the method is tried, and `climb` runs it.
 pub(super) struct Rung {

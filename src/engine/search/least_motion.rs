@@ -30,7 +30,9 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     let base = &base + to_what_touches(problem, &found, &base);
     let conditions = |problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector| {
         let mut list = Vec::new();
-        for_each_condition(problem, &found.states, forces, twist, |value, size| list.push((value, size)));
+        for_each_condition(problem, &found.states, forces, twist, &mut |value, size| {
+            list.push((value, size));
+        });
         list
     };
     let values = conditions(problem, &found.forces, &base);

@@ -5,7 +5,7 @@
 //! condition. These contacts are added, too, until no contact breaks a condition. If many contacts leave the trial, Lemke's method starts instead
 //! from states from Tresca friction, in which few contacts break a condition.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, chosen};
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
@@ -15,7 +15,6 @@ use super::settings::Settings;
 use super::tolerances::MOST_WORK;
 use crate::contact::{Mode, State};
 use crate::forms::{UnitDisplacements, kinematic_form_among, kinematic_states};
-use crate::numerics::chosen;
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, states_by_tresca};
 use crate::prelude::*;
 

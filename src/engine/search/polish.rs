@@ -49,7 +49,7 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Force
 fn regular_solution(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).list();
-    let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
+    let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &|i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = ForcesAndTwist { forces, twist: Vector::zeros() };
     // The refinement ends at this imbalance, a fraction of the forces, with which Newton's method may start.

@@ -10,6 +10,7 @@ use super::legend_position::{best_legend_position, legend_width, most_letters};
 use super::palette::{BLACK, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{PaperPoint, Sheet, plaque_size, sheet};
+use crate::numerics::{least, mapped};
 
 /// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
 /// a line is interrupted at such a point.
@@ -109,7 +110,7 @@ impl Chart {
             return Err(PictureError(format!("{} are too many to be drawn", charts.len())));
         }
         let mut fault = None;
-        let svg = sheet(size, |paper| {
+        let svg = sheet(size, &mut |paper| {
             for (k, chart) in charts.iter().enumerate() {
                 let corner = (wide * (k % columns) as f64, high * (k / columns) as f64);
                 if let Err(error) = chart.draw_on(paper, corner) {
@@ -136,8 +137,9 @@ impl Chart {
         // Margins along x and y, as fractions of the range; along x only if points are drawn as dots, circles or bars, which have a width.
         // Logarithmic axes need no margins: they end at whole decades.
         let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { 0.02 } else { 0.0 }, 0.06) };
-        let (x0, x1) = range(finite.iter().map(|p| p.0).chain(chart.marks.iter().map(|m| m.0)), room.0);
-        let (y0, y1) = range(finite.iter().map(|p| p.1), room.1);
+        let across = [mapped(&finite, &|p| p.0), mapped(&chart.marks, &|m| m.0)].concat();
+        let (x0, x1) = range(&across, room.0);
+        let (y0, y1) = range(&mapped(&finite, &|p| p.1), room.1);
         if !((x1 - x0).is_finite() && (y1 - y0).is_finite()) {
             return Err(PictureError("points or marks are too far apart".into()));
         }
@@ -231,8 +233,8 @@ impl Chart {
 }
 
 /// Smallest and largest value with margins on both sides, each `room` times the range; a range of zero width is widened.
-fn range(values: impl Iterator<Item = f64>, room: f64) -> (f64, f64) {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+fn range(values: &[f64], room: f64) -> (f64, f64) {
+    let (low, high) = (least(values, &|v| *v), -least(values, &|v| -v));
     let width = if high > low { high - low } else { low.abs().max(1.0) * 0.1 };
     (low - room * width, high + room * width + if high > low { 0.0 } else { width })
 }

@@ -70,20 +70,22 @@ impl ContactPoints {
         let words = ["sticking", "about to slide", "sliding", "frictionless", "separated"];
         let is_seen = |what: &&str| answers.iter().any(|answer| word(answer) == *what);
         let word = words.into_iter().find(is_seen).unwrap_or("separated");
-        let points = contacts[self.range.clone()].iter().zip(answers);
-        let along = answers.iter().filter_map(|answer| match answer.state {
-            ContactState::Sliding { direction } => Some(direction * share(answer)),
-            _ => None,
-        });
-        let along: SVector<f64, 3> = along.sum();
-        let force: SVector<f64, 3> = answers.iter().map(|answer| answer.force_world).sum();
+        let [mut at, mut along, mut force, mut displacement] = [SVector::<f64, 3>::zeros(); 4];
+        for (contact, answer) in contacts[self.range.clone()].iter().zip(answers) {
+            if let ContactState::Sliding { direction } = answer.state {
+                along += direction * share(answer);
+            }
+            at += contact.point * share(answer);
+            force += answer.force_world;
+            displacement += answer.body_core * share(answer);
+        }
         let acts = without_rounding(force.norm(), state) > 0.0;
         let normal_force: f64 = summed(answers, &ContactAnswer::normal_force);
         Resultant {
-            at: points.map(|(contact, answer)| contact.point * share(answer)).sum(),
+            at,
             force: if acts { force } else { SVector::zeros() },
             normal_force: if acts { without_rounding(normal_force, state) } else { 0.0 },
-            displacement: answers.iter().map(|answer| answer.body_core * share(answer)).sum(),
+            displacement,
             slides: (word == "sliding").then(|| along.try_normalize(0.0)).flatten(),
             word,
         }

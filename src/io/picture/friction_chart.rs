@@ -12,7 +12,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, ContactPoints, Hold, WholeContacts, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
-use crate::numerics::{largest, mapped, moved};
+use crate::numerics::{IntoList, largest, mapped, moved};
 use crate::words::opens;
 
 /// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
@@ -74,7 +74,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
             // On legs along which the load changes linearly, curves are smooth between events, and few points suffice. The events themselves are
             // added.
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
-            let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
+            let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).list();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
             fractions.sort_by(f64::total_cmp);
             fractions.into_iter().map(move |fraction| (leg, fraction))
@@ -93,7 +93,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
             let (leg, part) = path.place();
             ((self.place)(leg, part), state)
         });
-        on_the_way.chain(at_the_end).collect()
+        on_the_way.chain(at_the_end).list()
     }
 
     pub(super) fn marks(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, String)> {
@@ -108,7 +108,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
                 let edge = |tip: &&ContactPoints| {
                     loss.contacts.iter().any(|contact| tip.range.contains(&contact.index))
                 };
-                let names: Vec<_> = tips.iter().filter(edge).map(ContactPoints::text).collect();
+                let names: Vec<_> = tips.iter().filter(edge).map(ContactPoints::text).list();
                 let names = some(&names, 2, CHART.mark_letters);
                 let who = if left.is_none() { format!(": {names} on the edge") } else { String::new() };
                 Some((to, format!("lost{who}")))
@@ -121,7 +121,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
             (Some((at, left)), Some((to, end))) if to - at < 0.15 * to => {
                 vec![(at, format!("{left}, {end}"))]
             }
-            (left, end) => left.into_iter().chain(end).collect(),
+            (left, end) => left.into_iter().chain(end).list(),
         }
     }
 }
@@ -174,7 +174,7 @@ fn shared<const C: usize>(
         curves.into_iter().partition(|(_, series)| most(series).is_finite());
     for why in ["no friction", "glued", "friction without limit", "never touches"] {
         let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.range.start]) == why);
-        let names: Vec<_> = those.map(|(tip, _)| tip.text()).collect();
+        let names: Vec<_> = those.map(|(tip, _)| tip.text()).list();
         if !names.is_empty() {
             left_out.push(format!("{} ({why})", some(&names, CHART.listed_names, CHART.listed_letters)));
         }

@@ -4,7 +4,7 @@ use super::palette::GREY;
 use super::sheet::{PaperPoint, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
-use crate::numerics::{largest, mapped, summed};
+use crate::numerics::{IntoList, largest, lowest, mapped, picked, summed};
 
 /// The rectangle of a name: its middle, and its width and height, pixels.
 type NamePlate = (PaperPoint, (f64, f64));
@@ -63,13 +63,13 @@ impl Labels {
     /// The best position of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins
     /// a name to a point that is not near. `None` if no free position is left on the paper.
     fn place(&mut self, paper: &mut Sheet, point: PaperPoint, size: (f64, f64)) -> Option<PaperPoint> {
-        let beside = self.best(point, self.plates_beside(point, size));
+        let beside = self.best(point, &self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;
         let plate = match beside {
             Some(plate) if is_clear(&plate) => plate,
             _ => {
                 let all = self.anywhere(size).into_iter().chain(beside);
-                self.best(point, all.collect())?
+                self.best(point, &all.list())?
             }
         };
         let ((x, y), (wide, high)) = plate;
@@ -83,10 +83,10 @@ impl Labels {
     }
 
     /// The rectangle with the least cost among those that overlap no other name; `None` if each rectangle overlaps a name.
-    fn best(&self, point: PaperPoint, plates: Vec<NamePlate>) -> Option<NamePlate> {
-        let free = plates.into_iter().filter(|plate| !self.overlaps(plate));
-        let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
-        best.map(|(_, plate)| plate)
+    fn best(&self, point: PaperPoint, plates: &[NamePlate]) -> Option<NamePlate> {
+        let free =
+            picked(plates, &|plate| (!self.overlaps(plate)).then(|| (self.cost(point, plate), *plate)));
+        lowest(&free, &|(cost, _)| *cost).map(|(_, plate)| *plate)
     }
 
     fn plates_beside(&self, point: PaperPoint, (wide, high): (f64, f64)) -> Vec<NamePlate> {

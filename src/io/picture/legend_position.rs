@@ -1,6 +1,7 @@
 //! The position of the legend in a chart.
 
 use super::series::{ChartSeries, Stroke};
+use crate::numerics::{counted, lowest};
 
 /// Possible positions of the legend: the fractions of the free width and height that lie to its left and below it.
 const LEGEND_POSITIONS: [(f64, f64); 6] =
@@ -36,7 +37,7 @@ pub(super) fn best_legend_position(
         let mut count = 0;
         for ChartSeries { points, stroke, .. } in series {
             if matches!(stroke, Stroke::Circles | Stroke::Dots | Stroke::Bars) {
-                count += 20 * points.iter().filter(|(x, y)| inside(*x, *y)).count();
+                count += 20 * counted(points, &|(x, y)| inside(*x, *y));
                 continue;
             }
             for pair in points.windows(2) {
@@ -52,5 +53,5 @@ pub(super) fn best_legend_position(
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))
     };
-    LEGEND_POSITIONS.into_iter().min_by_key(hidden).unwrap_or(LEGEND_POSITIONS[0])
+    *lowest(&LEGEND_POSITIONS, &|position| hidden(position) as f64).unwrap_or(&LEGEND_POSITIONS[0])
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, mapped};
 use nalgebra::Vector2;
 
 use super::error::PictureError;
@@ -10,7 +10,6 @@ use super::grasp_picture::Picture;
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Face, Motion, Wrench, inside};
-use crate::numerics::mapped;
 use crate::planar;
 
 /// The outline of the object: corners (x, y) in order, m; the last corner is joined to the first. Outlines affect nothing but the drawing.

@@ -1,6 +1,6 @@
 //! Polar charts: curves of a number that depends on a direction in the plane.
 
-use crate::numerics::{IntoList, largest, mapped};
+use crate::numerics::{IntoList, counted, largest, mapped};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::error::PictureError;
@@ -83,7 +83,7 @@ impl Polar {
         }
         let step = round_up(wanted / 5.0);
         let rim = step * whole_above(wanted / step);
-        Ok(sheet((860.0, 640.0), |paper| {
+        Ok(sheet((860.0, 640.0), &mut |paper| {
             paper.title(&self.title);
             self.draw_grid(paper, rim, step);
             // The first curve is drawn last and lies on top.
@@ -137,7 +137,7 @@ impl Polar {
             let tail = [at(angle - side, POLAR.radius + 13.0), at(angle + side, POLAR.radius + 13.0)];
             paper.area(&[tip, tail[0], tail[1]], BLACK);
             // Letters of directions that are close together are written one outside the other.
-            let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
+            let before = counted(&self.rays[..k], &|(other, _)| meet(*other, *angle));
             let words = if lettered { letter(k) } else { label.clone() };
             outside(paper, *angle, POLAR.radius + 36.0 + 16.0 * before as f64, &words, 14.0);
         }
@@ -161,11 +161,11 @@ impl Polar {
             drawn.extend(points.iter().map(|(angle, _)| (*angle, numbered[0])));
         }
         let crowd = |angle: f64| {
-            let close = |(a, r): &&(f64, f64)| {
+            let close = |(a, r): &(f64, f64)| {
                 let near = |ring: &f64| (r - ring).abs() < 0.05 * rim;
                 turn(angle, *a).abs() < POLAR.beside && numbered.iter().any(near)
             };
-            drawn.iter().filter(close).count()
+            counted(&drawn, &close)
         };
         let spokes = (0..12).map(|k| f64::from(k) * PI / 6.0 + PI / 12.0);
         let spoke = spokes.min_by_key(|angle| crowd(*angle)).unwrap_or(FRAC_PI_2);

@@ -1,5 +1,6 @@
 //! One curve of a polar chart: inside the rim as a line, beyond it as an arc along the rim.
 
+use crate::numerics::picked;
 use std::f64::consts::TAU;
 
 use super::layout::POLAR;
@@ -13,12 +14,12 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
     let ChartSeries { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
     let place = |(angle, radius): (f64, f64)| at(angle, POLAR.radius * radius / rim);
-    let inside = points.iter().copied().filter(|(_, radius)| *radius <= rim);
+    let inside = picked(points, &|point| (point.1 <= rim).then(|| place(*point)));
     match stroke {
-        Stroke::Circles => return inside.for_each(|p| paper.circle(place(p), 4.0, ink, Some(1.5))),
-        Stroke::Dots => return inside.for_each(|p| paper.circle(place(p), 2.0, ink, None)),
-        Stroke::Bars => return inside.for_each(|p| paper.line(&[POLAR.middle, place(p)], ink, 1.5)),
-        Stroke::Marked => inside.for_each(|p| paper.circle(place(p), 3.0, ink, None)),
+        Stroke::Circles => return inside.iter().for_each(|at| paper.circle(*at, 4.0, ink, Some(1.5))),
+        Stroke::Dots => return inside.iter().for_each(|at| paper.circle(*at, 2.0, ink, None)),
+        Stroke::Bars => return inside.iter().for_each(|at| paper.line(&[POLAR.middle, *at], ink, 1.5)),
+        Stroke::Marked => inside.iter().for_each(|at| paper.circle(*at, 3.0, ink, None)),
         Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
     }
     let draw = |paper: &mut Sheet, line: Vec<PaperPoint>| match stroke {

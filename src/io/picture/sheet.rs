@@ -43,7 +43,7 @@ pub(super) struct Sheet {
 }
 
 /// Draws on a white sheet of the given size, pixels, and returns the SVG text.
-pub(super) fn sheet((wide, high): PaperPoint, draw: impl FnOnce(&mut Sheet)) -> String {
+pub(super) fn sheet((wide, high): PaperPoint, draw: &mut dyn FnMut(&mut Sheet)) -> String {
     let size = pixel((wide, high));
     let mut paper = Sheet { svg: String::new(), wide };
     let (w, h) = size;

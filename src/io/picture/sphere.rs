@@ -111,13 +111,13 @@ impl SphereMap {
             }
         }
         let notes = mapped(&self.notes, &|note| lines(note, 114)).concat();
-        Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), |paper| {
+        Ok(sheet((SPHERE.wide, 530.0 + 18.0 * notes.len() as f64), &mut |paper| {
             paper.title(&self.title);
             for (side, middle) in SPHERE.discs.into_iter().enumerate() {
                 self.draw_disc(paper, side, middle, &bands);
             }
-            for (direction, label, dot) in marked {
-                draw_mark(paper, direction, label, dot);
+            for (direction, label, dot) in &marked {
+                draw_mark(paper, *direction, label, *dot);
             }
             self.draw_scale(paper, &bands);
             for (k, note) in notes.iter().enumerate() {
@@ -129,7 +129,7 @@ impl SphereMap {
     fn draw_disc(&self, paper: &mut Sheet, side: usize, middle: PaperPoint, bands: &Bands) {
         // Regions without finite values are painted over afterwards.
         let filled = self.filled();
-        let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
+        let triangles = self.triangles(side, middle, &|index| bands.measure(filled[index]));
         for band in 0..bands.count() {
             let level = if band == 0 { f64::NEG_INFINITY } else { bands.measure(bands.levels[band]) };
             let loops = outlines(&triangles, level);
@@ -143,7 +143,7 @@ impl SphereMap {
             (SPHERE.unbounded, f64::is_infinite as fn(f64) -> bool),
             (SPHERE.missing, f64::is_nan as fn(f64) -> bool),
         ] {
-            let triangles = self.triangles(side, middle, |k| f64::from(u8::from(is(self.values[k]))));
+            let triangles = self.triangles(side, middle, &|k| f64::from(u8::from(is(self.values[k]))));
             let loops = outlines(&triangles, 0.5);
             if !loops.is_empty() {
                 paper.region(&loops, color, None);
@@ -204,7 +204,7 @@ impl SphereMap {
     }
 
     /// Triangles that cover one hemisphere, all of the same orientation. Each corner has the value `field(k)`, where k is the index of its direction.
-    fn triangles(&self, side: usize, middle: PaperPoint, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
+    fn triangles(&self, side: usize, middle: PaperPoint, field: &dyn Fn(usize) -> f64) -> Vec<[Corner; 3]> {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {
             let from_pole = self.grid.polar_angle(ring);

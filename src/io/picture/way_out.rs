@@ -8,7 +8,7 @@ use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::PaperPoint;
 use crate::grasp::{Face, Motion};
-use crate::numerics::{largest, mapped, moved};
+use crate::numerics::{highest, largest, mapped, moved, paired};
 use crate::planar::Twist;
 
 /// Points of the object, or of several bodies, before and after the motion.
@@ -60,7 +60,7 @@ impl MovedOutlines {
     pub(super) fn paint(
         &self,
         painting: &mut Painting,
-        place: impl Fn(Vector2<f64>) -> PaperPoint,
+        place: &dyn Fn(Vector2<f64>) -> PaperPoint,
     ) -> Option<PaperPoint> {
         for corners in self.closed.iter().map(|range| &self.to[range.clone()]) {
             for (k, corner) in corners.iter().enumerate() {
@@ -72,10 +72,7 @@ impl MovedOutlines {
         for (from, to) in self.from.iter().zip(&self.to).step_by(every) {
             painting.arrow([flat(place(*from)), flat(place(*to))], VERMILION, 1.5, 1);
         }
-        let farthest = self.from.iter().zip(&self.to).max_by(|a, b| {
-            let moved = |(from, to): &(&Vector2<f64>, &Vector2<f64>)| (*to - *from).norm();
-            moved(a).total_cmp(&moved(b))
-        });
-        farthest.map(|(_, to)| place(*to))
+        let ends = paired(&self.from, &self.to, &|(from, to)| (from, to));
+        highest(&ends, &|(from, to)| (*to - *from).norm()).map(|(_, to)| place(**to))
     }
 }

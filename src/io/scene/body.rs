@@ -1,6 +1,6 @@
 //! One body of a scene with several bodies.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, mapped};
 use std::sync::Arc;
 
 use nalgebra::SVector;
@@ -8,9 +8,7 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
 use crate::grasp::{Body, Wrench};
-use crate::numerics::mapped;
-use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given};
+use crate::serial::{AsGiven, AxisRow, Given, object};
 
 /// A body of a scene: its name, its mass and constant load, and its outline for pictures; see [`Bodies`](crate::grasp::Bodies).
 #[derive(Debug, Clone, PartialEq)]

@@ -10,8 +10,7 @@ use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint, Space};
 use crate::numerics::{IntoList, matrix_of, moved};
-use crate::serial::AsGiven;
-use crate::serial::object;
+use crate::serial::{AsGiven, object};
 
 /// A finger of a scene: joints in a row from the palm on, and contacts on its links; see [`grasp::Finger`].
 ///

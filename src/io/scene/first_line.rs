@@ -8,8 +8,7 @@ use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
 use crate::load_path::{Change, DriveChange, PadChange};
-use crate::numerics::IntoList;
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, mapped};
 use crate::words::{Words, listed, printable};
 
 impl<const C: usize> Question<C> {

@@ -8,8 +8,7 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
 use crate::grasp::{Joint, JointMotion, Limit, Space};
-use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given, is_absent, space_of_text};
+use crate::serial::{AsGiven, AxisRow, Given, is_absent, object, space_of_text};
 
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -11,9 +11,8 @@ use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::{Error, LARGEST};
 use crate::grasp::Link;
 use crate::load_path::Ramp;
-use crate::numerics::IntoList;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{IntoList, mapped};
 
 /// Default stiffness of a contact in all directions, N/m.
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
@@ -26,7 +25,7 @@ impl Setup<3> {
     /// # Errors
     /// As for [`Self::answers`].
     pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
-        Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).collect())
+        Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).list())
     }
 
     /// A warning about contacts without a stiffness, if an answer depends on the stiffness of these contacts.

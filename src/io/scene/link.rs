@@ -9,8 +9,7 @@ use serde::ser::{Serialize, Serializer};
 use super::setup::Setup;
 use crate::error::Error;
 use crate::grasp::{Contact, Link, LinkGeometry, Space};
-use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
+use crate::serial::{AsGiven, AxisRow, Given, object, space_of_text};
 
 /// A link of a scene with its comment; see [`Link`].
 ///

@@ -21,8 +21,11 @@ impl Rows {
     /// The matrix; `field` names it in messages.
     pub(super) fn matrix(&self, field: &str) -> Result<DMatrix<f64>, String> {
         let columns = self.0.first().map_or(0, Vec::len);
-        if let Some((i, row)) = self.0.iter().enumerate().find(|(_, row)| row.len() != columns) {
-            return Err(format!("{field}: row {i} has {} numbers, must be {columns} as in row 0", row.len()));
+        if let Some(i) = self.0.iter().position(|row| row.len() != columns) {
+            return Err(format!(
+                "{field}: row {i} has {} numbers, must be {columns} as in row 0",
+                self.0[i].len()
+            ));
         }
         Ok(matrix_of(self.0.len(), columns, &|i, j| self.0[i][j].0))
     }

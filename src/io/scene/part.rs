@@ -10,6 +10,7 @@ use super::written::Scene;
 use crate::error::Error;
 use crate::grasp::Contact;
 use crate::numerics;
+use crate::numerics::IntoList;
 use crate::touch::{Pad, Part, Touch, Touched, Unit};
 
 /// The grasped part, `{"mesh": "part.stl", "unit": "mm", "density": 7850}` or with `vertices` and `faces`; see [`Part`].
@@ -107,7 +108,7 @@ impl PartSetup {
             Part::read(folder.join(&self.mesh), self.unit)?
         } else {
             let corner = |corner: &[f64; 3]| corner.map(|x| self.unit.in_metres(x));
-            Part::new(&self.vertices.iter().map(corner).collect::<Vec<_>>(), &self.faces)?
+            Part::new(&self.vertices.iter().map(corner).list(), &self.faces)?
         };
         match (self.mass, self.density) {
             (Some(mass), _) => part.of_mass(mass),

@@ -6,8 +6,7 @@ use serde::ser::{Serialize, Serializer};
 use crate::grasp::{Face, Space};
 use crate::improve::{Shape, Surface};
 use crate::numerics::{Each, IntoList, mapped};
-use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Given, space_of_text};
+use crate::serial::{AsGiven, AxisRow, Given, object, space_of_text};
 
 /// A curve in the plane or a surface in space, all lengths in m.
 #[derive(serde::Serialize, serde::Deserialize)]

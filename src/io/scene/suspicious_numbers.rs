@@ -258,10 +258,10 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
 
 /// Whether a point lies inside a closed line in the plane, because a ray from it along x crosses the line an odd number of times.
 fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
-    let sides = outline.iter().zip(outline.iter().cycle().skip(1));
-    let crossed = sides.filter(|(a, b)| {
+    let crossed = chosen(outline.len(), &|k| {
+        let (a, b) = (&outline[*k], &outline[(k + 1) % outline.len()]);
         let part = (point[1] - a[1]) / (b[1] - a[1]);
         (a[1] > point[1]) != (b[1] > point[1]) && point[0] < a[0] + part * (b[0] - a[0])
     });
-    crossed.count() % 2 == 1
+    crossed.len() % 2 == 1
 }

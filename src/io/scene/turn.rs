@@ -15,8 +15,7 @@ use crate::grasp::{Space, Wrench};
 use crate::load_path::Turn;
 #[cfg(feature = "schema")]
 use crate::serial::AxisRow;
-use crate::serial::object;
-use crate::serial::{Computed, Given, Number, ShortList, space_of_text};
+use crate::serial::{Computed, Given, Number, ShortList, object, space_of_text};
 
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -10,8 +10,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 use super::load_by_mass::{WrittenMass, WrittenTurning};
 use crate::grasp::{Face, PointsOfAction, Space, Twist, Wrench};
 use crate::numerics::{Vector, by_axis};
-use crate::serial::object;
-use crate::serial::{Computed, Given, Number, ShortList, space_of_text};
+use crate::serial::{Computed, Given, Number, ShortList, object, space_of_text};
 
 fn write<S: Serializer>(
     serializer: S,

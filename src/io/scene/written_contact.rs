@@ -14,8 +14,7 @@ use super::springs::Springs;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{CommandAxes, Contact, Hold, Stiffness, inside};
 use crate::improve::Surface;
-use crate::serial::object;
-use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, space_of_text};
+use crate::serial::{AsGiven, AxisRow, Friction, Given, Number, object, space_of_text};
 
 /// A contact in the text of a scene.
 #[derive(serde::Serialize, serde::Deserialize)]

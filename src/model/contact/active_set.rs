@@ -166,7 +166,7 @@ impl LocalLaw<'_> {
     /// Whether a contact in this state slides on the facet with this normal.
     fn slides_on(&self, state: &State, facet: &SVector<f64, 3>) -> bool {
         let facets = self.facets();
-        state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
+        state.own_facets(facets.len()).iter().any(|own| own.is_some_and(|j| facets[j] == *facet))
     }
 
     /// Whether the force rate `rate` moves the force of a sticking contact along a tangent of the round cone. The force is on the edge of this cone.

@@ -46,12 +46,12 @@ impl LocalLaw<'_> {
         &self,
         state: &State,
         at: &SpringState<'_>,
-        mut visit: impl FnMut(f64, f64),
+        visit: &mut dyn FnMut(f64, f64),
     ) {
         let f = at.force;
         let force_size = self.force_size(f, at.span, at.largest);
         if !matches!(state, Mode::Open) {
-            self.for_each_margin(state, f, force_size, &mut visit);
+            self.for_each_margin(state, f, force_size, visit);
             if self.may_open() {
                 visit(f[0], force_size);
             }
@@ -101,7 +101,7 @@ impl LocalLaw<'_> {
         state: &State,
         f: &SVector<f64, 3>,
         force_size: f64,
-        visit: &mut impl FnMut(f64, f64),
+        visit: &mut dyn FnMut(f64, f64),
     ) {
         let cone = self.cone();
         match state {

@@ -12,7 +12,7 @@ use super::law::LocalLaw;
 use super::state::State;
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
-use crate::numerics::{Harmonic, IntoList, Turning, moved, numbered, unit};
+use crate::numerics::{Harmonic, IntoList, Turning, lowest, mapped, moved, numbered, picked, unit};
 use crate::prelude::*;
 
 /// Conditions on the force of a contact that keeps sticking. For a contact that stays open, they apply to a vector whose first component is the gap.
@@ -47,10 +47,7 @@ impl Edges {
     /// The coefficients of the condition `a·F >= 0` with the least value at a force F, and this value; `None` without conditions.
     pub(crate) fn worst(&self, force: &SVector<f64, 3>) -> Option<(SVector<f64, 3>, f64)> {
         match self {
-            Self::Rows(rows) => {
-                let values = rows.iter().map(|row| (*row, row.dot(force)));
-                values.min_by(|(_, a), (_, b)| a.total_cmp(b))
-            }
+            Self::Rows(rows) => lowest(rows, &|row| row.dot(force)).map(|row| (*row, row.dot(force))),
             Self::Round { limit } => {
                 let friction = tangential(force);
                 let size = friction.norm();
@@ -109,10 +106,10 @@ impl Edges {
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {
-            Self::Rows(rows) => rows.iter().map(|row| (force.map(|x| row.dot(x)), nothing)).list(),
+            Self::Rows(rows) => mapped(rows, &|row| (force.map(|x| row.dot(x)), nothing)),
             Self::Round { limit } => vec![(force.map(|x| limit * x[0]), force.map(tangential))],
         };
-        margins.into_iter().filter_map(|(number, vector)| Turning { number, vector }.deepest(most)).list()
+        picked(&margins, &|&(number, vector)| Turning { number, vector }.deepest(most))
     }
 }
 

@@ -1,8 +1,7 @@
 //! The step along a straight line of contact forces at which a contact leaves its state: sticking, sliding or open. While a load grows and all
 //! contacts keep their states, the contact forces follow such a line.
 
-use crate::numerics::Each;
-use crate::numerics::IntoList;
+use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
@@ -76,7 +75,7 @@ impl LocalLaw<'_> {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
                 let mut exits = self.exits(line);
-                exits.retain(|exit| own.iter().flatten().all(|&j| exit.facet != facets[j]));
+                exits.retain(|exit| own.iter().all(|own| own.is_none_or(|j| exit.facet != facets[j])));
                 exits
             }
         }

@@ -20,7 +20,7 @@ use nalgebra::SVector;
 use super::hull::{Label, Sector};
 use super::law::{Law, LocalLaw};
 use super::tangential::{cross, right_angle};
-use crate::numerics::unit;
+use crate::numerics::{highest, unit};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -89,8 +89,7 @@ impl LocalLaw<'_> {
         if self.on_round_cone {
             return sector.most_along(along);
         }
-        let corners = self.polygon.corners.iter();
-        let most = corners.max_by(|a, b| a.dot(along).total_cmp(&b.dot(along)));
+        let most = highest(&self.polygon.corners, &|corner| corner.dot(along));
         most.copied().unwrap_or_else(SVector::zeros)
     }
 

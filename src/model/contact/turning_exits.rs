@@ -56,18 +56,18 @@ impl LocalLaw<'_> {
         let mut exits = Vec::new();
         match state {
             Mode::Round(_) => {}
-            Mode::Open => exits.extend(linear_exit(stretch, |v| -v[0], 1.0, nowhere, most)),
+            Mode::Open => exits.extend(linear_exit(stretch, &|v| -v[0], 1.0, nowhere, most)),
             Mode::Sticking if self.has_a_round_edge() => exits.extend(self.round_turning_exit(force, most)),
             Mode::Sticking | Mode::Facet(_) | Mode::Corner(_) if self.is_bonded() => {}
             Mode::Sticking | Mode::Facet(_) | Mode::Corner(_) => {
                 let (cone, facets) = (self.cone(), self.facets());
                 let own = state.own_facets(facets.len());
                 if facets.is_empty() && self.may_open() {
-                    exits.extend(linear_exit(force, |f| f[0], 1.0, nowhere, most));
+                    exits.extend(linear_exit(force, &|f| f[0], 1.0, nowhere, most));
                 }
                 for (j, h) in facets.iter().enumerate().filter(|(j, _)| !own.contains(&Some(*j))) {
                     let margin = |f: &SVector<f64, 3>| cone.facet_margin(f, h);
-                    exits.extend(linear_exit(force, margin, cone.facet_weight(h), facets[j], most));
+                    exits.extend(linear_exit(force, &margin, cone.facet_weight(h), facets[j], most));
                 }
                 exits.extend(self.stops(state, [force, stretch], most));
             }
@@ -97,7 +97,7 @@ impl LocalLaw<'_> {
             let (facet, [_, weight]) = (facets[own[k]?], self.slips_along(state, &rate.of.cosine)[k]?);
             let along =
                 |slip: &SVector<f64, 3>| self.slips_along(state, slip)[k].map_or(0.0, |[value, _]| value);
-            linear_exit(&rate, along, weight, facet, most)
+            linear_exit(&rate, &along, weight, facet, most)
         })
     }
 
@@ -114,10 +114,10 @@ impl LocalLaw<'_> {
             let outward = friction.normalize();
             let margin = wave.component(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
-                return linear_exit(wave, |f| cone.facet_margin(f, &outward), weight, outward, most);
+                return linear_exit(wave, &|f| cone.facet_margin(f, &outward), weight, outward, most);
             }
         }
-        let apex = linear_exit(wave, |f| f[0], 1.0, SVector::zeros(), most);
+        let apex = linear_exit(wave, &|f| f[0], 1.0, SVector::zeros(), most);
         let Some(step) = self.fall_of_the_square(wave, most) else { return apex };
         let step = match step {
             FirstZero::At(angle) => self.polished(wave, angle),
@@ -213,12 +213,12 @@ impl Start {
 /// without such an angle.
 fn linear_exit(
     wave: &Wave,
-    component: impl Fn(&SVector<f64, 3>) -> f64,
+    component: &dyn Fn(&SVector<f64, 3>) -> f64,
     weight: f64,
     facet: SVector<f64, 3>,
     most: f64,
 ) -> Option<TurningExit> {
-    let margin = wave.component(&component);
+    let margin = wave.component(component);
     let (slack, fastest) = (ZERO_SLACK * weight * wave.size, weight * wave.turning_size);
     let step = match Start::of(&margin, slack, ZERO_SLACK * fastest) {
         Start::Stays => return None,

@@ -123,7 +123,7 @@ impl Engine {
             return Err(Error::Size { what, given: commands.len(), expected: self.len() });
         }
         for (index, (contact, command)) in self.contacts.iter().zip(commands).enumerate() {
-            if let Some(&value) = command.iter().find(|x| !is_moderate(**x)) {
+            if let Some(&value) = command.as_slice().iter().find(|x| !is_moderate(**x)) {
                 return Err(Error::Contact {
                     contact: contact.label(index),
                     field,

@@ -12,8 +12,7 @@ use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::contact::State;
 use crate::error::{Error, LARGEST};
-use crate::numerics::Space;
-use crate::numerics::{Size, moved};
+use crate::numerics::{Size, Space, moved};
 use crate::prelude::*;
 
 /// A grasp with validated contacts. The coordinates of the grasp are the 3 or 6 coordinates of the object, then the coordinates of joints and of

@@ -15,8 +15,7 @@ use nalgebra::{AbstractRotation, Isometry, SMatrix, SVector};
 use super::commands::CommandAxes;
 use super::contact::Contact;
 use super::wrench::{Twist, Wrench};
-use crate::numerics::Vector;
-use crate::numerics::{Space, by_axis};
+use crate::numerics::{Space, Vector, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 

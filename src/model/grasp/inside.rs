@@ -6,14 +6,13 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::{Vector, numbered};
+use crate::numerics::{DoubleDouble, Vector, numbered};
 
 use super::bodies::PlacedBodies;
 use super::engine::Engine;
 use super::motion::Motion;
 use super::wrench::{Twist, Wrench};
 use crate::error::Error;
-use crate::numerics::DoubleDouble;
 
 impl Engine {
     /// Converts a wrench to the engine's coordinates: moments about the centroid, in the engine's unit of length. Returns an error for components

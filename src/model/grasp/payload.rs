@@ -97,7 +97,7 @@ impl Payload<3> {
             });
         }
         if let Some(value) =
-            self.inertia.and_then(|inertia| inertia.iter().copied().find(|x| !is_moderate(*x)))
+            self.inertia.and_then(|inertia| inertia.as_slice().iter().find(|x| !is_moderate(**x)).copied())
         {
             return Err(Error::Argument { what: "inertia of the payload", value, allowed: MODERATE });
         }

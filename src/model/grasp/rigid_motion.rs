@@ -15,7 +15,9 @@
 //! Nothing in the library calls these functions. Since they are marked `inline`, only a program that calls them compiles them and nalgebra's
 //! quaternions.
 
-use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
+use nalgebra::{
+    ComplexField, Isometry2, Isometry3, Quaternion, SVector, UnitComplex, UnitQuaternion, Vector3,
+};
 
 use super::wrench::Twist;
 
@@ -83,7 +85,17 @@ impl Twist<3> {
         let translation = Vector3::from(self.translation());
         let along = along(&rotation, &translation);
         let chord = along + (translation - along) * (0.5 * rotation.norm()).sinc();
-        let half = UnitQuaternion::from_scaled_axis(0.5 * rotation);
+        // The half rotation: the rotation by half the angle about the same axis.
+        let quarter = 0.5 * rotation / 2.0;
+        let angle = quarter.norm();
+        let half = if quarter.norm_squared() <= f64::EPSILON * f64::EPSILON {
+            UnitQuaternion::identity()
+        } else {
+            UnitQuaternion::new_unchecked(Quaternion::from_parts(
+                angle.cos(),
+                quarter * (angle.sin() / angle),
+            ))
+        };
         Isometry3::from_parts((half * chord).into(), half * half)
     }
 

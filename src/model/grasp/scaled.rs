@@ -7,7 +7,7 @@ use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{chosen, mapped};
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
@@ -82,8 +82,8 @@ impl Engine {
     /// Names of the bodies to which the user gave a nonzero load; weights do not count.
     pub(crate) fn loaded_bodies(&self) -> Vec<String> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let loaded = bodies.names.iter().zip(&bodies.user_loads).filter(|(_, load)| **load != Wrench::ZERO);
-        loaded.map(|(name, _)| name.to_string()).list()
+        let loaded = chosen(bodies.names.len(), &|body| bodies.user_loads[*body] != Wrench::ZERO);
+        mapped(&loaded, &|body| bodies.names[*body].to_string())
     }
 
     /// Looks up the part with this name, and returns a copy of the grasp in which its load or command is multiplied by `factor`. For a body the

@@ -1,7 +1,7 @@
 //! One site: a contact, or a drive of a hand, i.e. the spring of a joint or tendon with its motor. The engine treats both as points with springs and
 //! a contact law.
 
-use crate::numerics::{Map, Size, Vector, WHOLE};
+use crate::numerics::{DoubleDouble, Map, Size, Space, Vector, WHOLE};
 use alloc::sync::Arc;
 use core::ops::Range;
 
@@ -11,8 +11,6 @@ use super::contact::{Contact, Hold};
 use super::support::Support;
 use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
-use crate::numerics::DoubleDouble;
-use crate::numerics::Space;
 
 /// One contact, or one drive (the spring of a joint or tendon), in the engine's coordinates.
 #[derive(Debug, Clone)]

@@ -1,9 +1,8 @@
 //! The coordinates in which the grasp map of a site has nonzero entries. A site is a contact, or a drive of a hand (the spring of a joint or tendon).
 
-use crate::numerics::Map;
+use crate::numerics::{Map, Space};
 use core::ops::Range;
 
-use crate::numerics::Space;
 use crate::prelude::*;
 
 /// Coordinates in which a grasp map has nonzero entries, as two ranges. For a contact with the object, one range holds the object's coordinates and

@@ -6,8 +6,7 @@ use super::site::Site;
 use super::whole_contact::WholeContact;
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
-use crate::numerics::Space;
-use crate::numerics::Vector;
+use crate::numerics::{Space, Vector};
 use crate::prelude::*;
 use crate::words::listed;
 

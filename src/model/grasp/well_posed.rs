@@ -69,7 +69,7 @@ impl<const C: usize> Contact<C> {
     pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
         let fault =
             |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });
-        let bad = |v: &SVector<f64, C>| v.iter().copied().find(|x| !is_moderate(*x));
+        let bad = |v: &SVector<f64, C>| v.as_slice().iter().find(|x| !is_moderate(**x)).copied();
         if let Some(value) = bad(&self.point) {
             return fault(Field::Point, value, MODERATE);
         }
@@ -81,13 +81,13 @@ impl<const C: usize> Contact<C> {
             Stiffness::Series(k) => [(Field::SeriesStiffness, k, "positive and finite"); 2],
         };
         for (field, k, allowed) in springs {
-            if let Some(&value) = k.iter().find(|k| k.is_nan() || **k <= 0.0) {
+            if let Some(&value) = k.as_slice().iter().find(|k| k.is_nan() || **k <= 0.0) {
                 return fault(field, value, allowed);
             }
         }
         let series = self.stiffness.series();
         let usable = |k: &&f64| (1.0 / LARGEST..=LARGEST).contains(*k);
-        if let Some(&value) = series.iter().take(self.springs()).find(|k| !usable(k)) {
+        if let Some(&value) = series.as_slice()[..self.springs()].iter().find(|k| !usable(k)) {
             return fault(
                 Field::SeriesStiffness,
                 value,
@@ -140,5 +140,5 @@ pub(super) fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C
 
 /// The number that a message shows for an invalid vector: its non-finite component, or else its length.
 pub(super) fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
-    v.iter().copied().find(|x| !x.is_finite()).unwrap_or_else(|| v.norm())
+    v.as_slice().iter().find(|x| !x.is_finite()).copied().unwrap_or_else(|| v.norm())
 }

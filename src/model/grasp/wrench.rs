@@ -1,6 +1,6 @@
 //! Wrenches (loads on the object) and twists (its small motions).
 
-use crate::numerics::Vector;
+use crate::numerics::{Space, Vector};
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -9,7 +9,6 @@ use nalgebra::{ArrayStorage, Matrix, SVector};
 use super::points_of_action::PointsOfAction;
 use super::rotation::of_the_object;
 use crate::error::{Error, is_moderate};
-use crate::numerics::Space;
 
 /// A load on the object: forces first, then moments about the origin of the coordinates. It has 3 components in the plane and 6 in space.
 ///
@@ -77,7 +76,8 @@ macro_rules! vector_like {
             /// A vector with these components, in the order of [`Self::components`]. Missing components are zero, surplus components are ignored.
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
-                all.iter_mut().zip(components).take(of_the_object::<C>()).for_each(|(x, given)| *x = *given);
+                let count = components.len().min(of_the_object::<C>());
+                all.as_mut_slice()[..count].copy_from_slice(&components[..count]);
                 Self::of_all(all)
             }
 

@@ -1,10 +1,9 @@
 //! Rows of a batch, each a grasp with its loads, and the first slips that screening computes for the rows.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, Space};
 use core::ops::Range;
 
 use crate::grasp::{Contact, Hold, Wrench};
-use crate::numerics::Space;
 use crate::prelude::*;
 use crate::screening::{PointBatch, Pull, SlipAndRotation, WhileSticking};
 use crate::search::Settings;

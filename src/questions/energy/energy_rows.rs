@@ -12,7 +12,7 @@ use crate::contact::{LocalLaw, Spring};
 use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Map, Vector, unit};
+use crate::numerics::{IntoList, Map, Vector, unit};
 use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 
@@ -114,11 +114,7 @@ pub(super) fn values<'r>(
     rows: impl IntoIterator<Item = &'r ForceCondition>,
     forces: &[SVector<f64, 3>],
 ) -> DVector<f64> {
-    let mut values = Vec::new();
-    for row in rows {
-        values.push(row.value(forces) / row.length);
-    }
-    DVector::from_vec(values)
+    DVector::from_vec(rows.into_iter().map(|row| row.value(forces) / row.length).list())
 }
 
 /// The square matrix with `rows` rows and these entries; `None` for more than 10 000 rows.

@@ -20,7 +20,7 @@ use super::caught_jump::CaughtJump;
 use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{largest, mapped};
+use crate::numerics::{IntoList, largest, mapped};
 use crate::prelude::*;
 
 /// How far [`Engine::hold_with`] follows the load path, and which fields of the verdict it computes.
@@ -281,7 +281,7 @@ impl Engine {
         first_slip: Option<&FirstSlip>,
     ) -> Holding<3> {
         let jumps = || events.iter().filter_map(|event| event.jump.as_deref());
-        let slips: Vec<_> = jumps().flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
+        let slips = jumps().map(|jump| mapped(&jump.slips, &|slip| slip.contact.index)).list().concat();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || slips.contains(&i)

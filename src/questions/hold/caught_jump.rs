@@ -6,8 +6,8 @@ use core::fmt;
 use super::words::amount_of;
 use crate::grasp::{Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
-use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{IntoList, largest, moved, picked};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -141,19 +141,18 @@ impl CaughtJump {
     /// The jumps among the events of the leg (section of the load program) that applies the whole load. The fraction of this leg that is done is
     /// therefore the load factor.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
-        let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
         let caught = |(factor, jump): (f64, &Jump<3>)| {
-            let whole = parts.with(&|i| jump.slips.iter().any(|slip| slip.contact.index == i)).into_iter();
+            let whole = parts.with(&|i| jump.slips.iter().any(|slip| slip.contact.index == i));
             let far = |contact: WholeContact| {
                 let range = &parts[contact.contact].range;
-                let of_it = |slip: &&JumpSlip<3>| range.contains(&slip.contact.index);
-                let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
-                CaughtSlip { distance: distances.fold(0.0, f64::max), contact }
+                let of_it = |slip: &JumpSlip<3>| range.contains(&slip.contact.index);
+                let far = |slip: &JumpSlip<3>| if of_it(slip) { slip.slip.norm() } else { 0.0 };
+                CaughtSlip { distance: largest(&jump.slips, &far), contact }
             };
-            let (slips, moves) = (whole.map(far).collect(), CaughtMotion::of(parts, jump));
+            let (slips, moves) = (moved(whole, &far), CaughtMotion::of(parts, jump));
             Self { factor, slips, moves, snaps: jump.snaps, energy_lost: jump.energy_lost }
         };
-        jumps.map(caught).collect()
+        picked(events, &|event| Some(caught((event.fraction, event.jump.as_deref()?))))
     }
 }
 
@@ -166,7 +165,7 @@ impl fmt::Display for CaughtJump {
         // named.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
-        let slips: Vec<_> = slips.collect();
+        let slips: Vec<_> = slips.list();
         let (none, slips) = (slips.is_empty(), listed(&slips));
         match (self.snaps, none) {
             (true, true) => f.write_str("snaps over"),

@@ -7,6 +7,7 @@ use super::verdict::{Holding, Lost, Verdict};
 use super::way_out::WayOut;
 use crate::equilibrium::TooFar;
 use crate::load_path::LossKind;
+use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::search::Doubt;
 #[cfg(feature = "serde")]
@@ -140,9 +141,9 @@ impl<const C: usize> From<&Verdict<C>> for ShortVerdict {
 impl<const C: usize> Lost<C> {
     /// Whether joints of the hand move with the object along a motion that nothing resists, while no contact slides and no drive yields.
     pub(super) fn takes_the_hand_along(&self) -> bool {
-        let joints = self.motion.iter().flat_map(|motion| &motion.joints);
+        let joints = self.motion.as_ref().map_or(&[][..], |motion| &motion.joints);
         let is_free = self.kind == LossKind::GivesWay && self.slide.is_empty() && self.drives.is_empty();
-        is_free && joints.fold(0.0, |most: f64, joint| most.max(joint.abs())) > NEGLIGIBLE
+        is_free && largest(joints, &|joint| joint.abs()) > NEGLIGIBLE
     }
 
     /// The verb for this loss. `words` tells the plane from space, on which the vertical direction depends.

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Engine, Hold, Motion, Twist, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{chosen, largest, mapped, summed};
+use crate::numerics::{IntoList, chosen, largest, mapped, summed};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -121,7 +121,7 @@ pub(super) fn way_out(
     let sides = &bodies.sides;
     let fastest = largest(&motion.bodies, &BodyMotion::speed);
     let moves = |body: &BodyMotion<3>| body.speed() > STANDS * fastest;
-    let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
+    let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).list();
     let Some(first) = motion.bodies.iter().find(|body| moves(body)) else { return WayOut::Apart { bodies } };
     let as_the_first = |body: &BodyMotion<3>| {
         let other = BodyMotion { twist: difference(&body.twist, &first.twist), ..body.clone() };
@@ -158,7 +158,7 @@ pub(super) fn comes_apart(
 }
 
 fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
-    let components: Vec<_> = a.components().iter().zip(b.components()).map(|(a, b)| a - b).collect();
+    let components: Vec<_> = a.components().iter().zip(b.components()).map(|(a, b)| a - b).list();
     Twist::from_components(&components)
 }
 

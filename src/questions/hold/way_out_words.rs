@@ -6,7 +6,7 @@ use core::fmt;
 use super::way_out::{BodyWay, WayOut};
 use super::words::they_open;
 use crate::grasp::{WholeContact, vacuum_is_gone};
-use crate::numerics::{Space, mapped};
+use crate::numerics::{IntoList, Space, mapped};
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
@@ -80,7 +80,7 @@ impl<const C: usize> WayOut<C> {
                 let about_whole =
                     |part: &WholeContact| about.iter().all(|other| other.contact != part.contact);
                 let edges: Vec<_> = mapped(about, &edge);
-                let opens: Vec<_> = opens.iter().filter(|part| about_whole(part)).cloned().collect();
+                let opens: Vec<_> = opens.iter().filter(|part| about_whole(part)).cloned().list();
                 let they_open =
                     if opens.is_empty() { String::new() } else { format!(", {}", they_open(&opens)) };
                 format!("tip{ending} over about {}{they_open}", listed(&edges))

@@ -9,8 +9,8 @@ use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::equilibrium::TooFar;
 use crate::grasp::{Motion, WholeContact, Wrench};
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{IntoList, mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 
@@ -234,8 +234,8 @@ impl<const C: usize> Verdict<C> {
     /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more straps and ropes than
     /// [`MOST_NAMES`].
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all = self.state.iter().flat_map(|state| &state.contacts);
-        let cables: Vec<_> = all.filter(|one| one.contact.link == Some(LinkKind::Cable)).collect();
+        let all = self.state.as_ref().map_or(&[][..], |state| &state.contacts);
+        let cables = picked(all, &|one| (one.contact.link == Some(LinkKind::Cable)).then_some(one));
         let words = Words::of(f);
         cables.iter().filter(|_| cables.len() <= MOST_NAMES).try_for_each(|cable| {
             let (name, pull) = (cable.contact.text(), cable.force[0]);
@@ -385,7 +385,7 @@ pub(super) fn they_open(parts: &[WholeContact]) -> String {
         let link = list.first()?.link;
         Some(subject_and_verb(&list, opens(link), open(link)))
     });
-    clauses.collect::<Vec<_>>().join(", ")
+    clauses.list().join(", ")
 }
 
 /// Names with a verb in singular or plural: "left slides", "left and right slide".

@@ -3,6 +3,7 @@
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;
+use crate::numerics::largest;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -133,7 +134,7 @@ impl Identified {
 
     fn less(&self, kind: UnknownKind) -> f64 {
         let part = |estimate: &Estimate| estimate.interval.map(|[low, _]| 1.0 - low / estimate.value);
-        self.of(kind).filter_map(part).fold(0.0, f64::max)
+        self.largest(kind, &part)
     }
 
     /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
@@ -142,7 +143,7 @@ impl Identified {
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {
             let part = |estimate: &Estimate| estimate.standard_error.map(|error| error / estimate.value);
-            self.of(kind).filter_map(part).fold(0.0, f64::max)
+            self.largest(kind, &part)
         };
         Uncertainty::seeded(seed)
             .with_friction(sigma(UnknownKind::Friction))
@@ -150,7 +151,10 @@ impl Identified {
             .with_stiffness(sigma(UnknownKind::Stiffness))
     }
 
-    fn of(&self, kind: UnknownKind) -> impl Iterator<Item = &Estimate> {
-        self.estimates.iter().filter(move |estimate| estimate.kind == kind)
+    /// The largest value of `part` over all unknowns of a kind; 0 if none is positive.
+    fn largest(&self, kind: UnknownKind, part: &dyn Fn(&Estimate) -> Option<f64>) -> f64 {
+        largest(&self.estimates, &|estimate| {
+            if estimate.kind == kind { part(estimate) } else { None }.unwrap_or(0.0)
+        })
     }
 }

@@ -14,7 +14,7 @@ use super::model::{Linear, Model};
 use super::spread::identified;
 use super::tolerances::INDISTINCT;
 use crate::error::Error;
-use crate::numerics::{Each, IntoList, two_sided};
+use crate::numerics::{Each, IntoList, chosen, two_sided};
 use crate::prelude::*;
 
 /// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
@@ -234,11 +234,11 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
 /// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Between the two points, each of
 /// these slips may begin to depend on other unknowns at a different point.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
-    let mut rows = (0..one.jacobian.nrows()).filter(|row| !depends_alike(one, other, *row));
-    let Some(first) = rows.next() else { return false };
+    let rows = chosen(one.jacobian.nrows(), &|row| !depends_alike(one, other, *row));
+    let Some((&first, rows)) = rows.split_first() else { return false };
     let is_of_another_kind =
         |linear: &Linear, row: usize| linear.jacobian.row(row) != linear.jacobian.row(first);
-    rows.any(|row| is_of_another_kind(one, row) || is_of_another_kind(other, row))
+    rows.iter().any(|row| is_of_another_kind(one, *row) || is_of_another_kind(other, *row))
 }
 
 /// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %. `false` if the other fit is exact.

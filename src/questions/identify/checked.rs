@@ -8,8 +8,8 @@ use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Space;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{chosen, mapped};
 use crate::prelude::*;
 
 fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
@@ -143,13 +143,13 @@ impl Unknown {
     /// error for contacts whose pressing force is given.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
-            let named = self.contacts.iter().flatten();
-            if let Some(contact) = named.clone().find(|contact| **contact >= grasp.len()) {
+            let named = self.contacts.as_deref().unwrap_or_default();
+            if let Some(contact) = named.iter().find(|contact| **contact >= grasp.len()) {
                 let allowed = "less than the number of contacts";
                 return wrong(format!("unknown {number}"), "number of the contact", *contact as f64, allowed);
             }
-            let mut meant = grasp.contacts().iter().enumerate().filter(|(i, _)| self.is_of(layout, *i));
-            let held = meant.find_map(|(_, contact)| contact.force);
+            let meant = chosen(grasp.len(), &|i| self.is_of(layout, *i));
+            let held = meant.iter().find_map(|i| grasp.contacts()[*i].force);
             if let Some(force) = held.filter(|_| self.kind == UnknownKind::Carried) {
                 let allowed = "left out where the contact carries what is sought";
                 return wrong(format!("unknown {number}"), "force of its contact", force, allowed);

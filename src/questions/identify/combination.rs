@@ -2,8 +2,7 @@
 //! is a load or angle at which a contact, or the object, was observed to slip.
 
 use super::tolerances::NO_COMPONENT;
-use crate::numerics::Each;
-use crate::numerics::IntoList;
+use crate::numerics::{Each, IntoList, chosen, mapped};
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
@@ -104,8 +103,8 @@ fn formula_text(names: &[String], powers: &[f64], law: Law) -> String {
         _ => return format!("{apart} what they do together"),
     }
     let [more, less] = [1.0, -1.0].each(|sign| {
-        let those = names.iter().zip(powers).filter(|(_, power)| sign * **power > 0.0);
-        those.map(|(name, _)| name.clone()).list()
+        let those = chosen(powers.len(), &|k| sign * powers[*k] > 0.0);
+        mapped(&those, &|k| names[*k].clone())
     });
     match (&more[..], &less[..]) {
         ([_], [_]) => format!("{apart} their product"),

@@ -1,7 +1,7 @@
 //! Prediction of first slip (the load at which the first contact stops sticking) by the model of a grasp, and its exact derivatives with respect to
 //! the unknowns, such as coefficients of friction.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, numbered};
 use core::f64::consts::TAU;
 
 use super::model::{Predicted, PredictionFailure, SlipToPredict};
@@ -9,7 +9,6 @@ use super::slip::SlipLoad;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
-use crate::numerics::numbered;
 use crate::prelude::*;
 
 /// The load factor or angle, rad, at which the model predicts first slip for one observation. Derivatives with respect to the unknowns are computed
@@ -60,10 +59,8 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
             UnknownKind::Squeeze => numbered(axes, &|axis| (along(axis), data.command[axis])),
             UnknownKind::Carried => {
                 let pressed = carried_by(data, value).coordinates(space);
-                let mut changes = Vec::new();
-                for component in 0..space.of_the_object() {
-                    changes.push((Parameter::Load { component }, pressed[component]));
-                }
+                let of_load = |component| (Parameter::Load { component }, pressed[component]);
+                let mut changes = numbered(space.of_the_object(), &of_load);
                 changes.push((along(0), value / springs[0]));
                 changes
             }

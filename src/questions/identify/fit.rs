@@ -10,7 +10,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{IntoList, Singular, mapped, matrix_of, two_sided, vector_of};
+use crate::numerics::{IntoList, Singular, counted, mapped, matrix_of, two_sided, vector_of};
 use crate::prelude::*;
 
 /// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
@@ -199,7 +199,7 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) ->
 fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     let probability = 1.0 - 0.05 / model.asked.slips.len() as f64;
     for unknown in 0..fit.logs.len() {
-        let rows = |linear: &Linear| linear.jacobian.column(unknown).iter().filter(|x| **x != 0.0).count();
+        let rows = |linear: &Linear| counted(linear.jacobian.column(unknown).as_slice(), &|x| *x != 0.0);
         // One degree of freedom hardly tells the scatter.
         if fit.scatter.degrees < 2 || fit.linear.as_ref().is_none_or(|here| rows(here) != 1) {
             continue;

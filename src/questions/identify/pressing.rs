@@ -1,11 +1,11 @@
 //! The wrenches of a contact on the object as the object leaves at gross slip.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use super::model::SlipToPredict;
 use super::tolerances::INDISTINCT;
 use crate::grasp::{Contact, Hold, Space, Wrench};
-use crate::numerics::{IntoList, Vector, largest, vector_of};
+use crate::numerics::{IntoList, Vector, chosen, largest, mapped, vector_of};
 use crate::prelude::*;
 
 /// A contact that presses on the object while the object leaves at gross slip, or that cannot open.
@@ -59,7 +59,9 @@ pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], l
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());
     let may_pull = |contact: &Contact<3>| contact.hold != Hold::Unilateral;
-    let of = |(contact, (data, frame)): (usize, (&Contact<3>, &SMatrix<f64, 3, 3>))| {
+    let frames = target.grasp.frames().list();
+    let of = |&contact: &usize| {
+        let (data, frame) = (&contacts[contact], frames[contact]);
         let along = |axis: usize| {
             let unit = Wrench::force_through(&data.point, &frame.column(axis).into_owned());
             at_length(space, &unit.coordinates(space), length.recip())
@@ -77,8 +79,8 @@ pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], l
             may_pull: may_pull(data),
         }
     };
-    let all = contacts.iter().zip(target.grasp.frames()).enumerate();
-    all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > INDISTINCT * largest).map(of).list()
+    let presses = |i: &usize| may_pull(&contacts[*i]) || forces[*i][0] > INDISTINCT * largest;
+    mapped(&chosen(contacts.len(), &presses), &of)
 }
 
 /// The coordinates of a load or a motion of the object. Moments or rotations are multiplied by `factor`, so that they are comparable with forces or

@@ -1,7 +1,7 @@
 //! The question of identification: the unknowns, the observed slips, other layouts, and known sums. An unknown is a number of the grasp, such as a
 //! coefficient of friction, a layout an arrangement of the contact points.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;
 
 use super::answer::Identified;
@@ -15,7 +15,6 @@ use crate::error::Error;
 #[cfg(feature = "serde")]
 use crate::grasp::Wrench;
 use crate::grasp::{inside, outside};
-use crate::numerics::mapped;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsGiven;

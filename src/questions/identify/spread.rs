@@ -11,7 +11,7 @@ use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
 use super::tolerances::INDISTINCT;
-use crate::numerics::{IntoList, mapped, numbered, two_sided};
+use crate::numerics::{IntoList, all_some, mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// The answer from one fit: estimates with standard errors and intervals, combinations of unknowns that the slips do not determine, residuals and
@@ -93,7 +93,7 @@ struct Spread {
 
 /// The number of the group of each slip; `None` unless every slip is in a group.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
-    model.asked.slips.iter().map(|slip| slip.group).collect()
+    all_some(model.asked.slips.iter().map(|slip| slip.group))
 }
 
 impl Spread {

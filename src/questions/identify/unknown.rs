@@ -172,17 +172,15 @@ impl Unknown {
             return start;
         }
         let grasp = &layouts[self.layout.unwrap_or(0)];
-        let meant =
-            grasp.contacts().iter().enumerate().filter(|(i, _)| self.is_of(self.layout.unwrap_or(0), *i));
-        let positive = |x: &f64| *x > 0.0 && x.is_finite();
+        let first = |number: fn(&Contact<3>) -> f64| {
+            let meant = chosen(grasp.len(), &|i| self.is_of(self.layout.unwrap_or(0), *i));
+            let numbers = mapped(&meant, &|i| number(&grasp.contacts()[*i]));
+            numbers.into_iter().find(|x| *x > 0.0 && x.is_finite())
+        };
         match self.kind {
-            UnknownKind::Friction => {
-                meant.map(|(_, contact)| contact.friction_coefficient()).find(positive).unwrap_or(0.5)
-            }
-            UnknownKind::Carried => {
-                // Without a given force the search starts at 1 N.
-                meant.map(|(_, contact)| pressed(contact)).find(positive).unwrap_or(1.0)
-            }
+            UnknownKind::Friction => first(Contact::friction_coefficient).unwrap_or(0.5),
+            // Without a given force the search starts at 1 N.
+            UnknownKind::Carried => first(pressed).unwrap_or(1.0),
             UnknownKind::Squeeze | UnknownKind::Stiffness => 1.0,
         }
     }

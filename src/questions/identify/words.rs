@@ -6,7 +6,7 @@ use core::fmt;
 use super::answer::{Estimate, FitEnding, Identified};
 use super::assignments::is_alike;
 use super::unknown::UnknownKind;
-use crate::numerics::{Each, IntoList, mapped};
+use crate::numerics::{Each, IntoList, mapped, picked};
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -95,7 +95,7 @@ impl Identified {
     fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
         let fixed: Vec<Vec<&Estimate>> = mapped(&self.assignments, &|each| {
-            open.iter().map(|j| &each[*j]).filter(|estimate| estimate.is_fixed).list()
+            picked(open, &|j| Some(&each[*j]).filter(|estimate| estimate.is_fixed))
         });
         let the_one = fixed.first().and_then(|those| those.first());
         if let Some(one) = the_one
@@ -124,7 +124,7 @@ fn are(names: &[String]) -> String {
 
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    letters.next().map_or_else(String::new, |first| first.to_string().to_uppercase() + letters.as_str())
 }
 
 impl Estimate {

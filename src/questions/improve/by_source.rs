@@ -9,7 +9,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, all_some};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
@@ -54,7 +54,7 @@ impl StickingForces {
         ];
         let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(load));
         sources.extend(loads.iter().map(under));
-        let sources = sources.into_iter().collect::<Option<_>>();
+        let sources = all_some(sources.into_iter());
         Ok(sources.map(|sources| Self { grasp, sources }))
     }
 

@@ -11,7 +11,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Space, WholeContacts};
-use crate::numerics::{Draw, largest, numbered};
+use crate::numerics::{Draw, IntoList, largest, numbered};
 use crate::prelude::*;
 
 /// One variable of the search: the place of a contact along one direction, or the squeeze (normal force due to the command) of a contact.
@@ -59,8 +59,7 @@ impl<'q> DesignSpace<'q> {
     /// differs from the normal of the surface.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, DesignPoint), Error> {
         let contacts = grasp.contacts();
-        let tangents: Vec<SVector<f64, 3>> =
-            grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
+        let tangents: Vec<SVector<f64, 3>> = grasp.frames().map(|frame| frame.column(1).into_owned()).list();
         let length = grasp.engine.length();
         let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
         for (contact, at) in contacts.iter().enumerate() {

@@ -13,7 +13,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Draw, in_order, increasing, indexed, moved};
+use crate::numerics::{Draw, IntoList, in_order, increasing, indexed, moved};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -68,7 +68,7 @@ impl Improve<3> {
         let before = ascent_problem.before(&given)?;
         // For each random start that the question asks for, 24 random design points are drawn. The best of all drawn design points become starts, in
         // addition to the given grasp.
-        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).collect();
+        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).list();
         let drawn = in_order(&numbers, &|number| {
             // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
             let drawn = design_space.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));

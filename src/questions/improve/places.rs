@@ -4,7 +4,7 @@
 use nalgebra::SVector;
 
 use super::surface::Shape;
-use crate::numerics::{Each, largest, numbered};
+use crate::numerics::{Each, largest, lowest, numbered};
 use crate::prelude::*;
 
 pub(super) fn unit_direction(to: &SVector<f64, 3>) -> [f64; 3] {
@@ -230,9 +230,9 @@ impl Shape {
                     let side = to - from;
                     from + side * (side.dot(&(point - from)) / side.norm_squared()).clamp(0.0, 1.0)
                 };
-                let distance = |p: &SVector<f64, 3>| (p - point).norm();
-                let nearest = (0..3).map(on_side).min_by(|p, q| distance(p).total_cmp(&distance(q)));
-                let [u, v] = flat(&nearest.unwrap_or(corners[0]));
+                let on_sides = [0, 1, 2].each(on_side);
+                let nearest = lowest(&on_sides, &|p| (p - point).norm());
+                let [u, v] = flat(nearest.unwrap_or(&corners[0]));
                 [u, v, 0.0]
             }
         }

@@ -1,7 +1,6 @@
 //! A cubic spline through points with a continuous second derivative, so that its normals and curvatures have no jumps.
 
-use crate::numerics::IntoList;
-use crate::numerics::by_axis;
+use crate::numerics::{IntoList, by_axis};
 use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;

@@ -1,7 +1,6 @@
 //! Curves and surfaces that contacts may move along.
 
-use crate::numerics::Each;
-use crate::numerics::IntoList;
+use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;
 
 use super::spline::Spline;
@@ -177,7 +176,7 @@ impl Shape {
         if let Err(NoSurface { field, value, allowed }) = self.is_one() {
             return refused(field, value, allowed);
         }
-        if let Some(&value) = point.iter().find(|x| !is_moderate(**x)) {
+        if let Some(&value) = point.as_slice().iter().find(|x| !is_moderate(**x)) {
             return refused("coordinate of the point", value, MODERATE);
         }
         let length = normal.norm();
@@ -217,7 +216,7 @@ impl Shape {
     fn is_one(&self) -> Result<(), NoSurface> {
         let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
         let wrong = |points: &[SVector<f64, 3>]| {
-            points.iter().find_map(|point| point.iter().find(|x| !is_moderate(**x)).copied())
+            points.iter().find_map(|point| point.as_slice().iter().find(|x| !is_moderate(**x)).copied())
         };
         let size = "finite, above 0 and at most 1e50 m";
         let long = |length: f64| length > 0.0 && is_moderate(length);

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::places::unit_direction;
 use super::surface::Shape;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Draw, IntoList, mapped, numbered};
+use crate::numerics::{Draw, chosen, mapped, numbered, picked};
 use crate::prelude::*;
 
 /// A place on a curve or surface. `part` is the index of its segment or triangle (0 on other shapes). `at` are its coordinates on this part: lengths,
@@ -110,10 +110,10 @@ impl SurfaceLocation {
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
             return Vec::new();
         }
-        let others = (0..surface.parts()).filter(|part| *part != self.part);
-        let there =
-            others.map(|part| Self::new(surface, part, surface.nearest_of(part, &self.point), self.side));
-        there.filter(|location| (location.point - self.point).norm() <= near).list()
+        let others = chosen(surface.parts(), &|part| *part != self.part);
+        let there = |part| Self::new(surface, part, surface.nearest_of(part, &self.point), self.side);
+        let is_near = |location: &Self| (location.point - self.point).norm() <= near;
+        picked(&others, &|part| Some(there(*part)).filter(is_near))
     }
 
     /// A random place on the whole surface, with uniform density. Its normal is on the same side of the surface as the normal of this place.

@@ -2,13 +2,14 @@
 
 use super::answer::{Needed, PressedBy, Quantity};
 use super::press::{self, ContactPress};
+use crate::numerics::Each;
 use crate::prelude::*;
 use crate::words::{Words, printable};
 
 impl Needed {
     /// An interval of amounts as text: "0.1 to 3 times the load".
     pub(super) fn range(&self, words: Words, from: f64, to: f64) -> String {
-        let [low, high] = [from, to].map(|amount| words.number(amount));
+        let [low, high] = [from, to].each(|amount| words.number(amount));
         match self.quantity {
             Quantity::Squeeze => format!("{low} to {}", self.times_squeeze(words, to)),
             Quantity::Friction => format!("{low} to {high}"),

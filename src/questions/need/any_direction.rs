@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Space, dot, numbered};
+use crate::numerics::{Each, IntoList, Space, chosen, dot, numbered};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 
@@ -32,7 +32,7 @@ impl Loading {
             _ => {}
         }
         let alone = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
-        let along = |d: [f64; 3]| Ramp::load(base, force_at(d.map(|x| x * size), point));
+        let along = |d: [f64; 3]| Ramp::load(base, force_at(d.each(|x| x * size), point));
         self.in_every_direction(
             Trials { at_rest: path.at_rest, ..Trials::only(Demand::Held, alone) },
             &along,
@@ -101,7 +101,7 @@ impl Loading {
         if most >= size {
             return Ok(Trial::carries(most / size));
         }
-        let ramp = Ramp::load(*base, force_at(direction.map(|x| x * size), point));
+        let ramp = Ramp::load(*base, force_at(direction.each(|x| x * size), point));
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
@@ -159,7 +159,7 @@ impl Loading {
     ) -> Result<Trial, Error> {
         let neighbours = neighbours(all, self.grasp.space());
         let is_least = |k: &usize| neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part);
-        let mut minima: Vec<usize> = (0..all.len()).filter(is_least).collect();
+        let mut minima: Vec<usize> = (0..all.len()).filter(is_least).list();
         minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
         for (rank, k) in minima.into_iter().take(MOST_MINIMA).enumerate() {
             if held.is_sufficient() {
@@ -173,7 +173,7 @@ impl Loading {
         let is_edge = |[one, other]: &[usize; 2]| one < other && found[*one].jumps != found[*other].jumps;
         let pairs =
             neighbours.iter().enumerate().flat_map(|(one, near)| near.iter().map(move |other| [one, *other]));
-        let mut edges: Vec<[usize; 2]> = pairs.filter(is_edge).collect();
+        let mut edges: Vec<[usize; 2]> = pairs.filter(is_edge).list();
         let least = |[one, other]: &[usize; 2]| found[*one].part.min(found[*other].part);
         edges.sort_by(|a, b| least(a).total_cmp(&least(b)));
         for [one, other] in edges.into_iter().take(MOST_EDGES) {
@@ -282,12 +282,12 @@ fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
         Space::Planar => (one + 1) % count == other || (other + 1) % count == one,
         Space::Spatial => one != other && dot(&all[one], &all[other]) > 0.32_f64.cos(),
     };
-    numbered(count, &|one| (0..count).filter(|other| is_near(one, *other)).collect())
+    numbered(count, &|one| chosen(count, &|other| is_near(one, *other)))
 }
 
 fn unit(vector: [f64; 3]) -> [f64; 3] {
     let length = dot(&vector, &vector).sqrt();
-    vector.map(|x| x / length)
+    vector.each(|x| x / length)
 }
 
 /// Unit vectors at right angles to a direction: one in the plane, two in space.

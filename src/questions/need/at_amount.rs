@@ -8,7 +8,7 @@ use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{inside, outside};
 use crate::load_path::{Leg, Ramp};
-use crate::numerics::tried;
+use crate::numerics::{IntoList, largest, tried};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
@@ -73,7 +73,7 @@ impl Need<3> {
                 }
                 // With fewer than 180 steps of the turn, the angle at which most friction is used could be missed; each step costs an equilibrium.
                 let on_the_way = (0..180_u32).map(|k| path.state_at(0, f64::from(k) / 180.0));
-                on_the_way.chain([path.state()]).collect()
+                on_the_way.chain([path.state()]).list()
             }
         };
         let fullest = states.into_iter().flatten().max_by(|a, b| used(a).total_cmp(&used(b)));
@@ -83,10 +83,9 @@ impl Need<3> {
 
 /// The largest fraction of its friction that a closed contact uses: `|f_t| / (|f_t| + margin)`.
 fn used(state: &Equilibrium<3>) -> f64 {
-    let rubs = state.contacts.iter().filter(|answer| answer.state != ContactState::Separated);
-    let part = rubs.map(|answer| {
+    largest(&state.contacts, &|answer| {
         let (friction, left) = (answer.friction_force(), answer.margin.max(0.0));
-        if friction > 0.0 { friction / (friction + left) } else { 0.0 }
-    });
-    part.fold(0.0, f64::max)
+        let rubs = answer.state != ContactState::Separated && friction > 0.0;
+        if rubs { friction / (friction + left) } else { 0.0 }
+    })
 }

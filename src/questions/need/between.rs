@@ -5,7 +5,7 @@ use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NARROW, NEAR_DOUBLINGS};
 use super::trial::Trial;
 use crate::error::Error;
-use crate::numerics::{increasing, moved};
+use crate::numerics::{increasing, moved, picked};
 use crate::prelude::*;
 
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
@@ -22,7 +22,7 @@ pub(super) fn refined(
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
     // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts are missed.
     for _ in 0..4 * NEAR_DOUBLINGS {
-        let mut amounts: Vec<f64> = vain.iter().map(|(at, _)| *at).filter(|at| near(*at)).collect();
+        let mut amounts = picked(vain, &|(at, _)| Some(*at).filter(|at| near(*at)));
         amounts.sort_by(f64::total_cmp);
         let ratio = |pair: &[f64]| pair[1] / pair[0];
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };

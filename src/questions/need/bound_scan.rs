@@ -14,7 +14,7 @@ use super::tolerances::{
 use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{increasing, mapped, moved};
+use crate::numerics::{Each, IntoList, highest, increasing, mapped, moved, numbered, picked};
 use crate::prelude::*;
 
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
@@ -37,11 +37,11 @@ impl SearchPlan {
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
         // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
         // a larger ratio than 4 they would be farther apart.
-        let fine = (1..=count).map(|k| most.powf((k as f64 / count as f64).powi(3)));
+        let mut parts = numbered(count, &|k| most.powf(((k + 1) as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
-        let coarse = (coarse && count > 0).then_some(16.0);
-        let parts = fine.chain(coarse).map(|part| if up { from * part } else { from / part });
-        parts.filter(|amount| self.contains(*amount)).collect()
+        parts.extend((coarse && count > 0).then_some(16.0));
+        let amount = |part: &f64| if up { from * part } else { from / part };
+        picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))
     }
 
     /// Two amounts, just inside and just outside the upper (if `up`) or lower end of the range. Empty unless a proof excludes all amounts beyond that
@@ -50,7 +50,7 @@ impl SearchPlan {
         let end = |end: f64| {
             // If this relative offset were smaller than the error of the proved end, both amounts could be on the same side of the true end.
             let off = 1e-8;
-            [1.0 - off, 1.0 + off].map(|part| if up { end * part } else { end / part })
+            [1.0 - off, 1.0 + off].each(|part| if up { end * part } else { end / part })
         };
         self.end(up).map_or(Vec::new(), |at| end(at).to_vec())
     }
@@ -196,7 +196,7 @@ pub(super) fn between_known(
     (plan, near): (&SearchPlan, f64),
     tries: TrialFunctions<'_>,
 ) -> Result<bool, Error> {
-    let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().collect();
+    let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().list();
     let mut is_new = false;
     for count in 0..BETWEEN {
         list.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -223,8 +223,12 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
         let is_between = (guess - here.0) * (guess - next.0) < 0.0;
         is_between.then_some((carried, guess + BEYOND_A_MARGIN * (next.0 - guess)))
     };
-    let both_ways = list.windows(2).flat_map(|pair| [beyond(&pair[0], &pair[1]), beyond(&pair[1], &pair[0])]);
-    both_ways.flatten().max_by(|(one, _), (other, _)| one.total_cmp(other)).map(|(_, at)| at)
+    let mut both_ways = Vec::new();
+    for pair in list.windows(2) {
+        both_ways.extend(beyond(&pair[0], &pair[1]));
+        both_ways.extend(beyond(&pair[1], &pair[0]));
+    }
+    highest(&both_ways, &|(carried, _)| *carried).map(|(_, at)| *at)
 }
 
 /// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether
@@ -260,8 +264,9 @@ fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
         let is_apart = (next.0 - root).abs() > (BETWEEN_STATES - 1.0) * root;
         (all_suffice && is_apart).then_some(root + BEYOND_A_MARGIN * (next.0 - root))
     };
-    let both_ways = |of: &[(f64, Trial)]| [[&of[0], &of[1], &of[2]], [&of[2], &of[1], &of[0]]].map(beyond);
-    list.windows(3).flat_map(both_ways).flatten().next()
+    let either_way =
+        |of: &[(f64, Trial)]| beyond([&of[0], &of[1], &of[2]]).or_else(|| beyond([&of[2], &of[1], &of[0]]));
+    list.windows(3).find_map(either_way)
 }
 
 /// Sorts amounts, in ascending order if `up`, else in descending order.

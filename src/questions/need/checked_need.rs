@@ -10,7 +10,7 @@ use crate::error::check_contact;
 use crate::error::{Error, is_moderate};
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
-use crate::numerics::Space;
+use crate::numerics::{Each, Space, largest};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
@@ -156,9 +156,9 @@ impl CheckedNeed {
     pub(super) fn largest_force(&self) -> f64 {
         let force = |load: &Wrench<3>| load.force_part().norm();
         let of_loads = match &self.loads {
-            Loads::Each(list) => list.iter().map(force).fold(0.0, f64::max),
+            Loads::Each(list) => largest(list, &force),
             Loads::AnyForce { base, size, .. } => force(base).max(*size),
-            Loads::Turn(turn) => turn.parts().iter().map(force).fold(0.0, f64::max),
+            Loads::Turn(turn) => largest(&turn.parts(), &force),
         };
         of_loads.max(force(&self.base))
     }
@@ -166,7 +166,7 @@ impl CheckedNeed {
     /// Whether the sought angle in the plane is an anticlockwise tilt of the grasp. In coordinates of the tilted grasp the load turns the other way.
     pub(super) fn tilts_anticlockwise(&self, space: Space) -> Option<bool> {
         let Sought::Angle { turn } = &self.sought else { return None };
-        let [_, cosine, sine] = turn.parts().map(|part| part.force_part());
+        let [_, cosine, sine] = turn.parts().each(|part| part.force_part());
         let turns = cosine[0] * sine[1] - cosine[1] * sine[0];
         (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
     }

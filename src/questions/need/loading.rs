@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, PathFacts, Verdict, VerdictScope};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
@@ -110,9 +110,8 @@ impl Loading {
                 let turn = self.multiplied_turn(turn);
                 // The load at each angle may exclude amounts with which forces cannot balance it. With fewer angles fewer amounts would be excluded.
                 let parts = 8_u32;
-                list = (0..=parts)
-                    .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts)))
-                    .collect();
+                list =
+                    (0..=parts).map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts))).list();
             }
         }
         list

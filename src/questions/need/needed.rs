@@ -21,7 +21,7 @@ use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside};
-use crate::numerics::{Space, largest};
+use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -117,8 +117,8 @@ fn start(grasp: &Grasp<3>, need: &CheckedNeed) -> f64 {
         Sought::Squeeze | Sought::Overlaps | Sought::Load | Sought::Force { .. } => 1.0,
         Sought::Friction { contacts: those, .. } => {
             let is_meant = |i: &usize| those.as_ref().is_none_or(|those| those.contains(i));
-            let all = contacts.iter().enumerate().filter(|(i, _)| is_meant(i));
-            let given = all.map(|(_, contact)| contact.friction_coefficient()).fold(0.0, f64::max);
+            let all = chosen(contacts.len(), &is_meant);
+            let given = largest(&all, &|i| contacts[*i].friction_coefficient());
             if given > 0.0 && given.is_finite() { given } else { 0.5 }
         }
         Sought::Arm { .. } => {
@@ -268,12 +268,14 @@ impl FoundAmounts<'_, '_> {
     ) -> Option<Threshold> {
         let far = found.until.as_ref().map(|edge| edge.sufficient);
         let own = if plan.is_least { [Some(bound.sufficient), far] } else { [far, Some(bound.sufficient)] };
-        let all = found.elsewhere.iter().map(|window| [window.from, window.to]).chain([own]);
+        let mut all = mapped(&found.elsewhere, &|window| [window.from, window.to]);
+        all.push(own);
         let is_wide = |[from, to]: &[Option<f64>; 2]| {
             from.is_none_or(|from| to.is_none_or(|to| to > from * (1.0 + NARROW)))
         };
-        let edges = all.filter(is_wide).filter_map(|[from, to]| if plan.is_least { from } else { to });
-        let sufficient = edges.reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
+        let edges = picked(&all, &|ends| ends[usize::from(!plan.is_least)].filter(|_| is_wide(ends)));
+        let sufficient =
+            edges.into_iter().reduce(|one, other| if plan.is_harder(one, other) { one } else { other })?;
         let known = self.known();
         let harder = known.iter().filter(|(at, trial)| {
             matches!(trial, Trial::Insufficient { .. }) && plan.is_harder(*at, sufficient)
@@ -347,7 +349,7 @@ fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
 /// less load). `None` if no tried amount is insufficient.
 fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
-    let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).collect();
+    let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).list();
     beyond.sort_by(|(a, _), (b, _)| ample(*a).total_cmp(&ample(*b)));
     let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::Insufficient { .. }))?;
     let last = beyond[..first]

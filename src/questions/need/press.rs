@@ -4,7 +4,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{ATMOSPHERE, Contact, WholeContact};
-use crate::numerics::{Space, mapped};
+use crate::numerics::{IntoList, Space, largest, mapped, summed};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
@@ -46,17 +46,17 @@ pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
         let pressed = point.stiffness.series()[0] * (point.command[0] - point.clearance);
         Some(point.force.unwrap_or(pressed)).filter(|force| is_plain && *force > 0.0)
     };
-    points.iter().map(of_point).sum()
+    points.iter().try_fold(-0.0, |sum, point| Some(sum + of_point(point)?))
 }
 
 /// How far the pressure in a suction cup is below the pressure of the surrounding air, Pa, if these points in space form its ring-shaped lip. In the
 /// plane there is no area, and the result is `None`.
 pub(crate) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
     let count = points.len() as f64;
-    let vacuum: f64 = points.iter().map(|point| point.suction).sum();
+    let vacuum: f64 = summed(points, &|point| point.suction);
     let middle = points.iter().fold(SVector::<f64, 3>::zeros(), |sum, point| sum + point.point / count);
     let radius = |point: &Contact<3>| (point.point - middle).norm();
-    let size = points.iter().map(radius).fold(0.0, f64::max);
+    let size = largest(points, &radius);
     let is_ring = points.iter().all(|point| point.space == Space::Spatial)
         && points.len() > 2
         && points.iter().all(|point| size - radius(point) <= ALIKE_IN_WORDS * size);
@@ -89,11 +89,11 @@ impl ContactPress {
 /// press are returned.
 fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     let is_one_set = presses.iter().any(|press| press.is_set);
-    let most = presses.iter().map(|press| press.force).fold(0.0, f64::max);
+    let most = largest(presses, &|press| press.force);
     let is_meant = |press: &&ContactPress| {
         (press.is_set || !is_one_set) && press.force > 0.0 && press.force >= ALIKE_IN_WORDS * most
     };
-    presses.iter().filter(is_meant).collect()
+    presses.iter().filter(is_meant).list()
 }
 
 /// Whether a number is the same at all these contacts, to within [`ALIKE_IN_WORDS`].
@@ -160,7 +160,7 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
 
 /// The multiple `times` of the given squeeze, with the force that is set, if no contact presses at rest.
 fn with_what_is_set(words: Words, presses: &[ContactPress], times: String) -> String {
-    let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).collect();
+    let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).list();
     match set.first().and_then(|first| first.pressed_with) {
         Some(force) if is_alike(&set, &|press| press.pressed_with) && set.len() <= MOST_NAMES => {
             let names: Vec<_> = mapped(&set, &|press| press.part.text());

@@ -7,6 +7,7 @@ use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
 use super::trial::Trial;
 use crate::error::Error;
+use crate::numerics::Each;
 use crate::prelude::*;
 
 /// The relative widths at which a bracket is narrow enough, as pairs: a number of steps, and the width that is enough from this step on. Widths grow
@@ -327,7 +328,7 @@ impl BracketEnd {
     /// The amount at which a measure is predicted to be zero, extrapolated from the last two or three amounts at this end of the bracket. Only one
     /// end is used, because the derivative of the measure may jump at the bound.
     fn root(&self, which: usize) -> Option<f64> {
-        let points = self.last.map(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
+        let points = self.last.each(|point| point.and_then(|(at, measures)| Some((at, measures[which]?))));
         where_it_vanishes(points)
     }
 }

@@ -5,6 +5,7 @@ use core::cell::{Cell, RefCell};
 
 use super::question::Demand;
 use crate::hold::AtRest;
+use crate::numerics::Each;
 use crate::prelude::*;
 
 /// The value of the carried part of the load if no equilibrium exists under the load at rest, which acts before the others. If the carried part is
@@ -93,7 +94,7 @@ impl Trial {
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Sufficient { carried, other } | Self::Insufficient { carried, other, .. } => {
-                [carried - 1.0, *other].map(|measure| Some(measure).filter(|measure| measure.is_finite()))
+                [carried - 1.0, *other].each(|measure| Some(measure).filter(|measure| measure.is_finite()))
             }
             Self::Unknown(_) => [None; 2],
         }

@@ -21,7 +21,7 @@ use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{AtRest, VerdictScope};
-use crate::numerics::{Space, mapped, picked};
+use crate::numerics::{Each, IntoList, Space, mapped, picked};
 use crate::object::uses_band;
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -160,7 +160,7 @@ impl<'q> TrialRecord<'q> {
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
-            rests(&lists).filter(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0).collect();
+            rests(&lists).filter(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0).list();
         behind
             .sort_by(|(one, _), (other, _)| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()));
         let (_, here) = *behind.first().filter(|(at, _)| *at == sufficient)?;
@@ -169,7 +169,7 @@ impl<'q> TrialRecord<'q> {
         let three = [(); 3].map(|()| alike.next());
         let margins = (0..here.contacts.len()).flat_map(|i| [(i, 0), (i, 1)]);
         let roots = margins.filter_map(|(i, k)| {
-            where_it_vanishes(three.map(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
+            where_it_vanishes(three.each(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
         });
         let between = roots.filter(|root| (root - sufficient) * (root - insufficient) < 0.0);
         between.min_by(|one, other| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()))

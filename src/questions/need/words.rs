@@ -8,7 +8,7 @@ use super::amount_words::roughly;
 use super::answer::{Amount, AmountWindow, FarEnd, Needed, Quantity, TriedAmounts};
 use super::press::{self, ContactPress};
 use super::question::Demand;
-use crate::numerics::mapped;
+use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, Words, listed, printable};
 
@@ -308,9 +308,8 @@ impl Needed {
     ) -> fmt::Result {
         let words = Words::of(f);
         let less = [("friction", self.lower[0]), ("the squeeze", self.lower[1])];
-        let less = less.into_iter().filter(|(_, part)| *part > 0.0);
-        let mut less: Vec<_> =
-            less.map(|(what, part)| format!("{what} is {} % less", words.number(100.0 * part))).collect();
+        let text = |what: &str, part: f64| format!("{what} is {} % less", words.number(100.0 * part));
+        let mut less = picked(&less, &|(what, part)| (*part > 0.0).then(|| text(what, *part)));
         if self.safety != 1.0 {
             let what = if self.is_loaded_at_rest { "the load beyond that at rest" } else { "the load" };
             less.push(format!("{what} is {} times as large", words.number(self.safety)));

@@ -7,6 +7,7 @@ use nalgebra::{DVector, SVector};
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{chosen, lowest, picked};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -96,10 +97,10 @@ impl Cycle {
     pub(super) fn cycles_until_closing(&self) -> Option<usize> {
         let still = NEGLIGIBLE * self.scale.stretch;
         let nearer = |i: usize| self.from.gaps[i] - self.to.gaps[i];
-        let open = self.record.open.iter().enumerate().filter_map(|(i, gap)| gap.map(|gap| (i, gap)));
-        let cycles = open.filter(|(i, _)| nearer(*i) > still).map(|(i, gap)| (gap / nearer(i)).floor() - 1.0);
+        let open = chosen(self.record.open.len(), &|i| nearer(*i) > still);
+        let cycles = picked(&open, &|i| Some((self.record.open[*i]? / nearer(*i)).floor() - 1.0));
         // If the gap would close after a billion cycles or more, it is taken never to close.
-        let first = cycles.min_by(f64::total_cmp).filter(|cycles| *cycles < 1e9);
+        let first = lowest(&cycles, &|cycles| *cycles).filter(|cycles| **cycles < 1e9);
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 

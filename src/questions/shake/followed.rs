@@ -10,7 +10,7 @@ use crate::equilibrium::TooFar;
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, Wrench};
 use crate::load_path::{CycleState, Cycles, DriveChange, Leg, PathEnd, Ramp};
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -311,7 +311,7 @@ impl<'g> FollowedCycles<'g, '_> {
                 && if comes_to_rest { is_open(i) } else { last.is_some_and(|last| last.is_open(i)) }
         };
         let drives = (self.engine.len()..self.slid.len()).filter(|i| slides(*i) || is_at_limit(*i));
-        let mut yields: Vec<_> = drives.filter_map(|i| self.engine.part(i)).collect();
+        let mut yields: Vec<_> = drives.filter_map(|i| self.engine.part(i)).list();
         yields.dedup();
         let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);
         Shaken {

@@ -31,7 +31,7 @@ impl<'p> Recurrence<'p> {
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
-        (1..=8.min(n.saturating_sub(2))).find_map(|modes| {
+        (1..9.min(n.saturating_sub(1))).find_map(|modes| {
             let places = &places[n - modes - 2..];
             let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).list();
             let (last, others) = changes.split_last()?;

@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, chosen, indexed, largest, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, chosen, indexed, largest, mapped, matrix_of, total, tried, vector_of};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -89,8 +89,7 @@ impl Engine {
         settings: &Settings,
     ) -> Result<Option<Shakedown<3>>, Error> {
         let at_rest = self.load_alone(base, "base load")?;
-        let loads: Vec<_> =
-            loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
+        let loads: Vec<_> = tried(loads, &|load| self.inside(load, "load that repeats"))?;
         // Cones that contain the round cone are needed: only then is the greatest factor an upper bound.
         let around = PolygonCone::new(settings.cone.facets(), PolygonFit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
@@ -221,9 +220,7 @@ impl Program {
         let cost = vector_of(columns, &|k| if k == 0 { -1.0 } else { 0.0 });
         let [z, multipliers] = quadratic_program(None, &cost, &matrix, &right, &lcp::Settings::default())?;
         let size = |k: usize| z[1 + k] - z[1 + slips + k];
-        let kept = |r: usize| {
-            self.b[r] + self.a[r] * z[0] + (0..slips).map(|k| self.s[(r, k)] * size(k)).sum::<f64>()
-        };
+        let kept = |r: usize| self.b[r] + self.a[r] * z[0] + total(slips, &|k| self.s[(r, k)] * size(k));
         let scale = 1.0 + z.amax();
         if (0..rows).any(|r| kept(r) < -NEGLIGIBLE * scale) {
             return None;

@@ -6,7 +6,7 @@ use super::loads::Loads;
 use crate::contact::{Edges, ZERO_SLACK, is_broken};
 use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
-use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed};
+use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed, tried};
 use crate::prelude::*;
 
 /// The condition `row·F >= 0` that keeps a contact sticking: F is the contact's force, a sum of several forces, and `row` the coefficients of one
@@ -44,7 +44,7 @@ impl<'l> ForceParts<'l> {
         let under = |load: &Wrench<3>| sticking.forces(&without, &(grasp.load_unchecked(load) - &vacuum));
         let mut influences = Vec::new();
         let base = match loads {
-            Loads::Each(list) => list.iter().map(under).collect::<Result<_, _>>()?,
+            Loads::Each(list) => tried(list, &under)?,
             Loads::AnyForce { base, point, .. } => {
                 influences = sticking.influences(point)?;
                 vec![under(base)?]

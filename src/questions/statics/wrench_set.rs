@@ -5,13 +5,13 @@
 //! work is `u_n + μ |u_t|` per newton of normal force, with the normal and tangential components u_n and u_t. A contact whose force could only do
 //! negative work does not press.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 use super::budget::{Budget, WrenchScale};
-use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
+use crate::contact::{Coulomb, tangential, tangential_norm};
 use crate::error::Error;
 use crate::grasp::{Engine, Space, Twist, Wrench};
-use crate::numerics::{Map, Vector, mapped, unit};
+use crate::numerics::{Map, Vector, highest, mapped, numbered, tried, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -39,8 +39,8 @@ impl ContactCone {
                 (force, force.dot(&u))
             }
             Cone::Corners(corners) => {
-                let works = corners.iter().map(|force| (*force, force.dot(&u)));
-                works.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((unit(0), u[0]))
+                let most = highest(corners, &|force| force.dot(&u));
+                most.map_or((unit(0), u[0]), |force| (*force, force.dot(&u)))
             }
         }
     }
@@ -69,7 +69,8 @@ impl WrenchSet {
     ) -> Result<Self, Error> {
         let (space, axes) = (grasp.space(), grasp.space().axes());
         let about = SVector::from(scale.about);
-        let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_>, &SMatrix<f64, 3, 3>))| {
+        let pushing = |contact: usize| {
+            let (local, frame) = (problem.local(contact), &grasp.sites()[contact].frame);
             let arm = grasp.contacts()[contact].point() - about;
             let mut map = grasp.space().grasp_map(grasp.size(), &arm, frame);
             for (k, a) in (axes..grasp.size().count()).flat_map(|k| (0..axes).map(move |a| (k, a))) {
@@ -91,9 +92,7 @@ impl WrenchSet {
             };
             Ok(ContactCone { map, cone })
         };
-        let contacts =
-            problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);
-        let contacts = contacts.collect::<Result<_, _>>()?;
+        let contacts = tried(&numbered(problem.len(), &|i| i), &|contact| pushing(*contact))?;
         let set = Self { space, contacts, budget, scale, vacuum: Vector::zeros(), flat: Vec::new() };
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }

@@ -22,7 +22,7 @@ use super::margin::{FacetMargin, FirstOrder, UncertainForce};
 use super::tolerances::AROUND_A_CONE;
 use super::union::Failures;
 use crate::contact::{Edges, round_rows};
-use crate::numerics::{Harmonic, normal_tail};
+use crate::numerics::{Harmonic, normal_tail, summed};
 use crate::prelude::*;
 
 /// Adds to `events` the possible failures of one contact under a load: a failure is that the contact force leaves the friction cone. For failures
@@ -77,9 +77,7 @@ pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f6
 pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     let first_order = here.first_order();
     match edges {
-        Edges::Rows(rows) => {
-            rows.iter().map(|row| normal_tail(first_order.reliability(row))).sum::<f64>().min(1.0)
-        }
+        Edges::Rows(rows) => summed(rows, &|row| normal_tail(first_order.reliability(row))).min(1.0),
         Edges::Round { limit } => normal_tail(worst_around(&first_order, &round_rows(*limit)).1),
     }
 }

@@ -2,10 +2,9 @@
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
-use grasp_lcp::scene::OnsetAnswer;
+use grasp_lcp::scene::{Answer, OnsetAnswer, Question, Setup};
 
 use crate::failure::Failure;
-use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// The right end of the load factor axis, as a multiple of the largest load factor of interest. Factors of interest are 1 (the load itself), the
 /// factor at first slip, and the factor at which equilibrium is lost.

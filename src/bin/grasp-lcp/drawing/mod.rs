@@ -4,14 +4,13 @@ mod charts;
 mod shown;
 
 use grasp_lcp::picture::{Chart, Page, View};
-use grasp_lcp::scene::Scene;
+use grasp_lcp::scene::{Answer, Scene, Setup};
 use grasp_lcp::words::Words;
 
 use self::charts::{chart, cycles};
 use self::shown::{PictureContent, ShownState, shown};
 use crate::failure::Failure;
 use crate::files::Pictures;
-use grasp_lcp::scene::{Answer, Setup};
 
 /// Draws a scene: an HTML page and still pictures (SVG) of its answers, or of the grasp alone, and charts.
 pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {

@@ -7,13 +7,12 @@ use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::{Improve, ImproveGoal, Improved};
 use grasp_lcp::load_path::{Event, Leg};
 use grasp_lcp::need::{Amount, Need, Needed};
-use grasp_lcp::scene::{OnsetAnswer, PathAnswer, PathOutcome};
+use grasp_lcp::scene::{Answer, OnsetAnswer, PathAnswer, PathOutcome, Question, Setup};
 use grasp_lcp::shake::Shaken;
 use grasp_lcp::words::Words;
 
 use crate::failure::Failure;
 use crate::words::NO_WORDS;
-use grasp_lcp::scene::{Answer, Question, Setup};
 
 /// The content of one picture: an equilibrium or the grasp alone, with the label and the sentences that the picture shows.
 pub(super) struct ShownState {

@@ -3,12 +3,13 @@
 use super::one_step::SteppedState;
 use super::step_doubling::StepDoubling;
 use super::stepped_path::{Step, SteppedFollower};
+use crate::contact::State;
 use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Advance;
 use crate::load_path::program_run::ProgramRun;
 use crate::load_path::tolerances::SHORTEST_STEP;
-use crate::numerics::{Vector, largest};
+use crate::numerics::{Vector, counted, largest};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -134,8 +135,8 @@ impl<'g> SteppedFollower<'g> {
             leg,
             fraction,
             load: run.program.load_at(fraction),
-            sliding: to.states.iter().filter(|state| state.slides()).count(),
-            open: to.states.iter().filter(|state| state.is_open()).count(),
+            sliding: counted(&to.states, &State::slides),
+            open: counted(&to.states, &State::is_open),
             error,
         }
     }

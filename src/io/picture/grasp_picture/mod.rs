@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::ContactPoints;
-use crate::numerics::{Each, mapped, tried};
+use crate::numerics::{Each, IntoList, mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_ratio, cone_size, ink, word};
@@ -109,7 +109,7 @@ impl<'a> Picture<'a> {
         let load = state.map(|state| state.load).or(of.load);
         let load = load.map(|load| PlanarLoad::new(&load, low / 2.0 + high / 2.0, size((low, high))));
         let span = size(bounds([held, ends_of_bones(grasp)].concat()));
-        let frames: Vec<_> = grasp.frames().copied().collect();
+        let frames: Vec<_> = grasp.frames().copied().list();
         let tip = |tip: &'a ContactPoints| DrawnFingertip {
             middle: tip.middle(contacts),
             frame: frames[tip.range.start],
@@ -125,7 +125,7 @@ impl<'a> Picture<'a> {
         let push = |(tip, resultant): (&DrawnFingertip, &Resultant)| {
             (tip.middle, tip.frame.column(0).into_owned(), resultant.normal_force)
         };
-        let pushes: Vec<_> = doing().map(push).collect();
+        let pushes: Vec<_> = doing().map(push).list();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
         let way_out = of
             .leaving
@@ -170,8 +170,8 @@ impl<'a> Picture<'a> {
             load.paint(&axes, &mut painting);
         }
         let place = |point| axes.place(point);
-        let leaves = self.way_out.as_ref().and_then(|way| way.paint(&mut painting, place));
-        Ok(sheet((size.0, size.1 + more), |paper| {
+        let leaves = self.way_out.as_ref().and_then(|way| way.paint(&mut painting, &place));
+        Ok(sheet((size.0, size.1 + more), &mut |paper| {
             for (k, line) in title.iter().enumerate() {
                 paper.title_line(line_heights.0 * k as f64, line);
             }
@@ -237,7 +237,7 @@ impl<'a> Picture<'a> {
             }
         }
         for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
-            painting.area(outline.iter().map(place).collect(), GREY.mix(0.12), -3.0);
+            painting.area(outline.iter().map(place).list(), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
                 painting.line([corner, next].each(|end| flat(place(end))), GREY, 1.0);

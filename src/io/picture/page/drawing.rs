@@ -1,14 +1,13 @@
 //! The geometry of a spatial grasp for both its HTML page and its still picture (SVG). It has points in the coordinates of the grasp, and the scales
 //! of forces, moments and displacements.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, mapped};
 use nalgebra::{Vector3, Vector6};
 
 use super::content::Page;
 use super::frame::Frame;
 use super::solid::bodies;
 use crate::grasp::ContactPoints;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::picture::error::PictureError;
 use crate::picture::force_scale::metres_per_newton;

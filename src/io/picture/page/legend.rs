@@ -3,7 +3,7 @@
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
 use crate::grasp::ContactPoints;
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, IntoList, mapped, summed};
 use crate::picture::contact_look::{STATES, ink, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{LEGEND, SPATIAL};
@@ -77,7 +77,7 @@ impl Legend {
 
     /// Height of the legend, pixels.
     pub(super) fn high(&self) -> f64 {
-        self.0.iter().map(|entry| LEGEND.line * entry.lines().len() as f64 + LEGEND.between).sum()
+        summed(&self.0, &|entry| LEGEND.line * entry.lines().len() as f64 + LEGEND.between)
     }
 }
 
@@ -178,7 +178,7 @@ fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
         ),
     ];
     let there = all.into_iter().filter(|(there, ..)| *there);
-    there.map(|(_, sample, words)| entry(sample, words)).collect()
+    there.map(|(_, sample, words)| entry(sample, words)).list()
 }
 
 fn draw_sample(paper: &mut Sheet, sample: &LegendSample, y: f64) {

@@ -8,7 +8,7 @@ use super::leaving::MovedLines;
 use super::mark::{Mark, MarkLayer, MarkShape};
 use super::paint::hull;
 use crate::grasp::ContactPoints;
-use crate::numerics::{Each, mapped};
+use crate::numerics::{Each, IntoList, mapped};
 use crate::picture::contact_look::{cone_ratio, cone_size, ink, word};
 use crate::picture::fingertip::Resultant;
 use crate::picture::layout::{MARKS, SPATIAL};
@@ -27,7 +27,7 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     for outline in &page.outlines {
         marks.extend(closed(points(&outline.corners)).map(|corners| MarkShape::Edge { corners }.always()));
     }
-    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
+    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().list());
     let names = if drawing.tips.len() > MARKS.most_named { MarkLayer::Pointed } else { MarkLayer::Names };
     for (k, tip) in drawing.tips.iter().enumerate() {
         // A contact is drawn with a finger behind it, a link by its ends.
@@ -56,7 +56,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame>) -> V
             );
         }
     }
-    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
+    let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().list());
     for (k, tip) in drawing.tips.iter().enumerate() {
         let first = tip.range.start;
         let ink = state.map_or(GREY, |state| ink(tip.resultant(contacts, state).word));
@@ -138,7 +138,7 @@ fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactPoints) -> Vec<M
         let open = answer.state == ContactState::Separated;
         MarkShape::Dot { at: contacts[i].point(), radius, ink: ink(word(answer)), open }.always()
     };
-    tip.range.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).collect()
+    tip.range.clone().filter(|i| tip.shows(word(&state.contacts[*i]))).map(dot).list()
 }
 
 /// The rim of a soft fingertip: the convex hull of its points, seen along its normal. `None` for a single point or a link.
@@ -150,11 +150,11 @@ fn rim(contacts: &[Contact], frame: &Matrix3<f64>, tip: &ContactPoints, ink: Rgb
         let across = frame.tr_mul(&contact.point());
         ((across[1], across[2]), contact.point())
     });
-    let places: Vec<_> = places.collect();
+    let places: Vec<_> = places.list();
     let corners = hull(mapped(&places, &|(place, _)| *place));
     let point =
         |corner: &(f64, f64)| places.iter().find(|(place, _)| place == corner).map(|(_, point)| *point);
-    let corners: Vec<_> = corners.iter().filter_map(point).collect();
+    let corners: Vec<_> = corners.iter().filter_map(point).list();
     (corners.len() > 2).then(|| MarkShape::Line { corners, ink, width: 1.5, dashes: None }.always())
 }
 

@@ -1,8 +1,7 @@
 //! Convex parts of the object between its outlines, so that it looks like a solid instead of a wire frame.
 
 use super::content::MovingLine;
-use crate::numerics::IntoList;
-use crate::numerics::mapped;
+use crate::numerics::{IntoList, mapped};
 
 /// Convex parts of the object: every ring, and the convex hull of two consecutive rings of at least eight corners. A ring is an outline, or a part of
 /// it that returns to its start.

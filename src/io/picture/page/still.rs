@@ -81,7 +81,7 @@ impl Page {
         marks.extend(marks_of_the_answer(&drawing, frame));
         let legend = Legend::new(&drawing, frame, eye.scale);
         let foot = top + STILL.room.1.max(legend.high() + STILL.axes_room);
-        Ok(sheet((860.0, foot + STILL.margin), |paper| {
+        Ok(sheet((860.0, foot + STILL.margin), &mut |paper| {
             for (k, line) in title.iter().enumerate() {
                 paper.text((18.0, 26.0 + 24.0 * k as f64), line, 20.0, 0.0, BLACK);
             }

@@ -7,7 +7,7 @@ use super::frame::Frame;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
 use crate::grasp::{Contact, ContactPoints, Hold};
-use crate::numerics::{Space, mapped};
+use crate::numerics::{Space, largest, mapped};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
@@ -167,9 +167,9 @@ fn numbers(
     let arm = 1e-3;
     let moment = Words::default().beside(moment, arm * state.largest_force());
     let moved = |point: &ContactAnswer<3>| if point.gap > 0.0 { point.gap } else { point.slip.norm() };
-    let most = |points: &[ContactAnswer<3>]| points.iter().map(moved).fold(0.0, f64::max);
+    let most = |points: &[ContactAnswer<3>]| largest(points, &moved);
     // A length is written as zero if it is only rounding compared with the largest length of all contacts.
-    let largest = state.contacts.iter().map(|one| one.body_core.norm()).fold(most(&state.contacts), f64::max);
+    let largest = most(&state.contacts).max(largest(&state.contacts, &|one| one.body_core.norm()));
     let length = |metres: f64| 1e3 * Words::default().beside(metres, largest);
     [pushes, rubs, moment, used, friction, force(answer.margin()), length(most(points)), length(moves)]
 }

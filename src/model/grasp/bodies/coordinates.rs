@@ -9,7 +9,7 @@ use super::place::{BodyPlace, PlacedBodies};
 use crate::error::Error;
 use crate::grasp::engine::Engine;
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::{IntoList, Size, Vector, indexed, paired};
+use crate::numerics::{IntoList, Size, Vector, chosen, indexed, mapped, paired};
 use crate::prelude::*;
 
 impl Engine {
@@ -132,8 +132,9 @@ impl Engine {
     /// The nonzero loads that a load program has applied to bodies; empty for a single object.
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let named = bodies.names.iter().zip(&bodies.program_loads).filter(|(_, load)| **load != Wrench::ZERO);
-        named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).list()
+        let loads = &bodies.program_loads;
+        let loaded = chosen(loads.len(), &|body| loads[*body] != Wrench::ZERO);
+        mapped(&loaded, &|body| BodyLoad { body: bodies.names[*body].clone(), load: loads[*body] })
     }
 
     /// Motion of each body in the user's coordinates, from a vector of all coordinates in the user's units.

@@ -109,7 +109,7 @@ impl Link<3> {
 
     /// Validates all numbers. The error holds the field, its value, and the allowed values.
     fn check(&self) -> Result<(), (&'static str, f64, &'static str)> {
-        let point = |field, x: &SVector<f64, 3>| match x.iter().find(|x| !is_moderate(**x)) {
+        let point = |field, x: &SVector<f64, 3>| match x.as_slice().iter().find(|x| !is_moderate(**x)) {
             Some(x) => Err((field, *x, MODERATE)),
             None => Ok(()),
         };

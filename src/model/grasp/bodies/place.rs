@@ -10,8 +10,9 @@ use crate::grasp::engine::space_of;
 use crate::grasp::hand::Columns;
 use crate::grasp::points_of_action::PointsOfAction;
 use crate::grasp::wrench::Wrench;
-use crate::numerics::Space;
-use crate::numerics::{IntoList, Size, Vector, dot, mapped, numbered, paired};
+use crate::numerics::{
+    IntoList, Size, Space, Vector, chosen, dot, indexed, mapped, numbered, paired, summed, tried,
+};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -85,18 +86,15 @@ impl PlacedBodies {
     /// [`Error::Body`] if a contact names an unknown body, names no body although there are several, or has the same body on both sides.
     pub(crate) fn place(&mut self, contacts: &[Contact<3>], first: usize) -> Result<usize, Error> {
         self.space = space_of(contacts);
-        let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
-        self.sides = sides.collect::<Result<_, _>>()?;
+        let numbered = indexed(contacts, &|contact| contact);
+        self.sides = tried(&numbered, &|(i, contact)| self.sides_of(contact, *i))?;
         let mut next = first;
         for body in 0..self.names.len() {
-            let points = || {
-                let touches = |(i, _): &(usize, &Contact<3>)| self.touches(*i, body);
-                contacts.iter().enumerate().filter(touches).map(|(_, contact)| contact.point)
-            };
-            let count = points().count().max(1) as f64;
-            let centre = points().fold(SVector::zeros(), |sum, point| sum + point / count);
-            let rms_radius =
-                points().map(|point| (point - centre).norm_squared() / count).sum::<f64>().sqrt();
+            let touching = chosen(contacts.len(), &|i| self.touches(*i, body));
+            let points = mapped(&touching, &|i| contacts[*i].point);
+            let count = points.len().max(1) as f64;
+            let centre = points.iter().fold(SVector::zeros(), |sum, point| sum + point / count);
+            let rms_radius = summed(&points, &|point| (point - centre).norm_squared() / count).sqrt();
             let is_object = body == self.object;
             self.places.push(BodyPlace { first: if is_object { 0 } else { next }, centre, rms_radius });
             next += if is_object { 0 } else { self.space.of_the_object() };

@@ -7,8 +7,7 @@ use super::joint::Joint;
 use super::positive::NotPositive;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
-use crate::numerics::Space;
-use crate::numerics::Vector;
+use crate::numerics::{Space, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 

@@ -6,8 +6,7 @@ use nalgebra::SVector;
 use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
 use crate::grasp::site::Site;
-use crate::numerics::Space;
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Space, Vector, summed};
 use crate::prelude::*;
 
 /// The part of the hand to which a drive, a spring with its command, belongs.
@@ -113,7 +112,7 @@ impl Drive {
     /// m.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
-        stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
+        stretch[self.axis()] = summed(&self.commands, &|(k, weight)| weight * commands[*k]);
         stretch
     }
 

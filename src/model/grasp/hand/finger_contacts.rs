@@ -154,7 +154,7 @@ fn given(
         let what = format!("jacobian of contact {}", contact.label(index));
         return Err(Error::Shape { what, given: matrix.shape(), expected });
     }
-    if let Some(&value) = matrix.iter().find(|x| !is_moderate(**x)) {
+    if let Some(&value) = matrix.as_slice().iter().find(|x| !is_moderate(**x)) {
         let what = format!("contact {}", contact.label(index));
         return Err(Error::Hand { what, field: "jacobian", value, allowed: MODERATE });
     }

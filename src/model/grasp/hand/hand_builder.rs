@@ -3,8 +3,7 @@
 use super::finger::Finger;
 use super::joint::Limit;
 use super::tendon::Tendon;
-use crate::numerics::IntoList;
-use crate::numerics::Space;
+use crate::numerics::{IntoList, Space};
 use crate::prelude::*;
 
 /// Fingers and tendons that hold an object; [`Hand::grasp`] makes the grasp.

@@ -7,6 +7,7 @@ use super::finger::Finger;
 use super::joint::Joint;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
+use crate::numerics::counted;
 
 /// The beginning of the name of the slide of a contact that is held by a force; the name of the contact follows.
 pub(crate) const SLIDE_OF: &str = "slide of ";
@@ -14,7 +15,7 @@ pub(crate) const SLIDE_OF: &str = "slide of ";
 impl<const C: usize> Finger<C> {
     /// Number of slides of the finger's contacts; the points of a soft fingertip share one slide.
     pub(super) fn slides(&self) -> usize {
-        self.contacts.iter().filter(|carried| begins_a_slide(&carried.contact)).count()
+        counted(&self.contacts, &|carried| begins_a_slide(&carried.contact))
     }
 }
 
@@ -45,7 +46,7 @@ impl Assembly {
         }
         let along: [f64; 3] = frame.column(0).into_owned().into();
         if begins_a_slide(contact) {
-            let whole = self.contacts.iter().filter(|before| before.begins_a_whole()).count();
+            let whole = counted(&self.contacts, &Contact::begins_a_whole);
             let name = contact.whole_name().unwrap_or_else(|| format!("contact {whole}").into());
             self.joints.push(Joint::prismatic(along).name(format!("{SLIDE_OF}{name}")));
         }

@@ -9,7 +9,7 @@ use super::drive::{Drive, DriveOwner};
 use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
-use crate::numerics::{IntoList, Space, Vector};
+use crate::numerics::{IntoList, Space, Vector, chosen, picked};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -156,9 +156,10 @@ impl Linkage {
 
     /// Names of the joints and tendons with a command, a constant torque or a constant tension; joints and tendons without a name are omitted.
     pub(crate) fn names_that_press(&self) -> Vec<String> {
-        let parts = self.joints.iter().chain(&self.tendons).zip(&self.commands);
-        let pressing = parts.filter(|(part, command)| **command != 0.0 || part.held_torque != 0.0);
-        pressing.filter_map(|(part, _)| part.name.as_deref().map(str::to_owned)).list()
+        let parts = self.joints.iter().chain(&self.tendons).list();
+        let presses = |k: &usize| self.commands[*k] != 0.0 || parts[*k].held_torque != 0.0;
+        let pressing = chosen(parts.len().min(self.commands.len()), &presses);
+        picked(&pressing, &|k| parts[*k].name.as_deref().map(str::to_owned))
     }
 
     /// Replaces the constant normal forces of the contacts `before` by the constant normal forces of the contacts `now`: in the force on each slide.

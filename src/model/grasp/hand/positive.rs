@@ -73,7 +73,7 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
     if matrix.shape() != (size, size) {
         return Err(NotPositive::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });
     }
-    if let Some(&entry) = matrix.iter().find(|x| !crate::error::is_moderate(**x)) {
+    if let Some(&entry) = matrix.as_slice().iter().find(|x| !crate::error::is_moderate(**x)) {
         return Err(NotPositive::Entry(entry));
     }
     let mut worst = 0.0_f64;
