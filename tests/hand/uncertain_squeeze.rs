@@ -5,6 +5,8 @@ use grasp_lcp::scene::Scene;
 use grasp_lcp::sweep::Uncertainty;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
+/// A scene as text, in which what presses is multiplied by a number.
+type PressedScene = Box<dyn Fn(f64) -> String>;
 
 fn grasp(planar: &str) -> Result<Grasp, Box<dyn std::error::Error>> {
     let text = format!(r#"{{ "format": "grasp-lcp/1", "planar": {{ {planar} }} }}"#);
@@ -31,8 +33,7 @@ fn finger(drive: &str, tendon: &str) -> String {
 }
 
 /// Each scene with one thing that presses, multiplied by a number, a load at rest, and a load that makes the first pad slide.
-#[expect(clippy::type_complexity, reason = "a list of scenes")]
-fn scenes() -> Vec<(&'static str, Box<dyn Fn(f64) -> String>, Wrench, Wrench)> {
+fn scenes() -> Vec<(&'static str, PressedScene, Wrench, Wrench)> {
     let down = Wrench::force([0.0, -1.0]);
     let strap = |x: f64, more: &str| {
         format!(
