@@ -104,6 +104,20 @@ pub(crate) fn chosen(count: usize, keeps: &dyn Fn(&usize) -> bool) -> Vec<usize>
     all
 }
 
+/// Whether `is_meant` is true for any number from 0 to `count` − 1.
+pub(crate) fn any_index(count: usize, is_meant: &dyn Fn(usize) -> bool) -> bool {
+    let mut k = 0;
+    while k < count && !is_meant(k) {
+        k += 1;
+    }
+    k < count
+}
+
+/// Whether `is_meant` is true for every number from 0 to `count` − 1.
+pub(crate) fn every_index(count: usize, is_meant: &dyn Fn(usize) -> bool) -> bool {
+    !any_index(count, &|k| !is_meant(k))
+}
+
 /// The least value of `f` over all elements; infinite for an empty list.
 pub(crate) fn least<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     let mut least = f64::INFINITY;

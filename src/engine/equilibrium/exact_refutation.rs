@@ -14,7 +14,7 @@ use num_traits::{FromPrimitive, One, Signed, Zero};
 
 use crate::contact::{Label, LocalLaw, Sector};
 use crate::grasp::{Contact, Engine, Site, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, every_index};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, ProofStep, check};
@@ -160,7 +160,7 @@ fn is_contradicted(
     // The virtual forces now balance exactly.
     let sum =
         |k: usize| parts().flat_map(|(c, f)| (0..3).map(move |a| &c.map[a][k] * &f[a])).sum::<Rational>();
-    assert!((0..6).all(|k| sum(k).is_zero()));
+    assert!(every_index(6, &|k| sum(k).is_zero()));
     let most = &gain / (exact(ESCAPE) * data);
     gain.is_positive()
         && parts().zip(labels).all(|((contact, f), label)| {

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 use crate::contact::State;
 use crate::grasp::{Engine, HandPart, JointKind, PartLabel, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, highest, largest};
+use crate::numerics::{Vector, any_index, highest, largest};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, SmallMotions};
@@ -251,7 +251,7 @@ impl Engine {
             let moves = |i: usize| {
                 !standing.states[i].is_open() && linkage.motions[i].iter().any(|(moved, _)| *moved == joint)
             };
-            if (0..self.len()).any(moves) {
+            if any_index(self.len(), &moves) {
                 let mut shift = SVector::zeros();
                 shift[0] = standing.twist[k] / linkage.lengths[k];
                 motions.push(CountedMotion { shift, limit: small.rotation, of: MotionOf::Joint(joint) });

@@ -22,7 +22,7 @@ use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Coordinates;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, Vector, mapped};
+use crate::numerics::{IntoList, Vector, every_index, mapped};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 use crate::search::SearchSolution;
@@ -45,9 +45,9 @@ struct FreeTravel {
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
-        Resistance::BySprings(row) => {
-            (0..local.springs.axes()).all(|axis| row[axis].abs() <= local.springs.force_along(axis, none))
-        }
+        Resistance::BySprings(row) => every_index(local.springs.axes(), &|axis| {
+            row[axis].abs() <= local.springs.force_along(axis, none)
+        }),
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {

@@ -28,7 +28,9 @@ use super::trajectory::Trajectory;
 use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, cleared_for, largest, numbered, solved, summed};
+use crate::numerics::{
+    Equation, MOST_UNKNOWNS, Vector, any_index, cleared_for, largest, numbered, solved, summed,
+};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -230,7 +232,7 @@ impl Slips<'_> {
             }
             Some(holds)
         };
-        if (0..(1 << count) - 1).any(|others| holds(others) != Some(false)) {
+        if any_index((1 << count) - 1, &|others| holds(others) != Some(false)) {
             return None;
         }
         let along: f64 = slips.iter().sum();

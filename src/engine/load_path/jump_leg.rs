@@ -26,7 +26,7 @@ use super::program_run::ProgramRun;
 use super::stored_piece::{ArcStep, JumpRecord};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
-use crate::numerics::{Vector, chosen, largest, mapped};
+use crate::numerics::{Vector, any_index, chosen, largest, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
@@ -149,7 +149,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         // A contact that starts to slide on a round cone just here has no friction force, and so no direction of slip.
         let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
-        if (0..states.len()).any(has_none) {
+        if any_index(states.len(), &has_none) {
             return Err(run.undecided(0.0, Doubt::OnTheBoundary));
         }
         problem.wrench.clone_from(&from);

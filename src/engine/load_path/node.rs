@@ -14,7 +14,7 @@ use super::transition::{change, nothing_changes, other_solutions};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, chosen, moved, numbered};
+use crate::numerics::{IntoList, any_index, chosen, every_index, moved, numbered};
 use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{
@@ -95,7 +95,7 @@ impl Node {
         }
         // A contact with infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
-        if (0..self.states.len()).any(lets_go) {
+        if any_index(self.states.len(), &lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
             return Err(PathEnd::Lost(Box::new(loss(LossKind::LetsGo, motion.as_ref()))));
         }
@@ -177,7 +177,7 @@ impl Node {
         // For a contact at the apex of its cone no state is more likely than another. On the round cone such a contact is first tried open. Then
         // Newton's method starts with the contact sticking, and with the contact sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
-        if (0..rates.len()).any(at_the_apex) {
+        if any_index(rates.len(), &at_the_apex) {
             if !rates.round {
                 return CandidateOutcome::Unbalanced;
             }
@@ -215,12 +215,13 @@ impl Node {
             let nearer = rates.stretch(i, &found.twist)[0];
             !states[i].is_open() || nearer <= ZERO_SLACK * rates.span(i, &found.twist)
         };
-        if nothing && (0..states.len()).all(comes_no_nearer) {
+        if nothing && every_index(states.len(), &comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
         // Motions whose lengths differ by less than the fraction `NEGLIGIBLE` count as equal. Of equal motions, the motion is chosen in which
         // contacts without force are open, since the direction in which they slide would be rounding.
-        let rubs = rates.round && (0..states.len()).any(|i| states[i].is_open() && found.states[i].slides());
+        let rubs =
+            rates.round && any_index(states.len(), &|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
         match try_states(rates, states) {
             CandidateOutcome::Holds(parted) if parted.twist.norm() < found.twist.norm() * most => parted,

@@ -7,7 +7,7 @@ use super::onset::{OnsetEvent, StickingState};
 use crate::contact::involves_friction;
 use crate::equilibrium::{Parameter, StickingResponse};
 use crate::grasp::{Engine, HandPart, Wrench, inside};
-use crate::numerics::mapped;
+use crate::numerics::{any_index, mapped};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
@@ -62,7 +62,7 @@ impl<'g> OnsetMargins<'g> {
         };
         // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes, and the load factor has no such derivative.
         let opens = |site: &usize| found.states[*site].is_open();
-        if (0..grasp.len()).any(has_slipped) || leaving.iter().any(opens) {
+        if any_index(grasp.len(), &has_slipped) || leaving.iter().any(opens) {
             return None;
         }
         let rates = response.state(offset_rates, &wrench_rate.to())?;

@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::escape::counts_from_here_on;
 use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
-use crate::numerics::{Vector, chosen, largest, unit};
+use crate::numerics::{Vector, chosen, every_index, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -30,7 +30,7 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     // If more than eight contacts may open, trying all 2ⁿ choices of open contacts would take too long.
     whole
         && free.len() <= 8
-        && (0..1_usize << free.len()).all(|choice| {
+        && every_index(1_usize << free.len(), &|choice| {
             let mut open = vec![false; here.len()];
             for (bit, &i) in free.iter().enumerate() {
                 open[i] = choice >> bit & 1 == 1;

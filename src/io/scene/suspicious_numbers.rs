@@ -11,7 +11,7 @@ use crate::grasp::{ATMOSPHERE, Hold, Wrench};
 use crate::load_path::Leg;
 use crate::need::pressure_of_cup;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
+use crate::numerics::{IntoList, Space, chosen, every_index, largest, mapped, picked};
 use crate::statics::Closure;
 
 impl Setup<3> {
@@ -201,7 +201,7 @@ impl Setup<3> {
             return None;
         }
         let along = |i: usize, j: usize| entries[i].contact.normal.dot(&entries[j].contact.normal) > 0.0;
-        let is_so = (0..entries.len()).all(|i| (0..i).all(|j| along(i, j)));
+        let is_so = every_index(entries.len(), &|i| every_index(i, &|j| along(i, j)));
         let contacts: Vec<_> = (0..entries.len()).list();
         let names = mapped(&contacts, &|i| entries[*i].contact.label_text(*i));
         is_so.then_some(Warning::SameSide { contacts, names })

@@ -7,7 +7,7 @@ use super::whole_contact::ContactPoints;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{chosen, mapped};
+use crate::numerics::{any_index, chosen, mapped};
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
@@ -44,12 +44,12 @@ impl Engine {
 
     /// Whether some joint or tendon [is driven](Self::is_driven).
     pub(crate) fn is_hand_driven(&self) -> bool {
-        (0..self.joint_commands().len()).any(|part| self.is_driven(part))
+        any_index(self.joint_commands().len(), &|part| self.is_driven(part))
     }
 
     /// Whether the grasp has a squeeze: a nonzero command, constant force or torque, or vacuum.
     pub(crate) fn is_squeezed(&self) -> bool {
-        self.is_hand_driven() || (0..self.len()).any(|point| self.is_commanded(point))
+        self.is_hand_driven() || any_index(self.len(), &|point| self.is_commanded(point))
     }
 
     /// Whether contacts overlap by more than rounding: clearances below zero, as in a press fit.

@@ -1,6 +1,6 @@
 //! The coordinates in which the grasp map of a site has nonzero entries. A site is a contact, or a drive of a hand (the spring of a joint or tendon).
 
-use crate::numerics::{Map, Space};
+use crate::numerics::{Map, Space, any_index};
 use core::ops::Range;
 
 use crate::prelude::*;
@@ -24,7 +24,7 @@ impl Support {
         let mut indices = Vec::new();
         for k in map.rows().chain(rest.rows()) {
             let (of_map, of_rest) = (map.row(k), rest.row(k));
-            if (0..3).any(|a| of_map[a] != 0.0 || of_rest[a] != 0.0) {
+            if any_index(3, &|a| of_map[a] != 0.0 || of_rest[a] != 0.0) {
                 indices.push(k);
             }
         }

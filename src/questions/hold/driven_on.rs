@@ -13,7 +13,7 @@ use crate::equilibrium::{Equilibrium, StickingResponse, forces_in};
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Ramp;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Vector, largest, mapped, numbered, paired, symmetric_eigen, without};
+use crate::numerics::{Vector, every_index, largest, mapped, numbered, paired, symmetric_eigen, without};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -69,7 +69,7 @@ impl Engine {
         };
         let rounding = NEGLIGIBLE * sway.norm();
         let seen = sway.map(|x| if x.abs() > rounding { x } else { 0.0 });
-        (sway.norm() > 0.0 && turns_little && (0..self.len()).all(leans_little))
+        (sway.norm() > 0.0 && turns_little && every_index(self.len(), &leans_little))
             .then(|| self.motion_outside(&seen))
     }
 
@@ -107,6 +107,6 @@ impl Engine {
             site.map.tr_mul(motion).norm() <= NEGLIGIBLE * site.span_moved(&SVector::zeros(), 1.0)
         };
         self.motion_outside(motion).joints.iter().all(|joint| *joint == 0.0)
-            && (0..self.len()).all(|i| forces[i].norm() == 0.0 || self.rope(i).is_some() || is_still(i))
+            && every_index(self.len(), &|i| forces[i].norm() == 0.0 || self.rope(i).is_some() || is_still(i))
     }
 }

@@ -5,6 +5,7 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};
 use crate::grasp::{Engine, WholeContact};
 use crate::load_path::{EndOfSmallMotions, LoadPath, Loss, LossKind, PathEnd, Ramp};
+use crate::numerics::{any_index, every_index};
 
 use super::verdict::Lost;
 use super::way_out::{WayOut, comes_apart, way_out};
@@ -47,7 +48,8 @@ impl Engine {
             slide: self.wholes().with(&slides_out),
             falls_at_once: false,
             then_takes: None,
-            is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
+            is_gross_slip: any_index(self.len(), &slides)
+                && every_index(self.len(), &|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),
             state: state.map(Box::new),
@@ -76,7 +78,7 @@ impl Engine {
             too_far: Some(what.clone()),
             slide: self.wholes().with(&slides),
             is_gross_slip: everything_slides.is_some_and(|from| from >= factor * (1.0 - SAME_EVENT))
-                && !(0..self.len()).any(carries),
+                && !any_index(self.len(), &carries),
             ..Lost::alone(factor, LossKind::TooFar, WayOut::NotKnown, state)
         }
     }

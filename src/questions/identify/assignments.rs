@@ -14,7 +14,7 @@ use super::model::{Linear, Model};
 use super::spread::identified;
 use super::tolerances::INDISTINCT;
 use crate::error::Error;
-use crate::numerics::{Each, IntoList, chosen, two_sided};
+use crate::numerics::{Each, IntoList, any_index, chosen, every_index, two_sided};
 use crate::prelude::*;
 
 /// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
@@ -209,7 +209,7 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
-    if (fit.logs[i] - fit.logs[j]).abs() > INDISTINCT || !(0..linear.jacobian.nrows()).any(on_both) {
+    if (fit.logs[i] - fit.logs[j]).abs() > INDISTINCT || !any_index(linear.jacobian.nrows(), &on_both) {
         return Ok(false);
     }
     let mut beside = fit.logs.clone();
@@ -224,11 +224,11 @@ fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
 
 /// Whether each slip, and each sum of unknowns that is known from another measurement, depends on the same unknowns at both points.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
-    (0..one.jacobian.nrows()).all(|row| depends_alike(one, other, row))
+    every_index(one.jacobian.nrows(), &|row| depends_alike(one, other, row))
 }
 
 fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
-    (0..one.jacobian.ncols()).all(|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
+    every_index(one.jacobian.ncols(), &|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
 /// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Between the two points, each of

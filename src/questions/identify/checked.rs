@@ -9,7 +9,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Space;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{chosen, mapped};
+use crate::numerics::{any_index, chosen, mapped};
 use crate::prelude::*;
 
 fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
@@ -24,7 +24,7 @@ impl Identify<3> {
         for (k, unknown) in self.unknowns.iter().enumerate() {
             let meets = |other: &Unknown| {
                 let both = |(layout, grasp): (usize, &Grasp<3>)| {
-                    (0..grasp.len()).any(|i| unknown.is_of(layout, i) && other.is_of(layout, i))
+                    any_index(grasp.len(), &|i| unknown.is_of(layout, i) && other.is_of(layout, i))
                 };
                 unknown.clashes_with(other) && layouts.iter().enumerate().any(both)
             };

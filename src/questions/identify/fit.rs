@@ -10,7 +10,7 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{IntoList, Singular, counted, mapped, matrix_of, two_sided, vector_of};
+use crate::numerics::{IntoList, Singular, counted, every_index, mapped, matrix_of, two_sided, vector_of};
 use crate::prelude::*;
 
 /// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
@@ -157,8 +157,9 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
 /// with less friction. These unknowns are halved if the slip was observed below its prediction, else doubled, in at most twelve trials.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
-    let is_flat =
-        |linear: &Linear, k: usize| (0..changes.len()).all(|j| !changes[j] || linear.jacobian[(k, j)] == 0.0);
+    let is_flat = |linear: &Linear, k: usize| {
+        every_index(changes.len(), &|j| !changes[j] || linear.jacobian[(k, j)] == 0.0)
+    };
     let off = |k: &usize| here.residuals[*k].abs();
     let flat = (0..model.asked.slips.len()).filter(|k| off(k) > INDISTINCT && is_flat(here, *k));
     let Some(slip) = flat.max_by(|a, b| off(a).total_cmp(&off(b))) else { return Ok(None) };

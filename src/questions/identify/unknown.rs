@@ -4,7 +4,7 @@
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Wrench};
-use crate::numerics::{IntoList, chosen, mapped, numbered};
+use crate::numerics::{IntoList, any_index, chosen, mapped, numbered};
 use crate::prelude::*;
 use crate::words::listed;
 
@@ -127,7 +127,7 @@ impl Unknown {
             match &points.contacts {
                 _ if !self.is_in(layout) => Vec::new(),
                 Some(those) => those.clone(),
-                None if self.kind == UnknownKind::Friction && (0..all.len()).any(|i| rubs(&i)) => {
+                None if self.kind == UnknownKind::Friction && any_index(all.len(), &|i| rubs(&i)) => {
                     chosen(all.len(), &rubs)
                 }
                 None => chosen(all.len(), &is_meant),

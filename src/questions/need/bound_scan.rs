@@ -234,17 +234,20 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
 /// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether
 /// they suffice. Amounts within a ratio of [`FAR_FROM_START`] to `near` come first.
 fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
-    let differ = |pair: &&[(f64, Trial)]| {
+    let differ = |pair: &[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
         let are_decided = trial.carried().is_some() && next.carried().is_some();
         let is_same = are_decided && trial.is_sufficient() == next.is_sufficient();
         is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
     };
     let is_near = |at: f64| at <= near * FAR_FROM_START && at * FAR_FROM_START >= near;
-    let order = |pair: &&[(f64, Trial)]| (pair.iter().all(|(at, _)| is_near(*at)), pair[1].0 / pair[0].0);
-    let widest = list.windows(2).filter(differ).max_by(|a, b| {
-        let ((one_is_near, one), (other_is_near, other)) = (order(a), order(b));
-        one_is_near.cmp(&other_is_near).then(one.total_cmp(&other))
+    let mut pairs = Vec::new();
+    for pair in list.windows(2) {
+        pairs.extend(differ(pair).then_some(pair));
+    }
+    let widest = highest(&pairs, &|pair| {
+        let ratio = pair[1].0 / pair[0].0;
+        if is_near(pair[0].0) && is_near(pair[1].0) { ratio } else { -ratio.recip() }
     })?;
     Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }

@@ -10,7 +10,7 @@ use crate::equilibrium::TooFar;
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, Wrench};
 use crate::load_path::{CycleState, Cycles, DriveChange, Leg, PathEnd, Ramp};
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, any_index, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -276,7 +276,7 @@ impl<'g> FollowedCycles<'g, '_> {
     fn repeats_from(&self, cycle: &Cycle, number: Option<usize>) -> Repeats<3> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         let jumps = cycle.record.jumps;
-        if jumps == 0 && !(0..self.slid.len()).any(|i| cycle.slides(i)) {
+        if jumps == 0 && !any_index(self.slid.len(), &|i| cycle.slides(i)) {
             let slid = self.parts(&|i| self.slid[i]);
             return match number {
                 Some(number) => Repeats::Rests { after: number - 1, slid },

@@ -7,7 +7,7 @@
 //! with coefficients c_j for j from 0 to m - 1. If the differences die out, the states converge to `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)`
 //! (minimal polynomial extrapolation).
 
-use crate::numerics::{IntoList, Singular, matrix_of};
+use crate::numerics::{Singular, matrix_of, numbered};
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::CycleUnits;
@@ -31,17 +31,22 @@ impl<'p> Recurrence<'p> {
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
-        (1..9.min(n.saturating_sub(1))).find_map(|modes| {
-            let places = &places[n - modes - 2..];
-            let changes: Vec<_> = numbers[n - modes - 2..].windows(2).map(|two| &two[1] - &two[0]).list();
+        for modes in 1..9.min(n.saturating_sub(1)) {
+            let first = n - modes - 2;
+            let changes = numbered(modes + 1, &|k| &numbers[first + k + 1] - &numbers[first + k]);
             let (last, others) = changes.split_last()?;
             let decomposed = Singular::new(&DMatrix::from_columns(others));
             let coefficients = decomposed.solve(last, SOLVED_ROUNDING * decomposed.values[0]);
-            let terms = others.iter().zip(coefficients.iter());
-            let left = terms.fold(last.clone(), |left, (change, weight)| left - change * *weight);
-            let coefficients = coefficients.iter().copied().list();
-            (left.amax() <= error).then_some(Self { places, changes, coefficients })
-        })
+            let mut left = last.clone();
+            for (k, change) in others.iter().enumerate() {
+                left -= change * coefficients[k];
+            }
+            if left.amax() <= error {
+                let coefficients = coefficients.as_slice().to_vec();
+                return Some(Self { places: &places[first..], changes, coefficients });
+            }
+        }
+        None
     }
 
     /// The norm of the last difference of successive states divided by the norm of the difference before it.

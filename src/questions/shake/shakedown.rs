@@ -17,7 +17,9 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, chosen, indexed, largest, mapped, matrix_of, total, tried, vector_of};
+use crate::numerics::{
+    IntoList, any_index, chosen, indexed, largest, mapped, matrix_of, total, tried, vector_of,
+};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -222,7 +224,7 @@ impl Program {
         let size = |k: usize| z[1 + k] - z[1 + slips + k];
         let kept = |r: usize| self.b[r] + self.a[r] * z[0] + total(slips, &|k| self.s[(r, k)] * size(k));
         let scale = 1.0 + z.amax();
-        if (0..rows).any(|r| kept(r) < -NEGLIGIBLE * scale) {
+        if any_index(rows, &|r| kept(r) < -NEGLIGIBLE * scale) {
             return None;
         }
         let factor = if z[0] >= farthest * (1.0 - NEGLIGIBLE) { f64::INFINITY } else { z[0] * self.units.0 };

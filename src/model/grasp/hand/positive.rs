@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::grasp::tolerances::NEGATIVE_REMAINDER;
 use crate::numerics::tolerances::{LINEARLY_DEPENDENT, NEGLIGIBLE};
-use crate::numerics::{chosen, symmetric_eigen};
+use crate::numerics::{any_index, chosen, symmetric_eigen};
 use crate::prelude::*;
 
 /// The reason why a matrix is not symmetric positive semidefinite.
@@ -28,7 +28,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     let mut rest = (matrix + matrix.transpose()) * 0.5;
     let mut columns = Vec::new();
     let mut left: Vec<usize> = chosen(size, &|&j| whole[j] > 0.0);
-    if (0..size).any(|j| whole[j] < 0.0 || (whole[j] == 0.0 && matrix.column(j).amax() > 0.0)) {
+    if any_index(size, &|j| whole[j] < 0.0 || (whole[j] == 0.0 && matrix.column(j).amax() > 0.0)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
     }
     while !left.is_empty() {
