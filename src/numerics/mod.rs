@@ -116,7 +116,7 @@ pub(crate) use mapped::{
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};
 pub(crate) use nearest_point::NearestPoint;
-pub(crate) use normal_tail::{normal_density, normal_tail, normal_tail_of_both};
+pub(crate) use normal_tail::{normal_density, normal_tail, tail_of_both};
 pub(crate) use on_a_circle::Turning;
 pub(crate) use orthogonal::Orthogonal;
 pub(crate) use orthonormal_set::{orthogonal_part, orthonormalise_against, without};

@@ -41,14 +41,14 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
 }
 
 /// The probability that two standard normal variables with the correlation ρ exceed a and b, `a, b > -8`, with a relative error of 1e-4 up to ρ =
-/// 0.99, and of a few 1e-3 for ρ closer to 1:
+/// 0.99, and of a few 1e-3 for ρ closer to 1. The tails of a and b are given, since sums over pairs need each of them often:
 ///
 /// ```text
 /// Φ(-a) Φ(-b) + 1/(2π) ∫ exp(-(a² + b² - 2ab sin θ) / (2 cos² θ)) dθ      from 0 to asin ρ
 /// ```
 ///
 /// (Drezner and Wesolowsky, On the computation of the bivariate normal integral, 1990).
-pub(crate) fn normal_tail_of_both([a, b]: [f64; 2], correlation: f64) -> f64 {
+pub(crate) fn tail_of_both([a, b]: [f64; 2], tails: [f64; 2], correlation: f64) -> f64 {
     // Nodes and weights of Gauss and Legendre's rule with eight points on (-1, 1): the four positive nodes.
     let nodes = [
         (0.183_434_642_495_649_78, 0.362_683_783_378_362),
@@ -64,7 +64,7 @@ pub(crate) fn normal_tail_of_both([a, b]: [f64; 2], correlation: f64) -> f64 {
             sum += weight * ((a * b * sin - 0.5 * (a * a + b * b)) / (cos * cos)).exp();
         }
     }
-    normal_tail(a) * normal_tail(b) + half * sum / TAU
+    tails[0] * tails[1] + half * sum / TAU
 }
 
 #[cfg(test)]
@@ -72,6 +72,10 @@ mod tests {
     use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
     use super::*;
+
+    fn normal_tail_of_both(bounds: [f64; 2], correlation: f64) -> f64 {
+        tail_of_both(bounds, bounds.map(normal_tail), correlation)
+    }
 
     /// Tables of Φ(-x) with thirty digits (NIST, Digital Library of Mathematical Functions, 7.12 and 26.2).
     #[test]

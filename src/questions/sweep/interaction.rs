@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// Number of random sets of errors, each with plus or minus one standard deviation per datum, from which the size of interactions is estimated.
 ///
 /// If larger, more equilibria are computed for each load with reserve. If smaller, the estimate is less certain.
-const PROBES: u64 = 8;
+const PROBES: usize = 8;
 
 /// The grasp whose data are uncertain, in fixed contact states (each contact sticks or is open): gives exact contact forces with several data in
 /// error at once.
@@ -32,23 +32,44 @@ pub(super) struct PerturbedGrasp {
     pub(super) load_spread: f64,
 }
 
+/// A random set of errors, in standard deviations, and the exact forces with it, N; no forces if a datum leaves its allowed range.
+pub(super) struct Probe {
+    z: Vec<f64>,
+    forces: Option<Vec<SVector<f64, 3>>>,
+}
+
 impl PerturbedGrasp {
-    /// The exact force on contact or joint drive `i` under `load`, N. The entries of `z` are errors in standard deviations: of the uncertain data,
+    /// The exact forces on contacts and joint drives under `load`, N. The entries of `z` are errors in standard deviations: of the uncertain data,
     /// then of the load factor. A further entry, the error of friction, is not used. `None` if a datum leaves its allowed range.
-    fn force(&self, i: usize, load: &Wrench<3>, z: &[f64]) -> Option<SVector<f64, 3>> {
+    fn forces(&self, load: &Wrench<3>, z: &[f64]) -> Option<Vec<SVector<f64, 3>>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
         let load = *load * factor(self.load_spread * z[self.data.len()]);
-        Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load))[i])
+        Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load)))
+    }
+
+    /// The random sets of errors of `count` data and of friction, each with the exact forces under `load`, which all contacts share.
+    pub(super) fn probes(&self, load: &Wrench<3>, count: usize) -> Vec<Probe> {
+        let probe = |probe: usize| {
+            let mut signs = Draw::new([probe as u64, 0, 0]);
+            let mut z = numbered(count, &|_| 1.0);
+            for z in &mut z {
+                *z = signs.sign();
+            }
+            // The last error is that of friction, which does not change the force.
+            z.push(0.0);
+            Probe { forces: self.forces(load, &z), z }
+        };
+        numbered(PROBES, &probe)
     }
 
     /// The interaction of the errors of all data for each facet of a contact, at the facet's point of failure under a load. Zero for facets whose
     /// failure probability is below `rare`; an empty list without uncertain data.
-    pub(super) fn of_facets(
+    pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),
         load: &Wrench<3>,
-        here: &UncertainForce<'_>,
+        (here, probes): (&UncertainForce<'_>, &dyn Fn() -> &'p [Probe]),
         rare: f64,
     ) -> Vec<Interaction> {
         if self.data.is_empty() {
@@ -61,23 +82,17 @@ impl PerturbedGrasp {
             if margin.fails() < rare {
                 return Interaction::default();
             }
-            let beyond =
-                |z: &[f64]| self.force(i, load, z).map_or(SVector::zeros(), |force| force - here.at(z));
-            let force = beyond(&margin.fails_at);
+            let beyond = |z: &[f64], forces: Option<&[SVector<f64, 3>]>| {
+                forces.map_or(SVector::zeros(), |forces| forces[i] - here.at(z))
+            };
+            let force = beyond(&margin.fails_at, self.forces(load, &margin.fails_at).as_deref());
             // If the point of failure is nearer than one standard deviation, a division by its squared distance would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
             // C is the matrix of mixed second derivatives of a force component with respect to two different data; its diagonal is zero. For a vector
             // v of random signs the mean square of `vᵀCv` is twice the sum of the squared entries of C.
             let mut squares = SMatrix::zeros();
-            for probe in 0..PROBES {
-                let mut signs = Draw::new([probe, 0, 0]);
-                let mut z = numbered(here.changes.len(), &|_| 1.0);
-                for z in &mut z {
-                    *z = signs.sign();
-                }
-                // The last error is that of friction, which does not change the force.
-                z.push(0.0);
-                let twice = beyond(&z) * 2.0;
+            for probe in probes() {
+                let twice = beyond(&probe.z, probe.forces.as_deref()) * 2.0;
                 squares += twice * twice.transpose() * (0.5 / PROBES as f64);
             }
             Interaction { force, bend, squares }

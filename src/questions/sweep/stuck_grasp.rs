@@ -7,6 +7,8 @@
 //! uncertain data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors,
 //! see [`interaction`](super::interaction).
 
+use core::cell::OnceCell;
+
 use super::failure::{failures, roughly};
 use super::interaction::PerturbedGrasp;
 use super::margin::{Effect, FacetMargin, Interaction, LOOKED_AT, UncertainForce, effect};
@@ -120,10 +122,11 @@ impl StuckGrasp {
     fn joint(&self, more: Option<AddedLoad<'_>>, before: &Interactions) -> Interactions {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
-        let mut joint = Vec::new();
+        let (mut joint, probed) = (Vec::new(), OnceCell::new());
         for (i, edges) in self.edges.iter().enumerate() {
             let here = self.spread(i, more, before, &mut memory);
-            joint.push(self.off.of_facets((i, edges), &load, &here, RARE_SHARE * self.allowed()));
+            let probes = || &probed.get_or_init(|| self.off.probes(&load, here.changes.len()))[..];
+            joint.push(self.off.of_facets((i, edges), &load, (&here, &probes), RARE_SHARE * self.allowed()));
         }
         joint
     }

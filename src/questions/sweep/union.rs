@@ -10,7 +10,7 @@
 //! points of failure.
 
 use super::margin::FacetMargin;
-use crate::numerics::{Each, IntoList, dot, normal_tail, normal_tail_of_both};
+use crate::numerics::{Each, IntoList, dot, normal_tail, tail_of_both};
 use crate::prelude::*;
 
 /// Possible failures of contacts, under one load or under several; a failure is a negative margin.
@@ -81,7 +81,8 @@ impl Failure {
         // Only points of one contact share their friction coefficient; the friction coefficients of different contacts are independent.
         let data = self.gradient.len() - usize::from(self.contact != other.contact);
         let correlation = dot(&self.gradient[..data], &other.gradient[..data]);
-        let first_order = normal_tail_of_both([self.reliability, other.reliability], correlation);
+        let [bounds, tails] = [[self.reliability, other.reliability], [self.first_order, other.first_order]];
+        let first_order = tail_of_both(bounds, tails, correlation);
         let [more, more_of_other] = [self, other].each(|of| of.probability / of.first_order);
         more.min(more_of_other) * first_order
     }
