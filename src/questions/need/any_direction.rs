@@ -157,7 +157,7 @@ impl Loading {
                 held = held.or_worse(trial);
             }
             _ if held.is_sufficient() && !is_confined => {
-                held = self.between_directions((&all, &found, &before), along, held, refuting)?;
+                held = self.between_directions((&all, &found), &before, along, held, refuting)?;
             }
             _ => {}
         }
@@ -192,7 +192,8 @@ impl Loading {
     /// at this direction as well.
     fn between_directions(
         &self,
-        (all, tried, before): (&[[f64; 3]], &[Option<DirectionTrial>], &[([f64; 3], f64)]),
+        (all, tried): (&[[f64; 3]], &[Option<DirectionTrial>]),
+        before: &[([f64; 3], f64)],
         along: Along<'_>,
         mut held: Trial,
         refuting: &RefutingLoads,
