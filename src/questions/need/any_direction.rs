@@ -1,18 +1,21 @@
 //! The trial of an amount (such as a squeeze) under a force of any direction. It has a closed form while everything sticks; otherwise many directions
 //! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost.
 
-use core::f64::consts::{PI, TAU};
-
 use super::loading::{Loading, force_at};
 use super::question::Demand;
+use super::spread_directions::{
+    CLOSE, DirectionTrial, directions, everywhere, first_step, in_between, is_within, neighbours, spread_out,
+    tangents, unit,
+};
 use super::trial::{RefutingLoads, Trial, Trials};
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Each, IntoList, Space, chosen, dot, numbered};
+use crate::numerics::{Each, IntoList, chosen, dot, mapped};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
+use crate::sweep::map_in_order;
 
 impl Loading {
     /// The result of the trial under `load` and an added force of this size through a point, for the weakest direction of the force.
@@ -111,59 +114,113 @@ impl Loading {
     fn in_every_direction(
         &self,
         mut worst: Trials,
-        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+        along: Along<'_>,
         refuting: &RefutingLoads,
     ) -> Result<Trials, Error> {
         let known = refuting.directions.borrow().clone();
         let is_confined = self.grasp.settings().is_quick && !known.is_empty();
         let all = if is_confined { Vec::new() } else { directions(self.grasp.space()) };
-        let (mut held, mut found) = (worst.held.take().unwrap_or_else(Trial::always), Vec::new());
-        let mut weakest = None;
-        for (k, direction) in known.iter().chain(&all).enumerate() {
-            if let Trial::Insufficient { .. } = held {
-                break;
+        let (mut held, mut found) = (worst.held.take().unwrap_or_else(Trial::always), vec![None; all.len()]);
+        let (mut weakest, mut before) = (None, Vec::new());
+        // The first direction alone shows how far the load is followed in the others.
+        let (first, others) = known.split_at(known.len().min(1));
+        for some in [first, others] {
+            for (direction, (trial, path)) in some.iter().zip(self.some_directions(some, along, &held)?) {
+                before.push((*direction, trial.carried().unwrap_or(0.0)));
+                (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
             }
-            let (trial, path) = self.one_direction(&along(*direction), held.carried())?;
-            if k >= known.len() {
-                if trial.carried() < held.carried() {
-                    weakest = Some((*direction, trial.clone()));
+        }
+        for round in 0..2 {
+            let next =
+                if round == 0 { spread_out(&all, self.grasp.space()) } else { in_between(&all, &found) };
+            for some in next.chunks(AT_ONCE) {
+                if let Trial::Insufficient { .. } = held {
+                    break;
                 }
-                found.push(DirectionTrial { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
+                let ways: Vec<_> = mapped(some, &|k| all[*k]);
+                for (k, (trial, path)) in some.iter().zip(self.some_directions(&ways, along, &held)?) {
+                    if trial.carried() < held.carried() {
+                        weakest = Some((all[*k], trial.clone()));
+                    }
+                    found[*k] =
+                        Some(DirectionTrial { part: trial.carried().unwrap_or(0.0), jumps: path.jumps });
+                    (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
+                }
             }
-            (held, worst.at_rest) = (held.or_worse(trial), path.at_rest);
         }
         match weakest {
             // The weakest direction near a direction in which the force is not held is tried first from then on.
             Some((direction, trial)) if !trial.is_sufficient() => {
-                let (direction, trial) = self.weakest_near(direction, along, trial)?;
+                let (direction, trial) =
+                    self.weakest_near((direction, first_step(self.grasp.space())), along, trial)?;
                 refuting.add(direction);
                 held = held.or_worse(trial);
             }
             _ if held.is_sufficient() && !is_confined => {
-                held = self.between_directions((&all, &found), along, held, refuting)?;
+                held = self.between_directions((&all, &found), &before, along, held, refuting)?;
             }
             _ => {}
         }
         Ok(Trials { held: Some(held), ..worst })
     }
 
+    /// The results for some directions, in parallel and in order, up to the first direction in which the force is not carried; `held` is the worst
+    /// result so far.
+    fn some_directions(
+        &self,
+        some: &[[f64; 3]],
+        along: Along<'_>,
+        held: &Trial,
+    ) -> Result<Vec<(Trial, PathFacts)>, Error> {
+        if let Trial::Insufficient { .. } = held {
+            return Ok(Vec::new());
+        }
+        let least = held.carried();
+        let mut results = map_in_order(some, |direction| self.one_direction(&along(*direction), least))
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()?;
+        let is_lost = |(trial, _): &(Trial, PathFacts)| matches!(trial, Trial::Insufficient { .. });
+        if let Some(first) = results.iter().position(is_lost) {
+            results.truncate(first + 1);
+        }
+        Ok(results)
+    }
+
     /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which a smaller part is carried
-    /// than in its neighbours the weakest direction is sought. Neighbours may have different numbers of jumps on their load paths. The direction
-    /// between them at which this number changes is then sought, because the carried part of the load jumps at this direction as well.
+    /// than in its neighbours the weakest direction is sought, from a direction `before` if one is near. Neighbours may have different numbers of
+    /// jumps on their load paths. The direction between them at which this number changes is then sought, because the carried part of the load jumps
+    /// at this direction as well.
     fn between_directions(
         &self,
-        (all, found): (&[[f64; 3]], &[DirectionTrial]),
-        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+        (all, tried): (&[[f64; 3]], &[Option<DirectionTrial>]),
+        before: &[([f64; 3], f64)],
+        along: Along<'_>,
         mut held: Trial,
         refuting: &RefutingLoads,
     ) -> Result<Trial, Error> {
-        let neighbours = neighbours(all, self.grasp.space());
-        let is_least = |k: &usize| neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part);
-        let mut minima: Vec<usize> = (0..all.len()).filter(is_least).list();
+        let (space, found) = (self.grasp.space(), everywhere(all, tried));
+        let neighbours = neighbours(all, space);
+        let is_least = |k: &usize| {
+            tried[*k].is_some() && neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part)
+        };
+        let mut minima: Vec<usize> = chosen(all.len(), &is_least);
         minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
-        for (rank, k) in minima.into_iter().take(MOST_MINIMA).enumerate() {
+        let mut starts: Vec<([f64; 3], f64, f64)> = Vec::new();
+        for k in minima.into_iter().take(MOST_MINIMA) {
+            let step = first_step(space);
+            // A direction that was weakest with another amount is nearer to the weakest one than an evenly spread direction.
+            let near = before
+                .iter()
+                .find(|(way, part)| is_within(1.25 * step, way, &all[k]) && *part <= found[k].part);
+            let start =
+                near.map_or((all[k], found[k].part, step), |(way, part)| (*way, *part, step * A_LITTLE));
+            if !starts.iter().any(|(way, ..)| *way == start.0) {
+                starts.push(start);
+            }
+        }
+        for (rank, (start, part, step)) in starts.into_iter().enumerate() {
             if held.is_sufficient() {
-                let (direction, weakest) = self.weakest_near(all[k], along, Trial::carries(found[k].part))?;
+                let (direction, weakest) = self.weakest_near((start, step), along, Trial::carries(part))?;
                 if rank == 0 || !weakest.is_sufficient() {
                     refuting.add(direction);
                 }
@@ -211,34 +268,35 @@ impl Loading {
     }
 
     /// The weakest direction near `direction`, whose trial is `weakest`, with its trial. The search moves to a neighbouring direction in which a
-    /// smaller part of the load is carried. Its step is halved where no neighbour carries less.
+    /// smaller part of the load is carried. Its step, rad, is halved where no neighbour carries less.
     fn weakest_near(
         &self,
-        mut direction: [f64; 3],
-        along: &dyn Fn([f64; 3]) -> Ramp<3>,
+        (mut direction, mut step): ([f64; 3], f64),
+        along: Along<'_>,
         mut weakest: Trial,
     ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
-        // The first step is half of the angle between neighbouring evenly spread directions, rad.
-        let mut step = if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 };
         for _ in 0..50 {
             // If far more than the load is carried in the weakest direction, the same is true of its neighbours, and the search ends.
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
-            let mut best = None;
-            for across in tangents(direction, space) {
-                for sign in [1.0, -1.0] {
-                    let d = unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a]));
-                    let (trial, _) = self.one_direction(&along(d), weakest.carried())?;
-                    let is_known = trial.carried().is_some() || weakest.is_sufficient();
-                    if is_known && trial.carried() < weakest.carried() {
-                        (best, weakest) = (Some(d), weakest.or_worse(trial));
-                    }
+            let beside = tangents(direction, space).into_iter().flat_map(|across| {
+                [1.0, -1.0].map(|sign| unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a])))
+            });
+            let (beside, before, mut best): (Vec<_>, _, _) = (beside.collect(), weakest.clone(), None);
+            let trials = map_in_order(&beside, |d| self.one_direction(&along(*d), before.carried()));
+            for (d, tried) in beside.into_iter().zip(trials) {
+                let (trial, _) = tried?;
+                let is_known = trial.carried().is_some() || weakest.is_sufficient();
+                if is_known && trial.carried() < weakest.carried() {
+                    (best, weakest) = (Some(d), weakest.or_worse(trial));
                 }
             }
             match best {
                 Some(better) => direction = better,
+                // In a convex set of carried forces, less than the load is carried between neighbours only if the part here is near 1.
+                None if weakest.carried().is_some_and(|part| part * (2.0 * step).cos() > 1.0) => break,
                 None => step *= 0.5,
             }
         }
@@ -246,17 +304,15 @@ impl Loading {
     }
 }
 
-/// The result for one direction of a force: the carried part of the load (0 if the verdict is undecided), and the number of jumps, which are motions
-/// under constant load while the load is applied.
-#[derive(Debug, Clone, Copy)]
-struct DirectionTrial {
-    part: f64,
-    jumps: usize,
-}
+/// The load that grows along a unit vector of the force.
+type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 
-/// No weaker direction is sought near a direction in which more than this multiple of the load is carried. If smaller, a weakest direction between
-/// evenly spread directions is missed; if larger, load paths are followed farther.
-const CLOSE: f64 = 1.1;
+/// Number of directions that are tried at once, in parallel. The trials of one such group follow the load equally far.
+const AT_ONCE: usize = 8;
+
+/// First step from a direction that was weakest with another amount, as a fraction of the step from an evenly spread direction. If smaller, moves of
+/// the weakest direction from amount to amount take more steps; if larger, halvings do.
+const A_LITTLE: f64 = 0.125;
 
 /// Directions closer to each other than this angle, rad, are not tried. The carried parts of the load within this angle differ by less than 1e-6,
 /// unless they jump.
@@ -273,47 +329,3 @@ const MOST_MINIMA: usize = 3;
 /// At most this many pairs of neighbouring directions with different numbers of jumps are searched, the weakest pairs first. If fewer, narrow cones
 /// of directions in which the load is lost stay unseen. Each pair takes five to seven verdicts.
 const MOST_EDGES: usize = 12;
-
-/// For each of the evenly spread directions the indices of its neighbours: two on a circle, about six on the sphere.
-fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
-    let count = all.len();
-    // On a sphere each of 200 directions has an area of (0.25 rad)².
-    let is_near = |one: usize, other: usize| match space {
-        Space::Planar => (one + 1) % count == other || (other + 1) % count == one,
-        Space::Spatial => one != other && dot(&all[one], &all[other]) > 0.32_f64.cos(),
-    };
-    numbered(count, &|one| chosen(count, &|other| is_near(one, *other)))
-}
-
-fn unit(vector: [f64; 3]) -> [f64; 3] {
-    let length = dot(&vector, &vector).sqrt();
-    vector.each(|x| x / length)
-}
-
-/// Unit vectors at right angles to a direction: one in the plane, two in space.
-fn tangents([x, y, z]: [f64; 3], space: Space) -> Vec<[f64; 3]> {
-    if space == Space::Planar {
-        return vec![[-y, x, 0.0]];
-    }
-    let first = unit(if x.abs() > y.abs() { [-z, 0.0, x] } else { [0.0, z, -y] });
-    let [a, b, c] = first;
-    vec![first, [y * c - z * b, z * a - x * c, x * b - y * a]]
-}
-
-/// Evenly spread unit vectors: on the unit circle in the plane, on a golden spiral over the unit sphere in space.
-fn directions(space: Space) -> Vec<[f64; 3]> {
-    // No formula gives the load at the loss as a function of the direction, so directions are sampled. With fewer directions the weakest direction
-    // could be missed.
-    let count = if space == Space::Planar { 72 } else { 200 };
-    let golden = PI * (3.0 - 5.0_f64.sqrt());
-    let direction = |k: usize| {
-        let z = 1.0 - (2 * k + 1) as f64 / count as f64;
-        let (radius, angle, z) = match space {
-            Space::Planar => (1.0, TAU / count as f64, 0.0),
-            Space::Spatial => ((1.0 - z * z).sqrt(), golden, z),
-        };
-        let (sin, cos) = (angle * k as f64).sin_cos();
-        [radius * cos, radius * sin, z]
-    };
-    numbered(count, &direction)
-}

@@ -59,6 +59,7 @@ mod question;
 mod range;
 mod repeated;
 mod search;
+mod spread_directions;
 mod threshold;
 mod tolerances;
 mod trial;

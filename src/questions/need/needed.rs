@@ -82,8 +82,10 @@ impl Need<3> {
             _ => None,
         };
         let look = SearchExtent::Everywhere(far);
-        let safe = (safety != SafetyDeviations::NONE)
-            .then(|| self::amount(&TrialRecord::new(grasp, &asked, safety, begin), asked.demand, look));
+        let safe = (safety != SafetyDeviations::NONE).then(|| {
+            let record = TrialRecord::new(grasp, &asked, safety, begin).with_directions_of(&trials);
+            self::amount(&record, asked.demand, look)
+        });
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,

@@ -5,12 +5,16 @@ use core::cell::{Cell, RefCell};
 
 use super::question::Demand;
 use crate::hold::AtRest;
-use crate::numerics::Each;
+use crate::numerics::{Each, dot};
 use crate::prelude::*;
 
 /// The value of the carried part of the load if no equilibrium exists under the load at rest, which acts before the others. If the carried part is
 /// negative, not even the load at rest is carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
+
+/// A direction replaces others in the list of refuting directions within this angle, rad. If smaller, the list fills with directions near one minimum;
+/// if larger, a second minimum is forgotten.
+const SAME_DIRECTION: f64 = 5e-3;
 
 /// The result of the trial of an amount.
 #[derive(Debug, Clone, PartialEq)]
@@ -155,10 +159,11 @@ pub(super) struct RefutingLoads {
 }
 
 impl RefutingLoads {
-    /// Puts a direction first. The list keeps the last six directions, so that their trials take a small part of the time of all directions.
+    /// Puts a direction first, in place of others within the angle [`SAME_DIRECTION`]. The list keeps the last six directions, so that their trials
+    /// take a small part of the time of all directions.
     pub(super) fn add(&self, direction: [f64; 3]) {
         let mut list = self.directions.borrow_mut();
-        list.retain(|other| *other != direction);
+        list.retain(|other| dot(other, &direction) < SAME_DIRECTION.cos());
         list.insert(0, direction);
         list.truncate(6);
     }

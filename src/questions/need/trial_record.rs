@@ -72,6 +72,12 @@ impl<'q> TrialRecord<'q> {
         }
     }
 
+    /// This record, which tries first the directions in which a force refuted amounts of `other`.
+    pub(super) fn with_directions_of(self, other: &Self) -> Self {
+        self.refuting.directions.replace(other.refuting.directions.borrow().clone());
+        self
+    }
+
     /// The full trial of an amount, computed unless it is known. If `short`, no load path is followed beyond the whole load.
     pub(super) fn at(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         if let Some(trial) = of(&self.known, amount, demand) {
