@@ -289,8 +289,8 @@ pub(crate) struct SceneArguments {
     /// Number of significant digits.
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: u8,
-    /// The unit of lengths on the command line and in a table of slips: m, cm, mm or in; the scene's field `unit` if left out. Answers do not change
-    /// their units.
+    /// The unit of lengths on the command line, in a table of slips, and of places and arms in answers: m, cm, mm or in; the scene's field `unit` if
+    /// left out.
     #[arg(long, value_parser = unit, value_name = "UNIT")]
     pub(crate) unit: Option<Unit>,
     /// Prints every second on standard error which question is being answered, where no terminal shows the question.

@@ -61,6 +61,14 @@ impl OptionVectors {
         let about_axes = |numbers: Option<&Numbers>, option: &str| {
             numbers.map_or(Ok([0.0; 3]), |numbers| self.about_axes(numbers, option))
         };
+        let turns = load.angular_velocity.is_some() || load.angular_acceleration.is_some();
+        let idle = [("about", load.about.is_some() && !turns), ("inertia", load.inertia.is_some() && !turns)];
+        if let Some((option, _)) = idle.iter().find(|(_, idle)| *idle) {
+            let message = format!(
+                "--{option} without --angular-velocity or --angular-acceleration: it changes nothing"
+            );
+            return Err(Failure::Usage(message));
+        }
         let velocity = about_axes(load.angular_velocity.as_ref(), "angular-velocity")?.map(f64::to_radians);
         let faster =
             about_axes(load.angular_acceleration.as_ref(), "angular-acceleration")?.map(f64::to_radians);

@@ -161,7 +161,9 @@ fn refuse_others(need_arguments: &NeedArguments, sought: SoughtQuantity) -> Resu
     let is_more = need_arguments.load.force.is_some()
         || need_arguments.load.moment.is_some()
         || need_arguments.any_force.is_some();
-    let message = if need_arguments.any_force.is_some() && is_arm_or_angle {
+    let message = if need_arguments.load.moment.is_some() && sought == SoughtQuantity::Angle {
+        "--moment: given, must be left out where an angle is sought; what acts beside the weight is `beside` of a `turn` in the scene"
+    } else if need_arguments.any_force.is_some() && is_arm_or_angle {
         "--any-force: given, must be left out where an arm or an angle is sought"
     } else if to_and_fro(need_arguments).is_some() && (is_more || is_arm_or_angle) {
         "--acceleration: given, must be left out beside other loads, and where an arm or an angle is sought"

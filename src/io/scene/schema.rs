@@ -132,20 +132,17 @@ fn angular<K: Bounded>(axes: usize) -> Schema {
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// The schema of a wrench or twist: linear components, angular components and the entries of joints, all optional in input.
+/// The schema of a wrench or twist: linear and angular components, both optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],
 ) -> Schema {
-    let joints = json_schema!({ "type": "array", "items": number::<K>() });
     let first = described(generator, list::<K>(C, C), linear.1);
     let second = described(generator, angular::<K>(Space::of::<C>().planes().len()), turning.1);
-    let joints =
-        described(generator, joints, "Of the joints of a hand; fewer than there are stand for the first.");
     let required = if generator.contract().is_serialize() { vec![linear.0, turning.0] } else { Vec::new() };
     json_schema!({
         "type": "object",
-        "properties": { linear.0: first, turning.0: second, "joints": joints },
+        "properties": { linear.0: first, turning.0: second },
         "required": required
     })
 }

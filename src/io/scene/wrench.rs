@@ -104,6 +104,11 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             let axes = space.axes();
             let mut wrench = join(space, parts, ["force", "moment"])?;
             let mut points = None;
+            if at.is_some() && force.is_none() && mass.is_none() {
+                return Err(
+                    "at: is given without a force or a mass, must be left out: a moment acts anywhere".into(),
+                );
+            }
             if at.is_some() {
                 let at = vector_of_field(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };

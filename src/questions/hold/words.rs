@@ -40,7 +40,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
                 match (self.has_no_load(), self.base == Wrench::ZERO) {
-                    (true, true) => f.write_str(", without any load"),
+                    (true, true) => f.write_str(", with no load put on"),
                     (true, false) => f.write_str(", under the load at rest alone"),
                     (false, _) => self.margins(f),
                 }?;

@@ -245,6 +245,20 @@ impl Need<3> {
                 "is given, must be left out unless there is any_force (a load has its own)",
             ));
         }
+        // Loads that the sought arm or angle would not use.
+        let (has_list, any) = (!self.loads.is_empty(), self.any_force.is_some());
+        let unused = match self.quantity {
+            Quantity::Arm => [false, has_list, any, self.turn.is_some()],
+            Quantity::Angle => [self.load.is_some(), has_list, any, false],
+            _ => [false; 4],
+        };
+        if let Some(k) = unused.iter().position(|given| *given) {
+            let field = ["load", "loads", "any_force", "turn"][k];
+            return Err(wrong(
+                field,
+                "is given, must be left out: an arm has one `load`, an angle one `turn`",
+            ));
+        }
         let sought = match self.quantity {
             Quantity::Squeeze => Sought::Squeeze,
             Quantity::Load => Sought::Load,

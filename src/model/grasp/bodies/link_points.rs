@@ -162,7 +162,9 @@ impl Link<3> {
             "0 or more: a cable only pulls",
         )?;
         good(self.slack >= 0.0 && is_moderate(self.slack), "slack", self.slack, "from 0 to 1e50")?;
-        good(is_cable || self.slack == 0.0, "slack", self.slack, "0 unless it is a cable")
+        good(is_cable || self.slack == 0.0, "slack", self.slack, "0 unless it is a cable")?;
+        let is_slack = self.slack == 0.0 || self.tension.is_none();
+        good(is_slack, "slack", self.slack, "0 in a cable with a tension")
     }
 }
 
