@@ -248,7 +248,7 @@ impl Needed {
                 self.sticks_until(f, until.as_ref())
             }
             Some(Amount::Bound { sufficient: sticks, presses, until, .. }) => {
-                let much = self.from_to(words, (*sticks, presses), until.as_ref());
+                let much = self.interval_text(words, (*sticks, presses), until.as_ref());
                 write!(
                     f,
                     ", {much} {}",
@@ -267,7 +267,7 @@ impl Needed {
     }
 
     /// The interval of sufficient amounts from the bound `near` to the far end, or the bound alone, without the place: "3 N to 5 N".
-    fn from_to(&self, words: Words, near: (f64, &[ContactPress]), until: Option<&FarEnd>) -> String {
+    fn interval_text(&self, words: Words, near: (f64, &[ContactPress]), until: Option<&FarEnd>) -> String {
         match until {
             None => self.short(words, near.0, near.1),
             Some(end) if self.quantity.is_least() => {
@@ -332,7 +332,7 @@ impl Needed {
                     (None, _) if !presses.is_empty() => {
                         format!("{} times as much", words.number(safe / sufficient))
                     }
-                    _ => self.from_to(words, (*safe, safe_presses), until.as_ref()),
+                    _ => self.interval_text(words, (*safe, safe_presses), until.as_ref()),
                 };
                 // The safe amount is sufficient with lower friction and squeeze or larger loads. With friction, squeeze and loads as given it may be
                 // too large or too small.
