@@ -1,5 +1,5 @@
-//! Lists and sums over lists or index ranges. The functions of this file replace std's iterators, which are compiled anew for each function that uses
-//! them.
+//! Lists, sums, counts, extremes and searches over lists or index ranges. The functions of this file replace std's iterators, which are compiled anew
+//! for each function that uses them.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -3,6 +3,7 @@
 mod between_margins;
 mod both_sides;
 mod brute_force;
+mod buckling;
 mod closed_forms;
 mod installed;
 mod once_misleading;

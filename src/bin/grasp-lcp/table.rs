@@ -4,7 +4,7 @@
 use std::io::{self, Write};
 
 use grasp_lcp::energy::Comparison;
-use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, WholeAnswer};
+use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, TooFar, WholeAnswer};
 use grasp_lcp::words::Words;
 
 use crate::words::Style;
@@ -35,8 +35,11 @@ pub(crate) fn table(out: &mut dyn Write, style: Style, state: &Equilibrium<3>, s
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  {}, residual {residual}", state.motion_sentences(style.words).join("\n  "))?;
     state.free_motion_sentences(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
-    let caution = state.too_far.as_ref().filter(|far| !said.contains(&format!("{far:.digits$}")));
-    let caution = caution.and_then(|_| state.caution(style.words));
+    let is_new = |far: &&TooFar| {
+        let is_leak = matches!(far, TooFar::Leaks { .. });
+        !said.contains(&if is_leak { far.caution(style.words) } else { format!("{far:.digits$}") })
+    };
+    let caution = state.too_far.as_ref().filter(is_new).map(|far| far.caution(style.words));
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 

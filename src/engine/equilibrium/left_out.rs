@@ -118,10 +118,16 @@ impl Engine {
         let count = size.count();
         let elastic = DMatrix::from_fn(count, count, |i, j| both.0[(i.max(j), i.min(j))]);
         let (values, motions) = symmetric_eigen(&elastic);
+        let mut resisted = DMatrix::identity(count, count);
         for k in (0..count).filter(|k| values[*k] <= NEGLIGIBLE * values[0]) {
-            for (i, j) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-                both.0[(i, j)] += values[0] * motions[(i, k)] * motions[(j, k)];
-            }
+            resisted -= motions.column(k) * motions.column(k).transpose();
+        }
+        let geometric = DMatrix::from_fn(count, count, |i, j| both.1[(i.max(j), i.min(j))]);
+        let geometric = &resisted * geometric * &resisted;
+        for (i, j) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+            let of_free_motions = if i == j { 1.0 } else { 0.0 } - resisted[(i, j)];
+            both.0[(i, j)] += values[0] * of_free_motions;
+            both.1[(i, j)] = geometric[(i, j)];
         }
         (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
     }

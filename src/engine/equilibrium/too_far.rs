@@ -18,7 +18,7 @@ use crate::search::{SearchSolution, SmallMotions};
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words, listed, printable};
 
-/// The motion that is farthest beyond [`SmallMotions`], or the loss of stability that a theory of small motions does not see.
+/// The motion that is farthest beyond [`SmallMotions`], a leak of a suction cup, or the loss of stability that a theory of small motions does not see.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -92,6 +92,15 @@ impl TooFar {
     /// Whether a motion is too large. Buckling and a leak end what is held, however small motions are.
     pub(crate) fn is_motion(&self) -> bool {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
+    }
+
+    /// The verb that begins a sentence about a load that ends here.
+    pub(crate) fn verb(&self) -> &'static str {
+        match self {
+            Self::Buckles => "BUCKLES",
+            Self::Leaks { .. } => "LEAKS",
+            _ => "GOES TOO FAR",
+        }
     }
 
     /// The caution for answers beyond small motions: "left slips by more than 4 mm: results for small motions no longer apply".

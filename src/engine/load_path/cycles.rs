@@ -25,7 +25,7 @@ pub(crate) struct Cycles<'g> {
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
-    /// What was too far in the first cycle, or that the grasp buckled. Whether it does is not asked in later cycles, which have the same loads.
+    /// The first motion beyond its limit in the first cycle, a leak, or buckling in any cycle: there within the first, else at the end.
     too_far: Option<TooFar>,
 }
 
@@ -151,8 +151,7 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The rotation, slip or opening on the path so far that first exceeded its limit of small motions, or that the grasp buckles; `None` if neither
-    /// happens.
+    /// The first motion beyond its limit on the path so far, a leak, or buckling; `None` without any of these.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
         self.too_far.clone().or_else(|| Some(self.path.end_of_small_motions()?.what.clone()))
     }
@@ -182,6 +181,10 @@ impl<'g> Cycles<'g> {
         while self.path.next().is_some() {}
         if self.completed == 1 {
             self.too_far = end_of_theory(&self.path, self.path.end_of_small_motions()).map(|end| end.what);
+        } else if self.too_far.is_none() {
+            // Slips change the forces from cycle to cycle.
+            let state = self.path.state();
+            self.too_far = state.and_then(|state| state.too_far).filter(|far| *far == TooFar::Buckles);
         }
         self.end().is_none().then_some(())?;
         let first = (self.completed - 1) * self.legs.len();

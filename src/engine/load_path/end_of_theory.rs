@@ -6,14 +6,15 @@ use super::following::AnyPath;
 use super::path::LoadPath;
 use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::TooFar;
+use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// The place, on the part of the path followed so far, from which on the answers say little about the object: a motion is no longer small or a
-    /// suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Whether it buckles is asked at rest, at the end of each leg and at
-    /// the end of the path, if the points of action of the load are known; the place is then found to nine digits.
+    /// The place, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small, a
+    /// suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is asked for at rest, at the end of each
+    /// leg and at the end of the path, if the points of action of the load are known; the place is then found to nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
@@ -35,23 +36,44 @@ pub(super) fn end_of_theory<const C: usize>(
     buckling.or_else(|| far.cloned())
 }
 
-/// The place, to nine digits, from which on the grasp buckles. It is asked at rest, at the end of each leg and at the place `end`. `None` if the grasp
-/// buckles at none of these, and if the points of action of the load at `end` are not known.
+/// The place, to nine digits, from which on the grasp buckles. Buckling is asked for at rest, at the end of each leg and at the place `end`, and along
+/// a load that turns also between. `None` if the grasp buckles at none of these, or if the points of action of the load at `end` are not known.
 fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
-    path.state_at(end.0, end.1)?.load.points_of_action().stiffness()?;
+    let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
+    if load(end.0, end.1).is_some_and(|load| load.points_of_action().stiffness().is_none()) {
+        return None;
+    }
+    let turns = |leg: usize, to: f64| {
+        let loads = (load(leg, 0.0), load(leg, 0.5 * to), load(leg, to));
+        let (Some(first), Some(middle), Some(last)) = loads else { return false };
+        let off = middle * 2.0 - first - last;
+        let size = |load: &Wrench<C>| load.components().iter().map(|x| x.abs()).sum::<f64>();
+        size(&off) > NEGLIGIBLE * (size(&first) + size(&middle))
+    };
+    let mut places = vec![(0, 0.0)];
+    for leg in 0..=end.0 {
+        let to = if leg == end.0 { end.1 } else { 1.0 };
+        let parts = if turns(leg, to) { PARTS_OF_A_TURN } else { 1 };
+        places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
+    }
+    places.dedup();
     let buckles = |place: &(usize, f64)| {
         path.state_at(place.0, place.1).is_some_and(|state| state.too_far == Some(TooFar::Buckles))
     };
-    let mut places = vec![(0, 0.0)];
-    places.extend((0..end.0).map(|leg| (leg, 1.0)));
-    places.push(end);
-    places.dedup();
     let first = places.iter().position(buckles)?;
     let (leg, mut to) = places[first];
-    let mut from = if first == 0 { to } else { 0.0 };
-    while to - from > NEGLIGIBLE * to {
+    let mut from = match first.checked_sub(1).map(|before| places[before]) {
+        None => to,
+        Some((before, fraction)) if before == leg => fraction,
+        Some(_) => 0.0,
+    };
+    while to - from > NEGLIGIBLE * to && to > NEGLIGIBLE {
         let middle = 0.5 * (from + to);
         *(if buckles(&(leg, middle)) { &mut to } else { &mut from }) = middle;
     }
     Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
 }
+
+/// Number of parts of a turning leg at whose ends buckling is asked for. If smaller, a range of angles in which the grasp buckles is missed; if larger,
+/// answers about turning loads take longer.
+const PARTS_OF_A_TURN: u32 = 36;

@@ -19,7 +19,7 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The place where the motions of a path cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles: beyond it,
+/// The place where the motions of a path cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles. Beyond it,
 /// answers are those for the undeformed geometry and kept vacuums, and say little about the object.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

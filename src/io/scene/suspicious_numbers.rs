@@ -69,7 +69,7 @@ impl Setup<3> {
             pressure_of_cup(points).unwrap_or(0.0)
         };
         // One part in a thousand is left to an atmosphere that is given rounded.
-        let contacts: Vec<_> = chosen(entries.len(), &|i| vacuum(*i) > (1.0 + NEGLIGIBLE) * ATMOSPHERE);
+        let contacts: Vec<_> = chosen(entries.len(), &|i| vacuum(*i) > 1.001 * ATMOSPHERE);
         if let Some(first) = contacts.first() {
             let (names, pressure) = (names(&contacts), vacuum(*first));
             warnings.push(Warning::BeyondVacuum { contacts, names, pressure });

@@ -12,7 +12,7 @@ use super::{first, gross};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::{IntoList, chosen, mapped, summed};
+use crate::numerics::{IntoList, chosen, every_index, mapped, summed};
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
@@ -86,7 +86,7 @@ impl Model<'_> {
                     squeeze = log.exp();
                 }
             }
-            let mut grasp = grasp.with_contacts(contacts)?;
+            let mut grasp = grasp.with_contacts(contacts)?.installed_again()?;
             if squeeze != 1.0 {
                 grasp = grasp.squeezed(squeeze)?;
             }
@@ -320,10 +320,13 @@ impl SlipToPredict<'_> {
         Some(all)
     }
 
-    /// Whether the squeeze is due to commands of contacts alone, not to forces, joints or a vacuum. Exact derivatives are known only in this case.
+    /// Whether the squeeze is due to commands of contacts alone, not to forces, tensions, joints or a vacuum. Exact derivatives are known only in this case.
     pub(super) fn is_pressed_by_commands(&self) -> bool {
         let grasp = self.grasp;
         grasp.joint_commands().is_empty()
-            && grasp.contacts().iter().all(|contact| contact.force.is_none() && contact.suction == 0.0)
+            && every_index(grasp.len(), &|i| {
+                let contact = &grasp.contacts()[i];
+                contact.force.is_none() && contact.at_rest.is_none() && contact.suction == 0.0
+            })
     }
 }

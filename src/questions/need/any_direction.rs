@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Each, IntoList, chosen, dot, mapped};
+use crate::numerics::{Each, IntoList, chosen, dot, mapped, numbered};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 use crate::sweep::map_in_order;
@@ -28,19 +28,35 @@ impl Loading {
     ) -> Result<Trials, Error> {
         let (verdict, path) = self.put_on_up_to(&Ramp::load(self.base, load), None)?;
         let base = self.base + load;
+        let along = |d: [f64; 3]| Ramp::load(base, force_at(d.each(|x| x * size), point));
         match self.while_all_stick(&verdict, &base, (size, point), (demand, refuting))? {
-            Some(trial) if demand == Demand::Sticks || trial.carried().is_some() => {
-                return Ok(Trials::only(demand, trial));
+            Some(trial) if demand == Demand::Sticks => return Ok(Trials::only(demand, trial)),
+            Some(trial) if trial.carried().is_some() => {
+                return Ok(Trials::only(demand, self.unless_it_buckles(trial, &along)?));
             }
             _ => {}
         }
         let alone = self.judged((&verdict, 1.0 - path.farthest), Demand::Held);
-        let along = |d: [f64; 3]| Ramp::load(base, force_at(d.each(|x| x * size), point));
         self.in_every_direction(
             Trials { at_rest: path.at_rest, ..Trials::only(Demand::Held, alone) },
             &along,
             refuting,
         )
+    }
+
+    /// The worst of this result, for which everything sticks, and those of forces along the axes. No closed form knows whether a force buckles the
+    /// grasp; the geometric stiffness is linear in the force.
+    fn unless_it_buckles(&self, mut held: Trial, along: Along<'_>) -> Result<Trial, Error> {
+        let axes = self.grasp.space().axes();
+        for k in 0..2 * axes {
+            let mut direction = [0.0; 3];
+            direction[k % axes] = if k < axes { 1.0 } else { -1.0 };
+            let ramp = along(direction);
+            if held.is_sufficient() && self.grasp.engine.may_buckle(&ramp.load_at(1.0)) {
+                held = held.or_worse(self.one_direction(&ramp, None)?.0);
+            }
+        }
+        Ok(held)
     }
 
     /// The result of the trial as far as it can be computed while everything sticks, without a path for each direction. A force of any direction is
@@ -108,8 +124,8 @@ impl Loading {
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
-    /// The worst result over directions of a force. First come directions in which the force was not carried with other amounts, then evenly spread
-    /// directions, and last directions between these. `worst` has the result without the force. Quick trials are confined to directions that refuted
+    /// The worst result over directions of a force. First come directions in which the force was not carried with other amounts, then a few evenly
+    /// spread ones, then those near one in which the force is nearly lost, and last directions between these. `worst` has the result without the force. Quick trials are confined to directions that refuted
     /// other amounts, if there are any.
     fn in_every_direction(
         &self,
@@ -131,8 +147,12 @@ impl Loading {
             }
         }
         for round in 0..2 {
-            let next =
-                if round == 0 { spread_out(&all, self.grasp.space()) } else { in_between(&all, &found) };
+            // If loads are followed no farther than the whole load, no direction is known to be nearly lost, and all of them are tried.
+            let next = match round {
+                0 if self.followed >= CLOSE => spread_out(&all, self.grasp.space()),
+                0 => numbered(all.len(), &|k| k),
+                _ => in_between(&all, &found),
+            };
             for some in next.chunks(AT_ONCE) {
                 if let Trial::Insufficient { .. } = held {
                     break;
@@ -268,7 +288,8 @@ impl Loading {
     }
 
     /// The weakest direction near `direction`, whose trial is `weakest`, with its trial. The search moves to a neighbouring direction in which a
-    /// smaller part of the load is carried. Its step, rad, is halved where no neighbour carries less.
+    /// smaller part of the load is carried. Its step, rad, is halved where no neighbour carries less. It ends where a
+    /// convex set of carried forces would have the whole load between the neighbours. Where contacts slide, convexity is not proved.
     fn weakest_near(
         &self,
         (mut direction, mut step): ([f64; 3], f64),

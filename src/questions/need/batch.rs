@@ -11,7 +11,7 @@ use super::question::{Demand, Need};
 use super::tolerances::MOST_LOADS;
 use crate::ask::{Grasp, RowOf, answers_of_rows, while_sticking};
 use crate::error::Error;
-use crate::grasp::{Contact, Wrench};
+use crate::grasp::{Contact, Wrench, inside};
 use crate::hold::{Holding, Verdict};
 use crate::load_path::Ramp;
 use crate::numerics::mapped;
@@ -239,7 +239,9 @@ impl BatchNeed {
         let lost = lost_at(&verdict).filter(|(_, is_too_far)| !is_too_far);
         let Some(amount) = lost.and_then(|(multiple, _)| self.amount(multiple)) else { return Ok(None) };
         // Motions are proportional to the squeeze, so their largest ratio to a limit is known for the sought squeeze, too.
-        if farthest * wider * amount <= 1.0 - NEGLIGIBLE {
+        // Forces grow with the squeeze, but stiffness does not, so that a larger squeeze may buckle the grasp.
+        let may_buckle = amount > 1.0 && grasp.engine.may_buckle(&inside(&ramp.load_at(1.0)));
+        if farthest * wider * amount <= 1.0 - NEGLIGIBLE && !may_buckle {
             return Ok(Some(amount));
         }
         let enough = grasp.squeezed(amount * (1.0 + BEYOND_STEPS))?.with(&self.settings.with_most_load(1.0));
@@ -258,7 +260,7 @@ const MOST_LIMIT: f64 = 1e50;
 /// directions of slip turn (1e-9 by default), but too small to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
-/// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small. `None` if the object is not held at
+/// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small, a cup leaks or the grasp buckles. `None` if the object is not held at
 /// rest, or no loss was found.
 fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
     let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);

@@ -31,7 +31,7 @@ pub(super) struct Loading {
     pub(super) times: f64,
     pub(super) words: Words,
     /// Load paths are followed up to this multiple of the load.
-    followed: f64,
+    pub(super) followed: f64,
     /// How far a trial follows load paths, and which fields of a verdict it computes.
     pub(super) extent: VerdictScope,
     /// Whether the amount with which nothing slides is sought only in addition to the amount that holds the object. The load factor of first slip
@@ -327,8 +327,10 @@ impl Loading {
         }
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
-        if let Some(end) = path.end_of_small_motions() {
-            return Ok(ends_at(end.fraction * turn.angle(), &"GOES TOO FAR", &end.what));
+        if let Some(end) = path.end_of_theory() {
+            let why = end.what.caution(self.words);
+            let why = if end.what.is_motion() { end.what.to_string() } else { why };
+            return Ok(ends_at(end.fraction * turn.angle(), &end.what.verb(), &why));
         }
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::always(),

@@ -140,7 +140,7 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     let whole = |amount: f64| tried.at(amount, demand, false);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let learns = matches!(need.loads, Loads::AnyForce { .. });
-    // A full trial of a force of any direction takes hundreds of verdicts, so a quick trial replaces it.
+    // A full trial of a force of any direction takes fifty to some hundreds of verdicts, so a quick trial replaces it.
     let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);

@@ -14,7 +14,8 @@ pub(super) struct DirectionTrial {
 }
 
 /// In space no two of the directions that are tried first are nearer to each other than this angle, rad; every direction is within 0.425 rad of one.
-/// If three neighbours carry [`CLOSE`] times the load, a convex set of carried forces has all of the load between, as `cos 0.425 > 1 / CLOSE`.
+/// If three neighbours carry [`CLOSE`] times the load, a convex set of carried forces has all of the load between, as `cos 0.425 > 1 / CLOSE`. Where
+/// contacts slide, convexity is not proved.
 const APART: f64 = 0.4;
 
 /// No weaker direction is sought near a direction in which more than this multiple of the load is carried. If smaller, a weakest direction between
@@ -32,6 +33,7 @@ pub(super) fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
     numbered(count, &|one| chosen(count, &|other| is_near(one, *other)))
 }
 
+/// Whether two unit vectors are less than this angle apart, rad.
 pub(super) fn is_within(angle: f64, one: &[f64; 3], other: &[f64; 3]) -> bool {
     dot(one, other) > angle.cos()
 }

@@ -89,7 +89,7 @@ struct FollowedCycles<'g, 's> {
     followed: usize,
     /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
     cycles_gone: usize,
-    /// The motion that first ceased to be small in the cycles followed so far.
+    /// The motion that first ceased to be small in the cycles followed so far, a leak, or buckling.
     too_far: Option<TooFar>,
 }
 

@@ -49,7 +49,7 @@ pub struct Shaken<const C: usize> {
     /// limit.
     pub moved: Vec<BodyMotion<C>>,
     /// The motion that first ceases to be [small](crate::Settings::small_motions) within the cycles: beyond it, answers are those for the undeformed
-    /// geometry. `None` if all motions are small.
+    /// geometry. Also that a suction cup leaks or the grasp buckles. `None` without any of these.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The equilibrium after the last cycle that was followed, before the next one begins; `None` if the load path has ended.

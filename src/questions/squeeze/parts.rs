@@ -80,7 +80,7 @@ impl<'l> ForceParts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The force, N, that the commands at factor 1 add to `row·F`, the margin of a sticking condition; zero if this is only rounding.
+    /// The force, N, that commands and vacuums at factor 1 add to `row·F`, the margin of a sticking condition; zero if this is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }

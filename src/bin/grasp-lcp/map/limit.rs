@@ -23,6 +23,8 @@ pub(crate) enum LimitEnd {
     TooFar,
     /// The grasp buckles.
     Buckles,
+    /// Air flows into a suction cup where its lip opens.
+    Leaks,
     /// An equilibrium exists along the whole path, up to the largest force to which paths are followed.
     Held,
     /// Rounding errors stopped the path, or the path has no start.
@@ -30,7 +32,7 @@ pub(crate) enum LimitEnd {
 }
 
 impl LimitEnd {
-    pub(crate) const ALL: [Self; 9] = [
+    pub(crate) const ALL: [Self; 10] = [
         Self::Limit,
         Self::Snap,
         Self::Ends,
@@ -38,6 +40,7 @@ impl LimitEnd {
         Self::GivesWay,
         Self::TooFar,
         Self::Buckles,
+        Self::Leaks,
         Self::Held,
         Self::Unknown,
     ];
@@ -51,6 +54,7 @@ impl LimitEnd {
             Self::GivesWay => "nothing resists",
             Self::TooFar => "motions are no longer small",
             Self::Buckles => "buckles",
+            Self::Leaks => "a suction cup leaks",
             Self::Held => "held",
             Self::Unknown => "not known",
         }
@@ -85,8 +89,12 @@ pub(crate) fn last<const C: usize>(
     let too_far = path.end_of_theory();
     let (end, fraction) = match (path.end(), &too_far) {
         (end, Some(far)) if end.and_then(PathEnd::fraction).is_none_or(|end| far.fraction < end) => {
-            let buckles = far.what == TooFar::Buckles;
-            (if buckles { LimitEnd::Buckles } else { LimitEnd::TooFar }, far.fraction)
+            let end = match far.what {
+                TooFar::Buckles => LimitEnd::Buckles,
+                TooFar::Leaks { .. } => LimitEnd::Leaks,
+                _ => LimitEnd::TooFar,
+            };
+            (end, far.fraction)
         }
         (Some(PathEnd::Completed), _) => (LimitEnd::Held, f64::INFINITY),
         (Some(PathEnd::Lost(loss)), _) if loss.kind == LossKind::GivesWay => {

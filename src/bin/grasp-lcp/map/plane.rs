@@ -150,6 +150,7 @@ impl Drawing<'_> {
             (LimitEnd::GivesWay, "… where nothing resists"),
             (LimitEnd::TooFar, "… where motions are\nno longer small"),
             (LimitEnd::Buckles, "… where it buckles"),
+            (LimitEnd::Leaks, "… where a cup leaks"),
         ] {
             let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
             let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.force)).step_by(8).collect();

@@ -1,0 +1,44 @@
+//! Angles, and squeezes under a force of any direction, end where the forces buckle what they hold.
+//!
+//! Between two fingers at ±a that press with N, a bar resists turning with `2 k a²`, of which the fingers take `2 N a`. A force F at the height h below
+//! the middle adds `F h` if it points down, and takes as much if it points up.
+
+use grasp_lcp::Error;
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+
+const STIFFNESS: f64 = 2e3;
+const HALF: f64 = 0.05;
+const BELOW: f64 = 0.1;
+const RESISTS: f64 = 2.0 * STIFFNESS * HALF * HALF;
+
+fn bar(press: f64) -> Result<Grasp, Error> {
+    Grasp::new([-HALF, HALF].map(|x| {
+        let finger = Contact::new([x, 0.0], [-x.signum(), 0.0]).series_stiffness(1e5, STIFFNESS);
+        finger.friction(0.5).pressed_with(press)
+    }))
+}
+
+/// Tilted by θ, the weight adds `W h cos θ`.
+#[test]
+fn a_bar_that_is_tilted_over() -> Result<(), Error> {
+    let (press, weight) = (97.0, 5.0);
+    let turn = Turn::tilting([0.0, -weight], [0.0, -BELOW]);
+    let needed = bar(press)?.need(&Need::angle(turn))?;
+    let expected = ((2.0 * press * HALF - RESISTS) / (weight * BELOW)).acos();
+    let most = needed.amount.bound().expect("it buckles");
+    assert!((most - expected).abs() < 1e-6, "{most} {expected} {needed}");
+    assert!(needed.to_string().contains("with more: BUCKLES at "), "{needed}");
+    Ok(())
+}
+
+#[test]
+fn a_force_that_may_point_up() -> Result<(), Error> {
+    let (press, size) = (10.0, 2.0);
+    let loads = Loads::AnyForce { base: Wrench::ZERO, size, point: [0.0, -BELOW].into() };
+    let needed = bar(press)?.need(&Need::squeeze(loads).if_lower_by(0.0, 0.0))?;
+    let Amount::Bound { until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
+    let expected = (RESISTS - size * BELOW) / (2.0 * press * HALF);
+    assert!((end.sufficient / expected - 1.0).abs() < 1e-5, "{} {expected} {needed}", end.sufficient);
+    Ok(())
+}
