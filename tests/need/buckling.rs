@@ -35,7 +35,7 @@ fn a_bar_that_is_tilted_over() -> Result<(), Error> {
 #[test]
 fn a_force_that_may_point_up() -> Result<(), Error> {
     let (press, size) = (10.0, 2.0);
-    let loads = Loads::AnyForce { base: Wrench::ZERO, size, point: [0.0, -BELOW].into() };
+    let loads = Loads::AnyForce { base: Wrench::ZERO, size, point: [0.0, -BELOW] };
     let needed = bar(press)?.need(&Need::squeeze(loads).if_lower_by(0.0, 0.0))?;
     let Amount::Bound { until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
     let expected = (RESISTS - size * BELOW) / (2.0 * press * HALF);
