@@ -60,8 +60,9 @@ impl<const C: usize> Grasp<C> {
     /// whatever else is sampled. See [`Uncertainty`]; the factor on the load of a sample is [`Uncertainty::load_factor`].
     ///
     /// # Errors
-    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::NotForHands`] for
-    /// uncertain positions of a hand's contacts, which would move differently with its joints.
+    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::Link`] if the grasp
+    /// cannot hold the tension of a link with these data. [`Error::NotForHands`] for uncertain positions of a hand's contacts, which would move
+    /// differently with its joints.
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         self.changed(self.engine.sample(uncertainty, number))
     }

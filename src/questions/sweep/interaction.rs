@@ -32,7 +32,8 @@ pub(super) struct PerturbedGrasp {
     pub(super) load_spread: f64,
 }
 
-/// A random set of errors, in standard deviations, and the exact forces with it, N; no forces if a datum leaves its allowed range.
+/// A random set of errors, in standard deviations, and the exact forces with it, N. No forces if a datum leaves its allowed range,
+/// or the grasp cannot hold the tension of a link.
 pub(super) struct Probe {
     z: Vec<f64>,
     forces: Option<Vec<SVector<f64, 3>>>,
@@ -40,7 +41,8 @@ pub(super) struct Probe {
 
 impl PerturbedGrasp {
     /// The exact forces on contacts and joint drives under `load`, N. The entries of `z` are errors in standard deviations: of the uncertain data,
-    /// then of the load factor. A further entry, the error of friction, is not used. `None` if a datum leaves its allowed range.
+    /// then of the load factor. A further entry, the error of friction, is not used. `None` if a datum leaves its allowed range,
+    /// or the grasp cannot hold the tension of a link.
     fn forces(&self, load: &Wrench<3>, z: &[f64]) -> Option<Vec<SVector<f64, 3>>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
@@ -64,7 +66,7 @@ impl PerturbedGrasp {
     }
 
     /// The interaction of the errors of all data for each facet of a contact, at the facet's point of failure under a load. Zero for facets whose
-    /// failure probability is below `rare`; an empty list without uncertain data.
+    /// failure probability is below `rare`; an empty list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
     pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),
