@@ -53,6 +53,25 @@ fn it_is_told_where_an_answer_depends_on_it_and_nowhere_else() {
     assert!(matches!(one, Some(Warning::StiffnessLeftOut { contacts, .. }) if contacts == [1]));
 }
 
+/// Two feet at ±50 mm with the default stiffness resist a tilt with 50 N m for each radian, of which 1 kN at 0.1 m takes twice as much. Stiffer feet
+/// would hold it. A pinch of 30 N is far from buckling, but the squeeze that buckles it depends on the stiffness.
+#[test]
+fn what_buckles_on_default_springs_is_told() {
+    let none = [json!({}), json!({})];
+    let stands = json!({ "hold": { "load": { "force": [0, -1000], "at": [0, 0.1] } } });
+    let told = told(&scene(&none, &stands)).unwrap();
+    assert!(matches!(&told, Warning::StiffnessLeftOut { questions, .. } if questions == &[0]), "{told}");
+    let jaw = |x: f64| json!({ "point": [x, 0], "normal": [-x, 0], "friction": 0.5, "pressed_with": 30 });
+    let of = |question: Value| {
+        let planar = json!({ "contacts": [jaw(-0.03), jaw(0.03)], "questions": [question] });
+        let scene = json!({ "format": "grasp-lcp/1", "planar": planar });
+        serde_json::from_value::<Scene>(scene).unwrap().setup.stiffness_left_out().unwrap().len()
+    };
+    let load = json!({ "force": [0, -1], "at": [0, 0] });
+    assert_eq!(of(json!({ "hold": { "load": load } })), 0);
+    assert_eq!(of(json!({ "need": { "quantity": "squeeze", "load": load } })), 1);
+}
+
 #[test]
 fn one_number_is_that_of_all_directions() {
     let springs = |stiffness: Value| {

@@ -7,10 +7,11 @@ use super::setup::Setup;
 use super::tolerances::{SAME_ANSWER, STIFFNESS_RANGE};
 use super::warning::Warning;
 use crate::ask::Grasp;
-use crate::equilibrium::{ContactAnswer, Outcome};
+use crate::equilibrium::{ContactAnswer, Outcome, TooFar};
 use crate::error::{Error, LARGEST};
 use crate::grasp::Link;
 use crate::load_path::Ramp;
+use crate::need::Amount;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped};
 
@@ -144,10 +145,20 @@ impl Setup<3> {
                 // If the grasp does not hold the whole load, the load factor at first slip is not part of the answer.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let first = first.map_or(f64::INFINITY, |first| first.factor);
-                let lost = lost.map_or(f64::INFINITY, |lost| lost.factor);
+                // What buckles may do so with all trial stiffnesses, but not with stiffer springs. A NaN differs from every number.
+                let buckles = lost.is_some_and(|lost| lost.too_far == Some(TooFar::Buckles));
+                let lost = lost.map_or(f64::INFINITY, |lost| if buckles { f64::NAN } else { lost.factor });
                 Ok(vec![known(verdict.holds()), known(verdict.sticks()), first, lost])
             }
-            Question::Need(asked) => Ok(vec![grasp.need(asked)?.amount.bound().unwrap_or(f64::INFINITY)]),
+            Question::Need(asked) => {
+                let amount = grasp.need(asked)?.amount;
+                let until = match &amount {
+                    Amount::Bound { until, .. } | Amount::Any { until, .. } => until.as_ref(),
+                    _ => None,
+                };
+                let until = until.map_or(f64::INFINITY, |end| end.sufficient);
+                Ok(vec![amount.bound().unwrap_or(f64::INFINITY), until])
+            }
             Question::Improve(asked) => {
                 Ok(vec![grasp.improve(&self.with_surfaces(grasp, asked))?.after.unwrap_or(f64::INFINITY)])
             }
