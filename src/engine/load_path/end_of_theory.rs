@@ -8,8 +8,6 @@ use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::TooFar;
 use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
-#[cfg(not(feature = "std"))]
-use crate::prelude::*;
 
 impl<const C: usize> LoadPath<'_, C> {
     /// The place, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small, a
