@@ -5,7 +5,6 @@
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::LossVerb;
 use grasp_lcp::need::Need;
-use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, Grasp, Leg, SuctionCup, Wrench};
 use grasp_lcp::{Error, Settings};
 
@@ -71,16 +70,5 @@ fn the_load_and_the_vacuum_it_needs() -> Result<(), Error> {
     assert!((most.amount.bound().expect("a bound") / OPENS - 1.0).abs() < 1e-6, "{most}");
     let least = grasp.need(&Need::squeeze(pull(0.5 * OPENS)))?;
     assert!((least.amount.bound().expect("a bound") / 0.5 - 1.0).abs() < 1e-6, "{least}");
-    Ok(())
-}
-
-/// In the plane a lip has two edges at ±R, of which one opens where `V R = F (R + a)`; the object then tips over the other one.
-#[test]
-fn two_edges_in_the_plane() -> Result<(), Error> {
-    use planar::{Contact, Grasp, SoftFingertip, Wrench};
-    let above = Contact::new([0.0; 2], [0.0, -1.0]).series_stiffness(1e6, 5e5).friction(0.6).suction(VACUUM);
-    let edges = Grasp::new(SoftFingertip::pair(2.0 * RADIUS)?.contacts(&above)?)?;
-    let verdict = edges.hold(Wrench::force_at([0.0, -VACUUM], [ARM, 0.0]))?;
-    assert!((verdict.held_to - RADIUS / (RADIUS + ARM)).abs() < 1e-9, "{verdict}");
     Ok(())
 }

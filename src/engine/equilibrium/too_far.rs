@@ -94,15 +94,6 @@ impl TooFar {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
 
-    /// The verb that begins a sentence about a load that ends here.
-    pub(crate) fn verb(&self) -> &'static str {
-        match self {
-            Self::Buckles => "BUCKLES",
-            Self::Leaks { .. } => "LEAKS",
-            _ => "GOES TOO FAR",
-        }
-    }
-
     /// The caution for answers beyond small motions: "left slips by more than 4 mm: results for small motions no longer apply".
     #[must_use]
     pub fn caution(&self, words: Words) -> String {

@@ -148,13 +148,11 @@ impl<const C: usize> Lost<C> {
 
     /// The verb for this loss. `words` tells the plane from space, on which the vertical direction depends.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
+        if let Some(far) = &self.too_far {
+            let slips = far.is_motion() && self.is_gross_slip && self.factor > NEGLIGIBLE;
+            return if slips { LossVerb::SlipsOut } else { far.into() };
+        }
         match &self.way_out {
-            _ if self.too_far == Some(TooFar::Buckles) => LossVerb::Buckles,
-            _ if matches!(self.too_far, Some(TooFar::Leaks { .. })) => LossVerb::Leaks,
-            _ if self.too_far.is_some() => {
-                let slips = self.is_gross_slip && self.factor > NEGLIGIBLE;
-                if slips { LossVerb::SlipsOut } else { LossVerb::GoesTooFar }
-            }
             way if way.falls(&self.slide, words) => LossVerb::Drops,
             _ if self.takes_the_hand_along() => LossVerb::GivesWay,
             WayOut::LiftsOff { .. } => LossVerb::LiftsOff,
@@ -175,6 +173,17 @@ impl<const C: usize> Lost<C> {
                 LossVerb::TipsOver
             }
             WayOut::Apart { .. } | WayOut::NotKnown => LossVerb::GivesWay,
+        }
+    }
+}
+
+/// The verb for what ends a load without gross slip.
+impl From<&TooFar> for LossVerb {
+    fn from(far: &TooFar) -> Self {
+        match far {
+            TooFar::Buckles => Self::Buckles,
+            TooFar::Leaks { .. } => Self::Leaks,
+            _ => Self::GoesTooFar,
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::contact::State;
 use crate::equilibrium::{Settings, TooFar};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::{Holding, PathFacts, Verdict, VerdictScope};
+use crate::hold::{Holding, LossVerb, PathFacts, Verdict, VerdictScope};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
@@ -328,9 +328,9 @@ impl Loading {
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
         if let Some(end) = path.end_of_theory() {
-            let why = end.what.caution(self.words);
-            let why = if end.what.is_motion() { end.what.to_string() } else { why };
-            return Ok(ends_at(end.fraction * turn.angle(), &end.what.verb(), &why));
+            let caution = end.what.caution(self.words);
+            let why: &dyn fmt::Display = if end.what.is_motion() { &end.what } else { &caution };
+            return Ok(ends_at(end.fraction * turn.angle(), &LossVerb::from(&end.what), why));
         }
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::always(),

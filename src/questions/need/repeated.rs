@@ -8,6 +8,7 @@ use super::question::Demand;
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Wrench};
+use crate::hold::LossVerb;
 use crate::load_path::Leg;
 use crate::numerics::largest;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
@@ -25,7 +26,7 @@ impl Loading {
         let sufficient = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         // Motions beyond the limit of small motions prove neither rest nor that the object stays.
         if let Some(far) = shaken.too_far.as_ref().filter(|_| sufficient == Some(true)) {
-            let says = format!("{} in a cycle: {}", far.verb(), far.caution(self.words));
+            let says = format!("{} in a cycle: {}", LossVerb::from(far), far.caution(self.words));
             return Ok(Trial::insufficient(says, carried(&shaken, legs.len())));
         }
         Ok(match sufficient {
