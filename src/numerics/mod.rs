@@ -104,7 +104,7 @@ pub(crate) use exact_sum::{ExactSum, times_power_of_two};
 pub(crate) use factors::Factors;
 pub(crate) use few_equations::{Equation, MOST_UNKNOWNS, solved};
 pub(crate) use harmonic::Harmonic;
-pub(crate) use increasing::increasing;
+pub(crate) use increasing::{increasing, sort_by_number};
 pub(crate) use into_list::{IntoList, all_some};
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;

@@ -11,13 +11,13 @@
 //! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. Therefore the
 //! second part is compared with the elastic part in every motion, too, for one object and for several bodies.
 
-use nalgebra::{DMatrix, SMatrix, SVector};
+use nalgebra::{SMatrix, SVector};
 
 use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, PositiveBand, Square, dot, mapped, symmetric_eigen};
+use crate::numerics::{IntoList, PositiveBand, Square, chosen, dot, mapped, matrix_of, symmetric_eigen};
 use crate::object::{tangent_stiffness, uses_band};
 use crate::prelude::*;
 use crate::words::LinkKind;
@@ -116,18 +116,21 @@ impl Engine {
             return None;
         }
         let count = size.count();
-        let elastic = DMatrix::from_fn(count, count, |i, j| both.0[(i.max(j), i.min(j))]);
-        let (values, motions) = symmetric_eigen(&elastic);
-        let mut resisted = DMatrix::identity(count, count);
-        for k in (0..count).filter(|k| values[*k] <= NEGLIGIBLE * values[0]) {
-            resisted -= motions.column(k) * motions.column(k).transpose();
+        let (values, motions) = symmetric_eigen(&matrix_of(count, count, &|i, j| both.0[(i, j)]));
+        let mut resisted = Square::zeros(size);
+        for k in 0..count {
+            resisted[(k, k)] = 1.0;
         }
-        let geometric = DMatrix::from_fn(count, count, |i, j| both.1[(i.max(j), i.min(j))]);
-        let geometric = &resisted * geometric * &resisted;
-        for (i, j) in (0..count).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-            let of_free_motions = if i == j { 1.0 } else { 0.0 } - resisted[(i, j)];
-            both.0[(i, j)] += values[0] * of_free_motions;
-            both.1[(i, j)] = geometric[(i, j)];
+        for k in chosen(count, &|k| values[*k] <= NEGLIGIBLE * values[0]) {
+            let motion = &motions.as_slice()[k * count..][..count];
+            resisted.add_product(&mapped(motion, &|x| -x), motion);
+        }
+        both.1 = &(&resisted * &both.1) * &resisted;
+        for j in 0..count {
+            for i in 0..count {
+                let of_free_motions = if i == j { 1.0 } else { 0.0 } - resisted[(i, j)];
+                both.0[(i, j)] += values[0] * of_free_motions;
+            }
         }
         (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
     }
@@ -165,7 +168,7 @@ impl Engine {
         }
         for (i, force) in forces.iter().enumerate() {
             let (Some(length), site) = (self.rope(i), &self.sites()[i]) else { continue };
-            let pull = force.dot(&site.frame.column(0));
+            let pull = force.dot(&site.frame.column(0).into_owned());
             for across in [1, 2].map(|axis| site.map.column(axis)) {
                 stiffness.add_product((&across * (pull / length)).as_slice(), across.as_slice());
             }

@@ -12,7 +12,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, ContactPoints, Hold, WholeContacts, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
-use crate::numerics::{IntoList, largest, mapped, moved};
+use crate::numerics::{IntoList, largest, mapped, moved, sort_by_number};
 use crate::words::opens;
 
 /// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
@@ -76,7 +76,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).list();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
-            fractions.sort_by(f64::total_cmp);
+            sort_by_number(&mut fractions, &|fraction| *fraction);
             fractions.into_iter().map(move |fraction| (leg, fraction))
         };
         let on_the_way = (0..=last).flat_map(on_leg);
@@ -180,7 +180,7 @@ fn shared<const C: usize>(
         }
     }
     let mut highest: Vec<f64> = mapped(&drawn, &|(_, series)| most(series));
-    highest.sort_by(f64::total_cmp);
+    sort_by_number(&mut highest, &|factor| *factor);
     highest.reverse();
     if drawn.len() > MOST_CURVES {
         let least = highest[MOST_CURVES - 1];

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::error::Error;
 use crate::grasp::Contact;
+use crate::numerics::sort_by_number;
 
 /// The contacts at which a pad touches a part, and measures of how well the pad fits.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,7 +71,7 @@ pub(super) fn advance_under(
         let tangential = if point.friction > 0.0 { pull.min(point.friction * normal) } else { 0.0 };
         of_points.push((*gap, normal * along[0] + tangential * sine));
     }
-    of_points.sort_by(|one, other| one.0.total_cmp(&other.0));
+    sort_by_number(&mut of_points, &|(gap, _)| *gap);
     let (mut stiffness, mut moment) = (0.0, 0.0);
     let mut advance = of_points.first().map_or(0.0, |(gap, _)| *gap);
     for (i, (gap, k)) in of_points.iter().enumerate() {

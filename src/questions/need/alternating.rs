@@ -8,6 +8,7 @@ use super::search::TrialFunctions;
 use super::threshold::{Threshold, WidthSchedule};
 use super::trial::Trial;
 use crate::error::Error;
+use crate::numerics::sort_by_number;
 
 /// Number of amounts tried beyond the last one for which an equilibrium at rest is found without the enumeration.
 ///
@@ -29,7 +30,7 @@ impl Threshold {
             let at = presumed + step * f64::from(k);
             list.push((at, tries.at(at)?));
         }
-        list.sort_by(|(one, _), (other, _)| (one - presumed).abs().total_cmp(&(other - presumed).abs()));
+        sort_by_number(&mut list, &|(at, _)| (at - presumed).abs());
         let fails = list.iter().find(|(_, trial)| matches!(trial, Trial::Insufficient { .. })).cloned();
         let Some((sufficient, trial)) = list.into_iter().rfind(|(_, trial)| trial.is_sufficient()) else {
             return Ok(self);

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Each, IntoList, chosen, dot, mapped, numbered};
+use crate::numerics::{Each, IntoList, chosen, dot, mapped, numbered, sort_by_number};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 use crate::sweep::map_in_order;
@@ -224,7 +224,7 @@ impl Loading {
             tried[*k].is_some() && neighbours[*k].iter().all(|other| found[*k].part <= found[*other].part)
         };
         let mut minima: Vec<usize> = chosen(all.len(), &is_least);
-        minima.sort_by(|a, b| found[*a].part.total_cmp(&found[*b].part));
+        sort_by_number(&mut minima, &|k| found[*k].part);
         let mut starts: Vec<([f64; 3], f64, f64)> = Vec::new();
         for k in minima.into_iter().take(MOST_MINIMA) {
             let step = first_step(space);
@@ -252,7 +252,7 @@ impl Loading {
             neighbours.iter().enumerate().flat_map(|(one, near)| near.iter().map(move |other| [one, *other]));
         let mut edges: Vec<[usize; 2]> = pairs.filter(is_edge).list();
         let least = |[one, other]: &[usize; 2]| found[*one].part.min(found[*other].part);
-        edges.sort_by(|a, b| least(a).total_cmp(&least(b)));
+        sort_by_number(&mut edges, &least);
         for [one, other] in edges.into_iter().take(MOST_EDGES) {
             let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
             let mut parts = [found[one].part, found[other].part];

@@ -5,7 +5,7 @@ use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NARROW, NEAR_DOUBLINGS};
 use super::trial::Trial;
 use crate::error::Error;
-use crate::numerics::{increasing, moved, picked};
+use crate::numerics::{increasing, moved, picked, sort_by_number};
 use crate::prelude::*;
 
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
@@ -23,7 +23,7 @@ pub(super) fn refined(
     // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts are missed.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts = picked(vain, &|(at, _)| Some(*at).filter(|at| near(*at)));
-        amounts.sort_by(f64::total_cmp);
+        sort_by_number(&mut amounts, &|at| *at);
         let ratio = |pair: &[f64]| pair[1] / pair[0];
         let Some(widest) = amounts.windows(2).max_by(|a, b| ratio(a).total_cmp(&ratio(b))) else { break };
         let at = (widest[0] * widest[1]).sqrt();

@@ -14,7 +14,7 @@ use super::tolerances::{
 use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Each, IntoList, highest, increasing, mapped, moved, numbered, picked};
+use crate::numerics::{Each, IntoList, highest, increasing, mapped, moved, numbered, picked, sort_by_number};
 use crate::prelude::*;
 
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
@@ -199,7 +199,7 @@ pub(super) fn between_known(
     let mut list: Vec<(f64, Trial)> = known.iter().filter(|(at, _)| is_claimed(*at)).cloned().list();
     let mut is_new = false;
     for count in 0..BETWEEN {
-        list.sort_by(|one, other| one.0.total_cmp(&other.0));
+        sort_by_number(&mut list, &|(at, _)| *at);
         let carries = || where_all_might_be_carried(&list, plan).map(|at| (at, false));
         let vanishes = || where_a_margin_vanishes(&list).map(|at| (at, true));
         let guess = if count < WHERE_MARGINS_VANISH { carries().or_else(vanishes) } else { None };
@@ -274,7 +274,7 @@ fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
 
 /// Sorts amounts, in ascending order if `up`, else in descending order.
 fn in_order(amounts: &mut [f64], up: bool) {
-    amounts.sort_by(f64::total_cmp);
+    sort_by_number(amounts, &|at| *at);
     if !up {
         amounts.reverse();
     }

@@ -21,7 +21,7 @@ use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside};
-use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked};
+use crate::numerics::{IntoList, Space, chosen, largest, mapped, picked, sort_by_number};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -352,7 +352,7 @@ fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
 fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]) -> Option<[f64; 2]> {
     let ample = |at: f64| if is_least { at / sufficient } else { sufficient / at };
     let mut beyond: Vec<_> = known.iter().filter(|(at, _)| ample(*at) > 1.0).list();
-    beyond.sort_by(|(a, _), (b, _)| ample(*a).total_cmp(&ample(*b)));
+    sort_by_number(&mut beyond, &|(at, _)| ample(*at));
     let first = beyond.iter().position(|(_, trial)| matches!(trial, Trial::Insufficient { .. }))?;
     let last = beyond[..first]
         .iter()

@@ -21,7 +21,7 @@ use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{AtRest, VerdictScope};
-use crate::numerics::{Each, IntoList, Space, mapped, picked};
+use crate::numerics::{Each, IntoList, Space, mapped, picked, sort_by_number};
 use crate::object::uses_band;
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -167,8 +167,7 @@ impl<'q> TrialRecord<'q> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind: Vec<_> =
             rests(&lists).filter(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0).list();
-        behind
-            .sort_by(|(one, _), (other, _)| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()));
+        sort_by_number(&mut behind, &|(at, _)| (at - sufficient).abs());
         let (_, here) = *behind.first().filter(|(at, _)| *at == sufficient)?;
         behind.dedup_by_key(|(at, _)| *at);
         let mut alike = behind.into_iter().filter(|(_, there)| same_kinds(here, there));
@@ -192,7 +191,7 @@ impl<'q> TrialRecord<'q> {
         if matches!(self.need.loads, Loads::AnyForce { .. }) {
             amounts.extend(self.quick.borrow().iter().map(|(at, _)| *at));
         }
-        amounts.sort_by(f64::total_cmp);
+        sort_by_number(&mut amounts, &|at| *at);
         let mut all = TriedAmounts { count: 0, from: f64::INFINITY, to: 0.0 };
         for at in amounts {
             if all.count == 0 || at - all.to > APART_IN_A_SCAN * at.abs() {

@@ -13,7 +13,7 @@ use super::springs::StickingSprings;
 use super::watch::{Measured, Watched};
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
-use crate::numerics::Compiled;
+use crate::numerics::{Compiled, by_axis, dot};
 
 /// The data of one grasp, its prepared springs, and the contact forces due to its commands (`squeezed`), computed once for all loads.
 #[derive(Debug, Clone, Copy)]
@@ -115,9 +115,14 @@ fn write<const C: usize>(
     data.set_command_and_clearance(index, [a[0], contact.clearance]);
     a[0] = 0.0;
     if C == 3 {
-        let n = frame.column(0).into_owned();
         // If the command was given along the coordinate axes, it is not rotated into the frame and back, which would round it.
-        a = contact.commanded_in_world().map_or_else(|| frame * a, |u| u - n * n.dot(u));
+        a = if let Some(u) = contact.commanded_in_world() {
+            let normal = &frame.as_slice()[..C];
+            let along = dot(normal, u.as_slice());
+            by_axis(|axis| u[axis] - normal[axis] * along)
+        } else {
+            by_axis(|axis| (1..C).fold(frame[(axis, 0)] * a[0], |sum, k| sum + frame[(axis, k)] * a[k]))
+        };
     } else {
         // The tangent here is always (n_y, -n_x), whichever of the two tangents the caller's frame has.
         let turned = frame[(0, 1)] * frame[(1, 0)] - frame[(1, 1)] * frame[(0, 0)];
