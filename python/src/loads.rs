@@ -1,10 +1,12 @@
 //! Reads loads from Python: an array, a list or a tuple of a force alone, or of a force and a moment.
 
+use std::fmt::Write;
+
 use grasp_lcp::grasp::Wrench;
 use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyMapping, PyString};
+use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping, PyString};
 
 use crate::errors::{of_json, wrong};
 
@@ -14,9 +16,13 @@ const MOST: usize = 6;
 /// Reads a load: `C` components of a force (N), or all components with the moment about the origin (N m), or a mapping as in scenes.
 pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
     if given.cast::<PyMapping>().is_ok() {
-        // Python converts the arrays of the mapping, so that its errors name the key.
-        let columns = given.py().import("grasp_lcp._columns")?;
-        let text: String = columns.call_method1("load_text", (argument, given))?.extract()?;
+        let text = if let Some(text) = given.cast::<PyDict>().ok().and_then(|given| text_of_numbers(given)) {
+            text
+        } else {
+            // Python converts all other mappings, so that its errors name the key.
+            let columns = given.py().import("grasp_lcp._columns")?;
+            columns.call_method1("load_text", (argument, given))?.extract()?
+        };
         let read = |error| of_json(argument, &error);
         return Ok(Wrench::from_components(&match C {
             2 => serde_json::from_str::<Wrench<2>>(&text).map_err(read)?.components().to_vec(),
@@ -32,6 +38,26 @@ pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -
         )));
     }
     Ok(Wrench::from_components(&numbers[..count]))
+}
+
+/// The JSON text of a dictionary whose values are finite numbers, or lists of at most [`MOST`] of them; `None` for all others.
+fn text_of_numbers(given: &Bound<'_, PyDict>) -> Option<String> {
+    let mut text = String::from("{");
+    for (key, value) in given {
+        let key = key.cast_into::<PyString>().ok()?;
+        let key = key.to_str().ok().filter(|key| key.bytes().all(|byte| byte.is_ascii_lowercase()))?;
+        let separator = if text.len() > 1 { "," } else { "" };
+        if value.is_exact_instance_of::<PyFloat>() || value.is_exact_instance_of::<PyInt>() {
+            let number = value.extract::<f64>().ok().filter(|x| x.is_finite())?;
+            write!(text, "{separator}\"{key}\":{number:?}").ok()?;
+        } else {
+            let (numbers, count) = few("", &value).ok()?;
+            let numbers = numbers.get(..count).filter(|numbers| numbers.iter().all(|x| x.is_finite()))?;
+            write!(text, "{separator}\"{key}\":{numbers:?}").ok()?;
+        }
+    }
+    text.push('}');
+    Some(text)
 }
 
 /// The components of a load, force and then moment, in the plane (`axes` 2) or in space (3).
