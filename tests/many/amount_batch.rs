@@ -119,3 +119,28 @@ fn errors_are_of_their_row() {
     }
     assert!(batch(&rows, (Quantity::Friction, Demand::Held)).iter().all(Option::is_none));
 }
+
+/// A bar resists turning with 2 k a² = 10 N m, of which fingers that press with N take 2 N a: before the load acts, it buckles from 100 N on. To hold
+/// the weight W, the fingers need N = W / 2 μ = 10 W.
+#[test]
+fn squeezes_that_buckle_the_grasp_are_none() {
+    let (half, stiffness, mu) = (0.05, 2e3, 0.05);
+    let finger = |x: f64| {
+        let finger = planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e5, stiffness);
+        finger.friction(mu).pressed_with(20.0)
+    };
+    let weights = [5.0, 9.9, 10.1, 20.0];
+    let load = |weight: f64| planar::Wrench::force_at([0.0, -weight], [0.0, -0.1]);
+    let rows: Vec<Row> =
+        weights.iter().map(|w| (vec![finger(-half), finger(half)], [Wrench::ZERO, load(*w)])).collect();
+    for (found, weight) in batch(&rows, (Quantity::Squeeze, Demand::Held)).into_iter().zip(weights) {
+        let press = weight / (2.0 * mu);
+        let buckles = press * half > stiffness * half * half;
+        match found {
+            Some(ShortAmount::Bound(times)) if !buckles => {
+                assert!((20.0 * times / press - 1.0).abs() < 1e-6, "{weight} {times}");
+            }
+            found => assert_eq!((found, buckles), (Some(ShortAmount::None), true), "{weight}"),
+        }
+    }
+}
