@@ -51,7 +51,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             made += 1;
             let mut part = 1.0;
             let mut next = self.iterate_at(&point.r + &step);
-            // Shortest fraction of a step that the line search tries.
+            // Shortest fraction of a Newton step that the line search tries.
             let shortest = 1e-3;
             while next.size > (1.0 - SUFFICIENT_DECREASE * part) * point.size && part > shortest {
                 part *= 0.5;
@@ -86,7 +86,8 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, residual, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The Newton step; its components along forces that the equations do not determine are zero. `None` if it is not finite.
+    /// The Newton step; it is zero along forces that the equations do not determine, as those of redundant contacts. `None` if the step is not
+    /// finite.
     fn step(&self, point: &Iterate<C>) -> Option<DVector<f64>> {
         let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
