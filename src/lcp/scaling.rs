@@ -27,7 +27,7 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// The factor row_i / 2^ρ_i by which rounding ρ_i to an integer changes the balanced row i.
+    /// The factor row_i / 2^ρ_i of the balanced row i, due to rounding of the exponent ρ_i to an integer.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -124,7 +124,7 @@ impl Scaling {
         }
     }
 
-    /// The factor 2^γ_j / column_j by which rounding γ_j to an integer changes the balanced z_j.
+    /// The factor 2^γ_j / column_j of the balanced z_j, due to rounding of the exponent γ_j to an integer.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }
