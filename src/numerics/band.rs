@@ -38,12 +38,10 @@ impl Band {
         }
     }
 
-    /// All stored entries, in unspecified order.
     pub(crate) fn entries_mut(&mut self) -> &mut [f64] {
         &mut self.entries
     }
 
-    /// The largest absolute value of an entry.
     pub(crate) fn amax(&self) -> f64 {
         self.entries.iter().fold(0.0, |most, x| most.max(x.abs()))
     }
@@ -112,7 +110,7 @@ impl Band {
 pub(crate) struct BandFactors {
     /// U on and above the diagonal, L below it.
     band: Band,
-    /// For each row k, the number of rows from row k down to the row that was exchanged with it as pivot row; 0 without an exchange.
+    /// For each row k, the distance to the row below that was exchanged with it as pivot row; 0 without an exchange.
     pivots: Vec<usize>,
     /// Indices of the columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
     without_pivot: Vec<usize>,
@@ -144,7 +142,7 @@ impl BandFactors {
         mapped(&self.without_pivot, &from)
     }
 
-    /// The stored column k, starting `above` rows above the diagonal.
+    /// The stored column k of the factors, starting `above` rows above the diagonal.
     fn column(&self, k: usize, above: usize) -> &[f64] {
         let half_bandwidth = self.band.half_bandwidth;
         let height = 3 * half_bandwidth + 1;
@@ -157,7 +155,7 @@ impl BandFactors {
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], half_bandwidth.min(count - 1 - k));
-            // A zero in the right-hand side changes no later row. A right-hand side due to the force of one contact has many zeros.
+            // A zero in the right-hand side changes no later row. The right-hand side of a single contact's force has many zeros.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);

@@ -59,7 +59,7 @@ impl Harmonic<f64> {
     pub(crate) fn work_on(&self, moved: &Self, angle: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         let (mixed, squares) = (0.5 * sin * sin, [0.5 * (angle + sin * cos), 0.5 * (angle - sin * cos)]);
-        // 1 - cos φ, computed without cancellation.
+        // 1 - cos φ as sin φ tan(φ/2), which has no cancellation.
         let versine = sin * (0.5 * angle).tan();
         let versine = if cos > 0.0 { versine } else { 1.0 - cos };
         self.constant * (moved.sine * sin - moved.cosine * versine)

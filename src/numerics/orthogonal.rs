@@ -18,11 +18,11 @@ use crate::prelude::*;
 /// and Π permutes columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Orthogonal {
-    /// Q row by row; entries in columns from `rank` on are zero.
+    /// Q row by row; entries in columns from number `rank` on are zero.
     q: Vec<f64>,
     r: Square,
-    /// The reciprocals of the diagonal entries of R11. A multiplication takes a third of the time of a division, and each division would wait for the
-    /// previous one.
+    /// The reciprocals of the diagonal entries of R11. A multiplication takes a third of the time of a division, and successive divisions would
+    /// wait for each other.
     over_diagonal: Vector,
     order: Indices,
     rank: usize,
@@ -48,7 +48,7 @@ impl Orthogonal {
         Self { q: Vec::new(), r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
-    /// Factorises the matrix with other rows in the same memory.
+    /// Factorises another matrix, given by its rows, in the memory of these factors.
     pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
             *self = Self { q: core::mem::take(&mut self.q), ..Self::of(size) };
@@ -60,7 +60,7 @@ impl Orthogonal {
             let row = row.as_slice();
             to[..row.len()].copy_from_slice(row);
         }
-        // For three and for six columns the compiler knows the length of the loops.
+        // With three or six columns the compiler knows the length of the loops.
         self.rank = match d {
             3 => factorise(3, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
             6 => factorise(6, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
@@ -76,7 +76,7 @@ impl Orthogonal {
         self.rank
     }
 
-    /// Row i of Q; its entries from `rank` on are zero.
+    /// Row i of Q; its entries from number `rank` on are zero.
     pub(crate) fn row(&self, i: usize) -> &[f64] {
         let d = self.size().count();
         &self.q[i * d..(i + 1) * d]
@@ -196,7 +196,7 @@ fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     }
 }
 
-/// Subtracts from each entry of x the product of its row with y.
+/// Subtracts from each entry of x the dot product of its row of `q` with y.
 #[inline(always)]
 fn subtract_rows(d: usize, q: &[f64], y: &[f64], x: &mut [f64]) {
     let y = &y[..d];

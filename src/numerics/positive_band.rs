@@ -19,7 +19,6 @@ impl PositiveBand {
         Self { entries: vec![0.0; count * (half_bandwidth + 1)], height: half_bandwidth + 1 }
     }
 
-    /// Sets all entries to zero without new memory.
     pub(crate) fn clear(&mut self) {
         self.entries.fill(0.0);
     }

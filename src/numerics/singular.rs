@@ -87,7 +87,7 @@ impl Singular {
     }
 }
 
-/// The tangent of the angle by which two columns are turned to become orthogonal; `None` if they are orthogonal already.
+/// The tangent of the angle by which columns i and j are rotated to become orthogonal; `None` if they are orthogonal already.
 fn rotation(columns: &DMatrix<f64>, i: usize, j: usize) -> Option<f64> {
     let (a, b) = (columns.column(i), columns.column(j));
     let (a2, b2, ab) = (a.norm_squared(), b.norm_squared(), a.dot(&b));
@@ -112,8 +112,8 @@ fn rotate(columns: &mut DMatrix<f64>, i: usize, j: usize, tangent: f64) {
 
 /// The eigenvalues of a symmetric matrix, from the largest to the smallest, with their unit vectors as columns.
 pub(crate) fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
-    // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal, no eigenvalue is negative, so
-    // eigenvalues are singular values.
+    // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal no eigenvalue is negative, so
+    // that eigenvalues are singular values.
     let mut shift = 0.0_f64;
     for row in matrix.row_iter() {
         shift = shift.max(row.lp_norm(1));
