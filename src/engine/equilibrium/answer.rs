@@ -182,7 +182,7 @@ pub(crate) struct LocalAnswer {
     /// The motion of the object in the engine's coordinates, about the centroid of the contacts.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
-    /// Commanded displacements minus clearance and `slips`, m, in the contact frames.
+    /// Finger offsets, m, in the contact frames: commanded displacements minus clearance and minus `slips`.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
     /// The slips accumulated along a load path, m; they were subtracted from `offsets`.
     pub(crate) slips: Vec<SVector<f64, 3>>,

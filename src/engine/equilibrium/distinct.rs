@@ -30,8 +30,9 @@ impl Engine {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            // The numbers given for grasp and load are rounded. For the exact numbers a gap, force, slip or margin below this fraction of the size of
-            // its terms may be zero. Normals, arms and their products have errors of a few 1e-16, which even well-posed grasps magnify a hundredfold.
+            // The numbers given for grasp and load are rounded. For the exact numbers, a gap, force, slip or margin below this fraction of the
+            // size of its terms may be zero. Normals, arms and their products have errors of a few 1e-16, which even well-posed grasps magnify a
+            // hundredfold.
             let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,
