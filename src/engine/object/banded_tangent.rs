@@ -31,8 +31,8 @@ pub(crate) fn uses_band(coordinates: Size) -> bool {
     coordinates.count() >= 36
 }
 
-/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors. A has the stretches of springs per unit of each coordinate, B their push
-/// directions.
+/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors. A has the stretches of springs per unit of each coordinate, B the
+/// directions in which springs push.
 #[derive(Debug, Clone)]
 pub(crate) struct BandedTangent {
     /// Position of each coordinate in the order of coordinates that makes the band of T narrow.

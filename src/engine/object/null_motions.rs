@@ -28,8 +28,8 @@ pub(super) struct NullMotions {
     pub(super) neutral: Vec<Vector>,
     /// Left null vectors z of T with B z = 0: virtual motions along which no spring pushes. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,
-    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z. These vectors, with an entry for each spring, are
-    /// orthonormal.
+    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z. The vectors B z have an entry for each spring and
+    /// are orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
@@ -89,9 +89,9 @@ impl NullMotions {
     }
 
     /// Whether no spring forces can balance the load under the given contact offsets. `x` holds the scaled force of each spring that the offsets
-    /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces `x`. If
-    /// the load and these forces together do more work along z than rounding explains, they cannot be in balance. `growth` is the factor by which the
-    /// LU factors amplify rounding.
+    /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces
+    /// `x`. If the load and the forces `x` together do more work along z than rounding explains, they cannot be in balance. `growth` is the
+    /// factor by which the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: &dyn Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + (a * b).abs());
@@ -151,8 +151,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if the norm of its stretches is at most this fraction of the largest stretch per unit motion of any spring. A motion
-        // that stretches even the softest springs exceeds the fraction 1e-6.
+        // A unit motion is free if the norm of the stretches that it causes is at most this fraction of the largest stretch of any spring under
+        // a unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;
@@ -160,8 +160,8 @@ fn sorted_null_vectors(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // The tangent stiffness T is singular along a motion if the spring forces of its stretches balance: their resultant wrench is at most this
-        // fraction of the norm of the stretches. The comparison is false for NaN.
+        // The tangent stiffness T is singular along a motion if the spring forces that it causes balance. Their resultant wrench is then at most
+        // this fraction of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;
