@@ -1,9 +1,8 @@
 //! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
-//! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
-//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, which
-//! is the force of the contact in the last round of the method:
-//!
+//! Some sum of admissible contact forces f_i comes nearest to balancing the load W, and leaves the residual `v = Σ G_i f_i + W` with the grasp
+//! maps G_i. An augmented Lagrangian with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This
+//! force depends on a multiplier λ_i, the force of the contact in the last round of the method:
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
 //! ```
@@ -25,8 +24,8 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion with a
-/// force.
+/// The round friction cone of a contact, or one generator of a cone that is not round, as a part of the augmented Lagrangian. It responds to a
+/// motion with a force.
 struct PenalisedCone {
     /// The coordinates that the contact couples, each by its position in the order `numbers`, with its row of the contact's grasp map. The map is
     /// scaled so that a unit force along the first axis has a wrench of length one.
@@ -66,8 +65,8 @@ impl PenalisedCone {
     }
 }
 
-/// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) that makes the band of the Newton matrix
-/// narrow.
+/// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) in which the Newton matrix is a narrow
+/// band.
 struct AugmentedLagrangian {
     contacts: Vec<PenalisedCone>,
     numbers: Vec<usize>,
@@ -96,7 +95,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow. They remove rounding from the
+    // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow, which remove rounding from the
     // separating motion, since users see it.
     while more < 6 && clearer < 4 {
         // A round ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with the penalty ρ,
@@ -203,7 +202,7 @@ impl AugmentedLagrangian {
         Some(norm(&left))
     }
 
-    /// The imbalance `W + Σ G f - v` of the load W, the contact forces f with grasp maps G, and the residual v.
+    /// The imbalance `W + Σ G_i f_i - v` of the load W, the contact forces f_i with grasp maps G_i, and the residual v.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {
