@@ -11,12 +11,12 @@ use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
-/// Result of checking proposed contact states.
+/// Result of the check of proposed contact states.
 #[derive(Debug, Clone)]
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
     Violated {
-        /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
+        /// Whether the violation of a condition may be rounding. It then does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: ForcesAndTwist,
-    /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
+    /// Whether the violation of a condition may be rounding. It then does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
@@ -56,8 +56,8 @@ pub(super) fn admit(
 ) -> Result<SearchSolution, RejectedStates> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // To compute the factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this
-    // factor, so it is computed on demand.
+    // The factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this factor,
+    // so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
         // A violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| linear_problem.growth())
@@ -69,8 +69,8 @@ pub(super) fn admit(
     // times the factor by which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero
     // is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
-        // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
-        // inequalities.
+        // In these contact states the solution is not unique. The solution of least norm violates an inequality, but another solution may
+        // satisfy all inequalities.
         let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         motions.extend(mapped(&neutral_motions, &|v| (v.clone(), linear_problem.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
@@ -88,8 +88,8 @@ pub(super) fn admit(
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a clear
-        // violation. The proposal is refused, but its failure proves nothing.
+        // A violation of up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a
+        // clear violation. The proposed states are refused, but this proves nothing.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);

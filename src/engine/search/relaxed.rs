@@ -17,7 +17,7 @@
 //! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
 //! ```
 //!
-//! where δ, nearly zero, is the largest of the products on the left of the second relation. The vector y contradicts every equilibrium whose
+//! Here δ, nearly zero, is the largest of the products on the left of the second relation. The vector y contradicts every equilibrium whose
 //! coefficients s have a sum below `|y|²/δ`.
 
 use nalgebra::SVector;
@@ -92,7 +92,7 @@ impl BalanceEquation {
         NearestPoint::new(&self.target)
     }
 
-    /// Writes `e + P (f - e)` into `column`, with the stretch e and the force f of a generator of a contact, and the projector P.
+    /// Writes `e + P (f - e)` into `column`, with the projector P and the stretch e and force f of the generator `ray` of a contact.
     fn column(&self, contact: usize, ray: &HullRay, column: &mut Vec<f64>) {
         let size = self.target.len();
         column.clear();
@@ -107,7 +107,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The projection `P y`, with the projector P of the equation.
+    /// Writes the projection `P y`, with the projector P of the equation, into `projected`.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();
@@ -143,7 +143,8 @@ impl BalanceEquation {
     ) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have been added since the distance last shrank. They are not added again before it shrinks, so that the loop cannot cycle.
+        // Generators that have been added since the distance last decreased. They are not added again before it decreases, so that the loop
+        // cannot cycle.
         let mut tried: Vec<GeneratorIndex> = Vec::new();
         let mut least = f64::INFINITY;
         // At most forty generators are added for each row of the equation.
@@ -153,7 +154,7 @@ impl BalanceEquation {
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            // A distance that shrinks by less than this fraction is taken as unchanged.
+            // A decrease of the distance by less than this fraction counts as no decrease.
             if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
@@ -183,7 +184,7 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // The case is not clearly contradicted. The caller divides it further, which never excludes an equilibrium.
+        // The case is not clearly contradicted. The caller divides the case further, which never excludes an equilibrium.
         self.sum(hulls, nearest)
     }
 
@@ -204,8 +205,8 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The difference between f⁰ and the nearest point, written as a proof that a case has no equilibrium: a virtual motion of the object, and
-    /// virtual forces of the contacts that balance one another.
+    /// The difference between f⁰ and the nearest point, as a proof that a case has no equilibrium: a virtual motion of the object, and virtual
+    /// forces of the contacts that balance one another.
     pub(super) fn contradiction(
         &self,
         trial: &LinearProblem,

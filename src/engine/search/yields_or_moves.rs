@@ -28,7 +28,6 @@ fn whole(draw: &mut Draw, most: f64) -> f64 {
     (draw.normal() * most).round().clamp(-most, most)
 }
 
-/// A random whole number from 0 to `count - 1`.
 fn one_of(draw: &mut Draw, count: usize) -> usize {
     (0..16).fold(0, |bits, _| 2 * bits + usize::from(draw.sign() > 0.0)) % count
 }
