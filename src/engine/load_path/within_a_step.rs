@@ -1,5 +1,5 @@
-//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The condition
-//! is a force inside the friction cone or, for an open contact, a gap that is not negative.
+//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The
+//! condition is a force inside the friction cone or, for an open contact, a gap that is not negative.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic polynomial through
 //! the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is estimated. A margin `μ F_n - |F_t|` is
@@ -16,11 +16,11 @@ use super::segment::{PathPoint, Segment};
 use crate::contact::{Coulomb, Mode, State};
 use crate::numerics::{Each, least};
 
-/// The four Bézier points of a piece of the cubic.
+/// The four Bézier points of a piece of a cubic polynomial.
 type BezierPoints = [SVector<f64, 3>; 4];
 
-/// A contact force or a gap as a cubic polynomial along a step. Its margin must stay positive. The margin is the gap itself, the normal force, or `μ
-/// F_n - |F_t|`.
+/// A contact force or a gap as a cubic polynomial along a step, with a margin that must stay positive. The margin is the gap itself, the normal
+/// force, or `μ F_n - |F_t|`.
 pub(super) struct BoundedCubic {
     points: BezierPoints,
     /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
@@ -32,9 +32,9 @@ pub(super) struct BoundedCubic {
     allowed_violation: f64,
 }
 
-/// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates its condition; the condition may hold again
-/// at the end. If the step is too long for a decision about a contact, the fraction for this contact is one half. `None` if all conditions hold
-/// within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
+/// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates the condition of its state; the
+/// condition may hold again at the end. If the step is too long for a decision about a contact, the fraction for this contact is one half.
+/// `None` if all conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -81,7 +81,7 @@ impl BoundedCubic {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
         // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding error of a margin, relative to the terms whose difference it is. A smaller violation is ignored.
+        // The rounding error of a margin, relative to the terms whose difference the margin is. A smaller violation is ignored.
         let rounded = 2e-13;
         let allowed_violation = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
@@ -96,8 +96,8 @@ impl BoundedCubic {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`, the error of margins; one half if this is
-    /// not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
+    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`, the error of margins. One half if this
+    /// is not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
     pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // At most two hundred pieces of the cubic are examined; then the step is taken as too long.

@@ -1,5 +1,5 @@
-//! Errors of contact forces that a step made at once shares with the same step made in two halves. The difference between the two does not reveal
-//! these errors.
+//! Errors of contact forces that a step made at once shares with the same step made in two halves, so that the difference between the two does
+//! not reveal them.
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`, a change of the twist. Let a contact have the grasp map G,
 //! springs of stiffness K (k_n along the normal), the stretch v and the coefficient of friction μ. Over the step the rate of its spring force, times
@@ -28,8 +28,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers only errors that the difference from the
-    /// step made at once does not show. `at` are the states at the beginning, middle and end of the step.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves, as far as the difference from the step made at
+    /// once does not show it. `at` are the states at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }
