@@ -65,7 +65,7 @@ impl Band {
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut without_pivot) = (Vec::with_capacity(count), Vec::new());
-        // The rightmost column that any row reaches after the row exchanges so far.
+        // The rightmost column that any row reaches after the row exchanges up to now.
         let mut last = 0;
         for k in 0..count {
             let below = half_bandwidth.min(count - 1 - k);
@@ -149,7 +149,7 @@ impl BandFactors {
         &self.band.entries[k * height..(k + 1) * height][2 * half_bandwidth - above..]
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `A x = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `A x = b` for the factored matrix A.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         let (count, half_bandwidth) = (self.band.count, self.band.half_bandwidth);
         for (k, pivot) in self.pivots.iter().enumerate() {
@@ -164,7 +164,7 @@ impl BandFactors {
         self.back_substitute(x);
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `U x = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `U x = b` with the upper triangular factor U.
     fn back_substitute(&self, x: &mut [f64]) {
         for k in (0..self.band.count).rev() {
             let above = (2 * self.band.half_bandwidth).min(k);
@@ -175,7 +175,7 @@ impl BandFactors {
         }
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `Aᵀx = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `Aᵀx = b` for the factored matrix A.
     pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
         let (count, half_bandwidth) = (self.band.count, self.band.half_bandwidth);
         for k in 0..count {

@@ -72,9 +72,9 @@ impl Bordered {
             order.swap(k, pivot);
         }
         let inverse = inverse(top[k])?;
-        // The inverse is stored, since a pivot is only used as a divisor.
+        // The inverse of the pivot is stored, since a pivot is only used as a divisor.
         top[k] = inverse;
-        // Components of this row up to the pivot are zero, so that loops of fixed length may run over all components.
+        // Components of the pivot row up to the pivot are set to zero, so that loops of fixed length may run over all components.
         let row = Vector::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
         let open = k + 1..d;
         let row = &row.as_slice()[open.clone()];

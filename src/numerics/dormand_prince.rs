@@ -19,7 +19,7 @@ type Sum = &'static [(usize, f64)];
 struct Tableau {
     /// Coefficients a_sj of each stage after the first, row by row.
     ways: [Sum; 11],
-    /// Weights b_s of the stages in the result of the step.
+    /// Weights b_s of the stages s in the result of the step.
     weights: Sum,
     /// Weights of the stages in the error estimate by the embedded formula of order 5.
     fifth: Sum,

@@ -19,12 +19,11 @@ impl<X> Harmonic<X> {
         Self { constant, cosine, sine }
     }
 
-    /// The image of x(φ) under a linear function.
     pub(crate) fn map<Y>(&self, mut by: impl FnMut(&X) -> Y) -> Harmonic<Y> {
         Harmonic { constant: by(&self.constant), cosine: by(&self.cosine), sine: by(&self.sine) }
     }
 
-    /// The coefficients x₀, x_c and x_s.
+    /// The coefficients x₀, x_c and x_s of `x(φ) = x₀ + x_c cos φ + x_s sin φ`.
     pub(crate) fn parts(&self) -> [&X; 3] {
         [&self.constant, &self.cosine, &self.sine]
     }

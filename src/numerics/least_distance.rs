@@ -39,7 +39,7 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
         // If every generator a of the cone has `a·r <= 0` with the residual r, up to rounding, the closest point of the cone is found.
         if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
-            // If the last component of the residual is zero, no τ satisfies all rows.
+            // If the last component of the residual is zero, no vector τ satisfies all inequalities.
             return (last[0] > NEGLIGIBLE).then(|| mapped(parts, &|r| -r / last[0] * largest));
         }
         if !nearest.add_generator(most, &generators[most], &target) {

@@ -56,7 +56,7 @@ impl PositiveBand {
         Some(())
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `L Lᵀ x = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `L Lᵀ x = b` with the Cholesky factor L.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         for (k, column) in self.entries.chunks_exact(self.height).enumerate() {
             x[k] /= column[0];

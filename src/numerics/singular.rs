@@ -13,7 +13,8 @@ use super::tolerances::FEW_ROUNDINGS;
 use super::without_std::FloatFunctions;
 use crate::prelude::*;
 
-/// `M = U diag(values) Vᵀ`, from the largest value to the smallest, with as many values and right vectors as M has columns.
+/// The singular value decomposition `M = U diag(values) Vᵀ` of a matrix M, from the largest value to the smallest, with as many values and right
+/// vectors as M has columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Singular {
     pub(crate) values: Vec<f64>,
@@ -64,7 +65,7 @@ impl Singular {
         })
     }
 
-    /// The least-squares solution x of `M x = vector`, of least norm; singular values up to `least` count as zero.
+    /// The least-squares solution x of `M x = vector`, of least norm, for the decomposed matrix M; singular values up to `least` count as zero.
     pub(crate) fn solve(&self, vector: &DVector<f64>, least: f64) -> DVector<f64> {
         let mut solution = DVector::zeros(self.values.len());
         for (k, part) in self.along(vector).into_iter().enumerate() {

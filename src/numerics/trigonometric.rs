@@ -127,7 +127,7 @@ impl Trigonometric {
 /// The first zero in (0, end] of the polynomial with coefficients `p` at which it changes from positive to negative. Otherwise the first point
 /// where it touches zero to within `rounding`; `None` without such a point.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
-    // On (0, 1] no zero exists if the constant coefficient exceeds the magnitude of the sum of all negative coefficients.
+    // No zero exists on (0, 1] if the constant coefficient exceeds the magnitude of the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {
         return None;
     }
@@ -138,7 +138,7 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     for &high in bends.list().iter().chain([&end]) {
         let next = horner(p, high);
         if next < -rounding {
-            // If the polynomial starts at zero, or slightly below by rounding, the zero is the start.
+            // If the polynomial is zero at the start, or slightly negative by rounding, the start is the zero.
             let root = if value > 0.0 { root_between(p, low, high) } else { low };
             return Some(FirstZero::At(root));
         }
