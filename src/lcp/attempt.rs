@@ -107,7 +107,8 @@ impl Workspace {
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // Separating nearly tied ratios takes few pivots, if it is possible. Without this limit large degenerate problems would run for long.
+        // A few more pivots separate nearly tied ratios, if they can be separated at all. Without this limit large degenerate problems would run
+        // for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

@@ -31,7 +31,7 @@ use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
 use crate::prelude::*;
 
-/// A variable of the augmented problem: w_i, z_i, or the covering variable z₀.
+/// A variable of the augmented problem w = q + M z + d z₀: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LemkeVariable {
     W(usize),
@@ -59,7 +59,8 @@ pub(super) struct Dictionary {
     kept: Vec<usize>,
     /// For each w_i, the position of its stored column D_{w_i} in `columns`, counted from 0; `None` if w_i is basic.
     slot: Vec<Option<usize>>,
-    /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another.
+    /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another. Entry r of D_v is the change of the basic variable of
+    /// row r per unit of v.
     columns: Vec<f64>,
     /// Values x of the basic variables, one for each row.
     pub(super) x: Vec<f64>,

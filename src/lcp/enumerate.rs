@@ -143,7 +143,7 @@ impl Search<'_> {
             z[*i] = *value;
         }
         let mut point = LcpPoint::new(z, lcp);
-        // Residuals are checked before negative entries are set to zero, so that entries more negative than noise fail.
+        // Residuals are checked before negative entries of z are set to zero, so that a point with entries more negative than noise fails.
         if !point.residuals(lcp).within(tolerance) {
             return None;
         }

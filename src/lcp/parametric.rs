@@ -12,7 +12,7 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Direction of τ along a piece of the path of solutions. On a piece the basis does not change.
+/// Direction of the parameter τ along a piece of the path of solutions. On a piece the basis does not change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ increases.
@@ -27,7 +27,7 @@ pub enum Trend {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {
-    /// τ at the breakpoint; it may be negative on a path that has turned back.
+    /// The parameter τ at the breakpoint; it may be negative on a path that has turned back.
     pub tau: f64,
     /// Solution z at the breakpoint (n entries, none negative).
     pub z: DVector<f64>,

@@ -35,7 +35,7 @@ pub(super) fn blocking_row(
     settings: &Settings,
 ) -> Option<usize> {
     let least = -noise;
-    // The parameter of a family of problems may have any sign, so its row does not block the entering variable.
+    // The parameter z₀ of a family of problems may have any sign, so its row does not block the entering variable.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {

@@ -61,7 +61,7 @@ impl Scaling {
         self.round();
     }
 
-    /// Solves the least-squares problem of the balancing exponents ρ and γ over the nonzero entries of [M, q].
+    /// Solves the least-squares problem of the balancing exponents ρ (rows) and γ (columns) over the nonzero entries of [M, q].
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::append(q, &mut self.rows, &mut self.columns);
         let mut list = core::mem::take(&mut self.pattern);
@@ -87,7 +87,8 @@ impl Scaling {
         refill(&mut self.direction, n, 0.0);
         refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
-        // Contact problems need about ten steps of conjugate gradients. Long chains of contacts need more, but the later steps change little.
+        // Problems of contacts need about ten steps of conjugate gradients. Long chains of contacts need more, but the later steps change
+        // little.
         for _ in 0..24 {
             // The preconditioner divides the residual of each row by the number of nonzero entries of the row.
             let mut size = 0.0;
