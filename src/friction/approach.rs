@@ -118,7 +118,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
     /// to the forces of this round. After a round that fails, the anchor becomes the old anchor improved by sweeps. Returns whether the residual of
     /// the best forces is within the tolerance.
     fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
-        // Weight of the proximal term in the first round.
+        // Weight of the proximal term, which holds the forces near the anchor, in the first round.
         let mut delta = 1e-3;
         for _ in 0..self.settings.rounds {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
@@ -137,7 +137,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             // of its terms.
             if point.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * point.terms) {
                 r = point.r;
-                // A converged round reduces the weight of the proximal term; a failed round increases it.
+                // A converged round reduces the weight of the proximal term, which holds the forces near the anchor; a failed round increases
+                // it.
                 delta = (0.1 * delta).max(1e-10);
             } else {
                 delta = (3.0 * delta).min(1.0);

@@ -68,12 +68,12 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // The parameter τ of the last point on the path, and the factor by which τ is reduced for the next point.
+    // The parameter τ of the last point on the central path, and the factor by which τ is reduced for the next point.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     // Factor of τ between the first two points of the path; later factors adapt to the number of Newton steps.
     let slow = 0.2;
-    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's method has
-    // lost the path if it converges only for a reduction of τ by a factor above 0.9.
+    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's
+    // method has lost the path if it converges only for a factor of τ above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made
@@ -97,7 +97,7 @@ pub(super) fn follow<const C: usize>(
                 factor
             };
         } else if first {
-            // A larger τ puts the starting point of the path farther inside the cones.
+            // A larger parameter τ puts the starting point of the path farther inside the cones.
             tau /= slow;
             if tau > 1e3 * energy {
                 break;

@@ -40,13 +40,13 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // Shortest step along the path. The path is given up where a step would have to be shorter.
+        // Shortest step along the path; the path ends where a step would have to be shorter.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);
             let onward = next.and_then(|(next, corrections)| {
                 let then = path.tangent(&next, &ahead, &measure)?;
-                // The step is shortened if the tangent turns by more than 45°.
+                // The step is shortened if the tangent of the path turns by more than 45° in it.
                 (then.dot(&ahead.component_mul(&measure)) >= 0.7).then_some((next, corrections))
             });
             if let Some((next, corrections)) = onward {
@@ -122,7 +122,8 @@ impl<const C: usize> Path<'_, C> {
         (residual, near, change)
     }
 
-    /// Diagonal of the metric for changes of forces and ln τ along the path. Forces are measured relative to their size at x.
+    /// Diagonal of the metric for changes of forces and ln τ along the path with the parameter τ. Forces are measured relative to their size at
+    /// x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy = total(self.problem.len(), &|i| x.rows(C * i, C).norm_squared() / self.rho[i]);

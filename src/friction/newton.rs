@@ -15,9 +15,9 @@ struct Iterate<const C: usize> {
     r: DVector<f64>,
     /// The residual r − Π(ζ): r are the forces, Π is the return map, and ζ = r − ρ u are its trial values for the velocities u.
     residual: DVector<f64>,
-    /// Derivative of each contact's return map Π with respect to its trial value ζ.
+    /// Derivative of each contact's return map Π, from the trial value ζ to the force, with respect to ζ.
     changes: Vec<SMatrix<f64, C, C>>,
-    /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts.
+    /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts; ρ converts velocities to forces.
     size: f64,
     /// Norm, as for `size`, of the forces r and the scaled velocities ρ u together: the terms whose differences are the residual.
     terms: f64,
@@ -59,7 +59,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             if part <= shortest {
                 if point.size <= SOLVED_ROUNDING * point.terms {
-                    // The residual is at the level of rounding errors.
+                    // No fraction of the step reduces the residual enough, and the residual is at the level of rounding errors.
                     break;
                 }
                 next = self.iterate_at(&point.r + &step);
