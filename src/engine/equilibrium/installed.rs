@@ -24,7 +24,7 @@ impl Engine {
         let stiffness: Vec<f64> = mapped(&pressed, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
         let mut commands: Vec<SVector<f64, 3>> = mapped(self.contacts(), &|contact| contact.command);
         let mut missing = self.missing(&commands, &pressed)?;
-        // Limit on Newton steps. One is enough while no contact changes its state; each change of state may take one more.
+        // Upper limit of Newton steps. One step is enough while no contact changes its state; each change of state may take one more step.
         for _ in 0..20 {
             let worst = missing
                 .iter()
@@ -68,8 +68,8 @@ impl Engine {
         let Outcome::Equilibrium(state) = outcome else {
             return Err(self.not_held(pressed[0].0, pressed[0].1));
         };
-        // In a slack link the gap times the stiffness is added to the missing tension. The missing tension thus depends on the command even if the
-        // link is slack.
+        // If the link is slack, the gap times the stiffness is added to its missing tension (given tension less present tension). The missing
+        // tension thus depends on the command even then.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
         Ok(DVector::from_iterator(pressed.len(), each))

@@ -46,8 +46,8 @@ impl Engine {
         let left_out = rotation.dot(
             &(self.stiffness_of_arms(0, self.origin(), &forces_in(&rest.contacts), &Wrench::ZERO) * rotation),
         );
-        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger threshold would hide
-        // a loss of stability until it is near.
+        // A fraction of the resistance up to a tenth is not returned. A smaller threshold would add a caution to ordinary verdicts; a larger
+        // threshold would hide a loss of stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 

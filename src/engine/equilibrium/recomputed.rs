@@ -260,7 +260,7 @@ impl Engine {
         // If no contact carries a force, the computed forces are rounding. Their size is proportional to the force that displacements could
         // cause in a spring.
         force_size += spring_force;
-        // The size of moments is the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
+        // Moments are compared with the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();

@@ -185,7 +185,7 @@ impl Engine {
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
-        // Contact points coincide if their distances are below this fraction of their coordinates, which is the rounding of their centroid.
+        // All contact points coincide if their distances are below this fraction of their coordinates: the rounding error of their centroid.
         if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;
         }

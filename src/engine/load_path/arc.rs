@@ -39,8 +39,9 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand side.
-    /// They are computed on first use, because the rates at which friction forces turn can be computed without them.
+    /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand
+    /// side, q the twist and λ the load factor. They are computed on first use, because some questions (how fast friction forces turn) do not
+    /// need them.
     fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -52,7 +53,8 @@ struct ConstantTerms {
     /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since T
     /// would otherwise be singular. The object then moves along it with its velocity in `Arc::free_motions`, which may be zero.
     stiffness: PathStiffness,
-    /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide, and from the velocities of free motions.
+    /// The terms of the right-hand side b of `T q' = b λ'` (twist q, load factor λ) from commands of contacts that do not slide, and from the
+    /// velocities of free motions.
     push: Vector,
 }
 
@@ -279,7 +281,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
+        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the square root of the
+        // number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
         // compared with the load at the start of the leg.
@@ -312,8 +315,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Next to a fold of the path each round leaves a quarter of the distance of friction forces from their cones. More than four rounds
-            // are made only while each round leaves less than a third.
+            // Next to a fold of the path each correction round leaves a quarter of the distance of friction forces from their cones. More than
+            // four rounds are made only while each leaves less than a third.
             if round > 3 && off > 0.3 * last {
                 break;
             }
@@ -327,8 +330,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
-            // then corrected again.
+            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces,
+            // and is corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {

@@ -82,7 +82,7 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution of the complementarity problem for the rates.
+    /// The method that found the solution of the complementarity problem for the rates.
     pub rule: FoundBy,
 }
 
@@ -145,7 +145,8 @@ pub(super) fn beyond_end(
             _ => beyond,
         };
     }
-    // With many contacts the search may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove that none exist.
+    // With many contacts the search for rates may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove that
+    // none exist.
     let settled = match settled {
         SearchOutcome::Undecided(_) if effort.no_slips || no_rates(rates) => SearchOutcome::NoneOf(0),
         settled => settled,
@@ -187,8 +188,8 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search at the distance `part` beyond the end finds another equilibrium. The forces of another equilibrium differ from the forces at
-    // the end by more than the forces of a continued path.
+    // Whether the search for an equilibrium at the distance `part` beyond the end of the path finds another equilibrium. Its forces differ from
+    // the forces at the end by more than the forces of a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -204,12 +205,11 @@ fn from_scratch<'g>(
             }
             SearchOutcome::Undecided(doubt) => why = doubt,
             SearchOutcome::Found(found, _) => {
-                // If the forces found are nearly the forces at the end, the search is repeated at load factors nearer to the end. Only the forces of
-                // another equilibrium stay different from the forces at the end.
+                // If the forces found are nearly the forces at the end of the path, the search is repeated at load factors nearer to the end.
+                // Only the forces of another equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If the forces found do not differ from the forces at the end, the equilibrium found may be the equilibrium of the path, which
-                // rounding lets exist a little beyond its end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium
-                // found.
+                // Forces that do not differ from those at the end may belong to the equilibrium of the path, which rounding lets exist a little
+                // beyond its end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -278,9 +278,9 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, &mut |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition that is positive at the end is also taken as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of
-            // `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this
-            // accuracy.
+            // A condition that is positive at the end of the path is also taken as zero if, at its rate, it becomes zero within the fraction
+            // `NEGLIGIBLE` of `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known
+            // only to about this accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

@@ -68,7 +68,7 @@ impl<'g> PiecewiseFollower<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this fraction of the largest velocity that a motion of the same size could give the contact is rounding.
+            // A contact velocity below this fraction of the largest velocity that a motion of the same norm could give the contact is rounding.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);

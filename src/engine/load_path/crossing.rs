@@ -70,12 +70,12 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The value of the condition is zero at the start of the step already, and negative right after the start.
+            // The condition is just met (its value is zero) at the start of the step already, and violated right after the start.
             low.1 = 0.0;
         }
         // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.
         for trial in 0..80 {
-            // If Newton's method gives no length inside the bracket, a secant step is made, or every third time a bisection.
+            // If Newton's method gives no length inside the bracket, the length comes from a secant, or every third time from bisection.
             let part = low.1 / (low.1 - high.1);
             // A secant step keeps at least this fraction of the bracket away from both of its ends.
             let inside = 1e-3;

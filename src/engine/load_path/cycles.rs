@@ -105,7 +105,7 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
+        // A cycle of legs is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
@@ -205,8 +205,8 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, piece) in behind.iter().enumerate().skip(before) {
-            // Slips at the end of the piece. If a jump (motion at constant load) follows, the slips before the jump are taken: the jump is a
-            // piece of its own, with its own slips.
+            // The slips at the end of the piece of the path. If a jump (motion at constant load) follows, the slips before the jump are taken:
+            // the jump is a piece of its own, with its own slips.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));

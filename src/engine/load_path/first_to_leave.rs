@@ -58,7 +58,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The first contact that stops sticking while a load turns, in the simple case of this file.
+/// While a load turns: the first contact that stops sticking, if any, provided that it does so clearly before all others.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
@@ -164,7 +164,7 @@ impl FirstToLeave {
 /// `NEGLIGIBLE` of the size of its terms. For an absent contact, the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // If the value of a condition is smaller, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
+    // A condition with a smaller value may be on the edge of the friction cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
@@ -212,8 +212,8 @@ fn first_exit(
         }
     }
     first.filter(|FirstContact { exit, .. }| {
-        // The next exit of a force from its cone must come later than the first, by more than the fraction `NEGLIGIBLE` of the load factor of the
-        // first.
+        // The next exit of a force from its friction cone must come later than the first exit, by more than the fraction `NEGLIGIBLE` of the
+        // load factor of the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor up to the onset. If they would grow more, their computed rates may be only rounding.

@@ -74,14 +74,14 @@ impl StepGoal {
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
-    /// The state at the start of the arc's step, with rates per unit of arclength.
+    /// The point of the path at the start of the step, with rates per unit of arclength.
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start of the step, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
     /// For each sliding contact: true if its normal force has almost vanished and still decreases. Its friction force must then be computed with
     /// a smaller error, so that the direction of this force stays accurate.
     vanishing: Vec<bool>,
-    /// The largest force, N, and the largest displacement, m, at the start, to which errors are compared.
+    /// The largest force, N, and the largest displacement, m, at the start of the step, with which errors are compared.
     sizes: [f64; 2],
 }
 
@@ -129,7 +129,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // Along motions that no spring resists the object keeps its present velocity, because no force changes this velocity.
+        // The object keeps its present velocity along motions that no spring resists, because no force changes this velocity.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
             // A velocity of the object along a free motion is rounding below this fraction of the norm of the twist rate.
@@ -213,7 +213,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let (at, to) = match arrived {
             Some(arrived) if !stays(factor) => arrived,
             _ => {
-                // The rest of the step follows the tangent, and friction forces change along it.
+                // The rest of the step, up to the goal, follows the tangent of the path, and friction forces change along it.
                 let rest = (goal.factor - factor) / direction.factor;
                 for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                     *friction += tangential(&self.arc.rates(i, tangent, &direction)[1]) * rest;
@@ -336,8 +336,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        // An error of a friction force is compared with the largest force. For a vanishing friction force it is also compared with the friction
-        // force itself, which keeps the direction of the force accurate. This ratio is multiplied by 1e-6.
+        // An error of a friction force is compared with the largest force. For a vanishing friction force, 1e-6 times its error is also compared
+        // with the force itself, which keeps the direction of the force accurate.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);

@@ -22,7 +22,7 @@ use crate::search::{Settings, settle};
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) run: ProgramRun<'g>,
-    /// `None` if no equilibrium was found from which the path could start.
+    /// The method in progress; `None` if no equilibrium was found from which the path could start.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }

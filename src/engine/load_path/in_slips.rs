@@ -238,8 +238,8 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With these rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids. The object
-        // leaves with the reversed motion, in which the slips have the directions of the friction forces.
+        // With the computed rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids.
+        // The object leaves with the reversed motion, in which the slips have the directions of the friction forces.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.loss_of_kind(LossKind::Corner, at, &motion, ramp)
@@ -297,7 +297,7 @@ impl Slips<'_> {
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {
-        // For a contact that is not chosen, the equation only makes its own slip zero.
+        // If contact i is not chosen, its equation only makes its own slip zero.
         equation[i] = rates[i + 1];
         if is_chosen(i) {
             (0..margins.len()).filter(|j| is_chosen(*j)).for_each(|j| equation[j] = rates[j + 1]);

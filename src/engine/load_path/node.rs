@@ -140,8 +140,8 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.trajectory else { return at(factor) };
         let mut last = None;
-        // While the load turns, the path continues as the rates of the load at this angle (rad) beyond the node demand. Smaller angles are tried
-        // in turn, because another event may occur before the larger angle.
+        // While the load turns, the rates of the load at this angle (rad) beyond the node determine how the path continues. Smaller angles are
+        // tried in turn, because another event may occur before the larger angle.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let SearchOutcome::Found(found, _) = &decided.settled else {

@@ -70,7 +70,7 @@ impl Pace {
     /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the length of the
     /// next step. A step that was shortened (`cut`) to end at an event does not reduce this length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of the length of a step to the length of the step before. After a refused step no growth is allowed.
+        // Largest ratio of the length of the next step to the length of this step. After a refused step no growth is allowed.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -83,7 +83,7 @@ impl Pace {
     /// (`explicit_steps_left`), and that the arclength `rest` up to the end of the leg is more than fifty times `stable`, the longest stable
     /// explicit step.
     pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
+        // An implicit step takes as long as a few explicit steps, and may be as long as hundreds of explicit steps.
         self.explicit_steps_left == 0 && stable * 50.0 < rest
     }
 

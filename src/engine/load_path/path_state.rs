@@ -137,8 +137,8 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact that began the piece without force has not come to the apex of its cone on this piece: it was there before. A
-            // contact that slides from the apex, still without force, is at the apex.
+            // A sticking contact without force at the beginning of the piece was at the apex of its cone already, and has not come to it on this
+            // piece. A contact that slides from the apex, still without force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.active_sets[i].apex = true;

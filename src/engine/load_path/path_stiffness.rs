@@ -152,7 +152,7 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // If a pivot is below this fraction of the largest, the path may continue in more than one direction.
+        // If a pivot of the bordered matrix is below this fraction of the largest, the path may continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

@@ -196,7 +196,7 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(path)
     }
 
-    /// A follower at load factor 0 of a segment (a leg or a part of it), at a node, without pieces behind it.
+    /// A follower at load factor 0 of a segment (a leg or a part of it), before any piece of the path.
     pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,

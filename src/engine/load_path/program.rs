@@ -78,8 +78,8 @@ impl Program {
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        // The legs with a command for each contact point are made a second time here; to keep those of the check above would need a list of its
-        // own.
+        // The legs with a command for each contact point, which the check above has made too, are made a second time: keeping them would need a
+        // list of its own.
         for leg in legs {
             self.legs.push(leg.of_points(grasp)?);
         }

@@ -41,9 +41,10 @@ struct SlidingContact {
     change: SVector<f64, 3>,
     /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
-    /// The derivative c = Cᵀd of the force component along d = `across` with respect to the stretch of the contact along each axis, N/m.
+    /// The derivative c = Cᵀd of the force component along d = `across` with respect to the stretch of the contact along each axis, N/m. C is
+    /// the tangent stiffness of the contact.
     gradient: SVector<f64, 3>,
-    /// The wrench `G c` on the object for the vector c = `gradient` in place of a contact force.
+    /// The wrench `G c` on the object, with the grasp map G, for the vector c = `gradient` in place of a contact force.
     pull: Vector,
 }
 

@@ -79,7 +79,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // A contact whose friction is within this fraction of its limit μ r_n is taken as sliding.
+        // A contact whose friction is within this fraction of its limit (friction coefficient times normal force) is taken as sliding.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;

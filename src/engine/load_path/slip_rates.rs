@@ -56,7 +56,6 @@ impl Slips<'_> {
         self.problem.len()
     }
 
-    /// Indices of the contacts that do not slide.
     pub(super) fn sticking(&self) -> impl Iterator<Item = usize> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }

@@ -98,8 +98,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the root is nearer than this fraction of the step, Heun's method is more accurate than repeating the step, since its error is
-            // of third order in the distance.
+            // If the end of the step is nearer to the root of the condition than this fraction of the step, Heun's method is more accurate than
+            // repeating the step, since its error is of third order in the distance.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -146,7 +146,8 @@ impl Slips<'_> {
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference is taken. The derivative is accurate enough for each Newton iteration to gain six digits.
+        // The arclength over which the difference quotient is taken. The derivative is accurate enough for each Newton iteration to gain six
+        // digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];

@@ -76,8 +76,8 @@ impl<'g> StateAfterSnap<'g> {
         // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction.
         // Therefore the present friction cones are restored.
         let cones = problem.cones.clone();
-        // Likewise rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step all contacts
-        // are therefore taken as open, so that this matrix has the dampers alone.
+        // Likewise rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step in time all
+        // contacts are therefore taken as open, so that this matrix has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -91,8 +91,8 @@ impl<'g> StateAfterSnap<'g> {
                 problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
             };
             let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, &both));
-            // The determinant is not positive if the step is too long near an unstable equilibrium. An implicit step would then go back to this
-            // equilibrium.
+            // The determinant of the matrix of a step in time is not positive if the step is too long near an unstable equilibrium. An implicit
+            // step would then go back to this equilibrium.
             let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
                 length *= SHORTER;
                 if length < SHORTEST_SNAPPING_STEP {
@@ -178,7 +178,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// for suction cups, at the end of a leg, after a failed jump, and after [`MOST_SNAPS`] snaps.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
-        // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
+        // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
         let has_cups = self.segment.grasp.vacuum().is_some();
         if !ends_in_balance
             || has_cups
@@ -195,7 +195,7 @@ impl<'g> PiecewiseFollower<'g> {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
-        // If an object sticks and snaps over again and again, the steps of the load factor grow each time.
+        // If an object sticks and snaps over again and again, the step of the load factor after which it moves grows each time.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {

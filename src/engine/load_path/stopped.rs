@@ -44,7 +44,7 @@ impl PiecewiseFollower<'_> {
                 return false;
             }
             failures += 1;
-            // Three accurate trial steps must clearly violate the condition of the state.
+            // Three accurate trial steps must clearly violate the condition of the contact's state.
             if failures == 3 {
                 return true;
             }

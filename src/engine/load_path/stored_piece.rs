@@ -190,7 +190,7 @@ impl<'g> StoredPiece<'g> {
     ) -> Option<ForcesAndTwist> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
-        // A step that cannot be made as a whole is divided into at most sixty parts, each half as long as the part before.
+        // A step to this fraction that fails is made in at most sixty parts, each half as long as the part before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
             if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {

@@ -41,8 +41,8 @@ impl<'g> PiecewiseFollower<'g> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        // A step that is no longer than its own rounding error may be zero. If rounding chooses between two continuations of the path, each of
-        // which leads back to the other, the path would make such steps for ever.
+        // A step along the path that is no longer than its own rounding error may be zero. If rounding chooses between two continuations of the
+        // path, each of which leads back to the other, the path would make such steps for ever.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Up to this many steps in a row, each no longer than its own rounding error, may be events at one load. More such steps mean that

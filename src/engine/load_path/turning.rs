@@ -115,7 +115,7 @@ impl<'g> PiecewiseFollower<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // A step within which a condition may be violated is shortened at most twenty times.
+            // A step within which a condition of a contact state may be violated is shortened at most twenty times.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
@@ -139,7 +139,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// violate the condition of its state, and yet satisfy it again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.trajectory {
-            // In one step the load turns by at most this angle, rad.
+            // In one integration step the load turns by at most this angle, rad.
             Trajectory::Turn { angle, .. } => 0.25 / (angle * point.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
         }
@@ -150,8 +150,8 @@ impl<'g> PiecewiseFollower<'g> {
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
-        // The longest explicit step is four times the length over which the fastest direction of friction relaxes. From six times this length
-        // on, the integration is unstable.
+        // The longest explicit step is four times the length over which the fastest direction of friction relaxes towards the slip. From six
+        // times this length on, the integration is unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.implicit |= self.pace.needs_implicit_steps(stable, rest);
@@ -189,7 +189,7 @@ impl<'g> PiecewiseFollower<'g> {
             return Some(way.min(rest));
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.
+        // If forces would double within this fraction of the rest of the leg, they vanish and are only rounding.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
         // The first step from the apex of a cone is this fraction of the length along which forces change by their own size. Within this step
         // directions of friction turn by about the square of this fraction.
@@ -200,7 +200,7 @@ impl<'g> PiecewiseFollower<'g> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         for (line, state) in point.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
-            // A contact that has just closed has no direction of friction yet.
+            // A contact that has just closed has no friction force yet, and so no direction of friction.
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
@@ -241,7 +241,7 @@ impl<'g> PiecewiseFollower<'g> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // Whether the load factor has a maximum at the end of the step, where the rate of the load factor is zero.
+        // Whether the load factor has a maximum at the end of the step: its rate is zero there.
         let grows = |watch: &ConditionValue| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();
@@ -269,8 +269,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         for (i, state) in self.node.states.iter().enumerate() {
             let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
-            // After a straight step along the tangent, a remainder of the normal force may be left, too small to determine the direction of
-            // friction.
+            // After a straight step along the tangent, a remainder of the normal force may be left. It is too small to determine the direction
+            // of friction.
             let is_gone = end.rule == Rule::Straight
                 && way_to_nothing((&point.lines[i], state)).is_some_and(|way| way <= end.length);
             if state.slides() && (is_gone || ActiveSet::is_weightless(force, size)) {

@@ -92,8 +92,8 @@ pub(super) fn watch(
             size: 1.0,
         },
     ];
-    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero at this
-    // point may grow, so the value is not taken as constant.
+    // A value that changes by less than its rounding over the rest of a straight leg is taken as constant. While the load turns, a rate that is
+    // zero at this point may grow, so no value is taken as constant.
     let straight = matches!(segment.trajectory, Trajectory::Straight { .. });
     // The change of a value over the rest of the leg is compared with rounding. That rest is taken as at least a hundredth of the leg.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);

@@ -28,7 +28,7 @@ pub(super) struct BoundedCubic {
     cone: Option<Coulomb>,
     /// The factor g, N or m, of a bound on the error that the cubic makes in the margin: `s²(1 - s)² g` at the fraction s of the step.
     error_factor: f64,
-    /// The condition is taken as satisfied if its margin is at least minus this number, in N or m.
+    /// The condition counts as satisfied if its margin is at least minus this number, in N or m.
     allowed_violation: f64,
 }
 
@@ -86,8 +86,8 @@ impl BoundedCubic {
         let allowed_violation = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The interpolating cubic neglects the term of fourth order. The neglected term is estimated from above by the larger of the term of third
-        // order and 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
+        // The interpolating cubic neglects the term of fourth order. An upper estimate of this term is the larger of the term of third order and
+        // 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
         let error_factor = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, error_factor, allowed_violation }
     }
@@ -100,7 +100,7 @@ impl BoundedCubic {
     /// is not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
     pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
-        // At most two hundred pieces of the cubic are examined; then the step is taken as too long.
+        // At most two hundred pieces of the cubic are examined; if that decides nothing, the step is taken as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));

@@ -26,8 +26,8 @@ use crate::prelude::*;
 
 /// Whether the tangent stiffness is factorised as a band matrix, which is done from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
-    // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
-    // bodies in space take a third less time, but nine bricks in the plane more than twice as much.
+    // With fewer coordinates orthogonal factors take no longer, and determine the rank. Measured: with orthogonal factors instead of a band
+    // matrix, four bodies in space take a third less time, but nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
@@ -168,8 +168,8 @@ impl BandedTangent {
         q
     }
 
-    /// The sum `Σ_k times_k (A u)_k` over the springs k of a contact. The displacements u = `displacements` of the coordinates are in the order that
-    /// makes the band narrow.
+    /// The sum of the scaled stretches of a contact's springs, each times its entry of `times`, under the displacements `displacements` of the
+    /// coordinates. These are in the order that makes the band narrow.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
@@ -180,8 +180,9 @@ impl BandedTangent {
         sum
     }
 
-    /// Factor by which relative rounding errors grow in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with T = BᵀA. The
-    /// norm is estimated by four steps of the power method, and the estimate is doubled. The result is exactly 1 if no contact slides.
+    /// Factor by which relative rounding errors grow in a solution. It is the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with
+    /// the tangent stiffness T = BᵀA, the matrix A of stretches and B of push directions. Four steps of the power method estimate the norm, and
+    /// the estimate is doubled. The result is exactly 1 if no contact slides.
     pub(super) fn growth(&self) -> f64 {
         let Some(pushes) = &self.pushes else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
@@ -189,7 +190,7 @@ impl BandedTangent {
         let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
-        // Number of steps of the power method, which estimates the norm from below.
+        // Number of steps of the power method, which estimates the norm of the projection from below.
         for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);
@@ -266,8 +267,8 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Multiplies each entry of the motion q by the factor that scales its column of the matrix to length one. Then calls `visit(spring, stretch)`
-    /// for every spring with its scaled stretch, an entry of A q or B q.
+    /// Multiplies each entry of the motion q by the factor that scales its column of the matrix A or B in `side` to length one. Then calls
+    /// `visit(spring, stretch)` for every spring with its scaled stretch, an entry of A q or B q.
     pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {

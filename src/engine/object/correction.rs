@@ -80,8 +80,8 @@ impl LinearProblem {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves the friction forces of sliding contacts onto their cones and writes the residual `e_r = s_r · w_i` of each spring r to `e`. Returns
-    /// the imbalance `ρ = Σ G_i F_i + W` of contact forces and load.
+    /// Moves the friction forces of sliding contacts onto their cones and writes the residual e_r of each spring r (see the top of the file) to
+    /// `e`. Returns the imbalance `ρ = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     fn residual_of(
         &self,
         problem: &Problem,
@@ -163,8 +163,8 @@ fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3
     match state {
         Mode::Open | Mode::Sticking => {}
         Mode::Round(_) => {
-            // The distance of |F_t| from its limit follows from `limit² - |F_t|²`, which is computed in twice the working precision, so that no
-            // digits cancel.
+            // The distance of the friction |F_t| from its limit follows from `limit² - |F_t|²`, which is computed in twice the working
+            // precision, so that no digits cancel.
             let length = force[1].high.hypot(force[2].high);
             let mut squares = DoubleDouble::default();
             squares.add_product_of_twice((limit.high, limit.low), limit);

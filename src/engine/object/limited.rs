@@ -77,8 +77,8 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, SlideDirections::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In space Tresca friction needs a whole polygon. In a rate problem the facets of a contact on the edge of its friction cone do not form a
-        // polygon.
+        // In space Tresca friction needs a complete friction polygon. In a rate problem the facets of a contact on the edge of its friction cone
+        // do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,

@@ -30,9 +30,10 @@ pub(crate) struct LinearProblem {
     pub(super) springs: Vec<Spring>,
     /// For each contact the index of its first spring in `springs`; a last entry is the number of springs.
     first: Vec<usize>,
-    /// An orthonormal basis of the motions that stretch no spring (A q = 0).
+    /// An orthonormal basis of the motions q that stretch no spring (A q = 0 with the matrix A of spring stretches).
     pub(super) free: Vec<Vector>,
-    /// An orthonormal basis of the motions along which no spring pushes (B q = 0). A load that does work along one of them cannot be balanced.
+    /// An orthonormal basis of the motions q along which no spring pushes (B q = 0 with the matrix B of push directions). A load that does work
+    /// along such a motion cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
     /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
     /// exactly, singular.
@@ -96,7 +97,8 @@ impl LinearProblem {
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
-    /// The orthogonal factors of A and B. If the band matrix is factorised already, they are computed on first use.
+    /// The orthogonal factors of the matrices A (spring stretches) and B (push directions). If the band matrix is factorised already, these
+    /// factors are computed on first use.
     pub(super) fn orthogonal(&self) -> &OrthogonalFactors {
         self.orthogonal.get_or_init(|| {
             let [stretches, pushes] =
@@ -253,8 +255,8 @@ impl OrthogonalFactors {
         Self { stretches, pushes: Some((pushes, coupling)) }
     }
 
-    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and the
-    /// factors of A are returned.
+    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance `Bᵀx = -W` of spring forces x and load W. If nothing
+    /// slides, B equals the matrix A of stretches, and the factors of A are returned.
     pub(super) fn balance(&self) -> &Orthogonal {
         self.pushes.as_ref().map_or(&self.stretches, |(pushes, _)| pushes)
     }

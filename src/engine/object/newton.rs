@@ -25,7 +25,7 @@ use crate::prelude::*;
 /// The imbalance of contact forces and load.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
-    /// The residual wrench `R = Σ G_i F_i + W`.
+    /// The residual wrench `R = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     pub(crate) left: Vector,
     /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of R is proportional
     /// to it.
@@ -93,7 +93,7 @@ pub(crate) fn newton(
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     let mut response_at = respond(problem, (&twist, beside), contacts, response);
-    // Upper limit of the number of steps. As a rule Newton's method converges in a few steps, or not at all.
+    // Upper limit of the number of Newton steps. As a rule Newton's method converges in a few steps, or not at all.
     for steps in 0..20 {
         let norm = response_at.left.norm();
         if norm <= settled * response_at.size {

@@ -22,14 +22,15 @@ use crate::prelude::*;
 /// All four lists are empty if T is regular.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Null vectors n of T with A n = 0: motions that stretch no spring. Orthonormal.
+    /// Null vectors n of the tangent stiffness T that stretch no spring: A n = 0 with the matrix A of spring stretches. Orthonormal.
     pub(super) free: Vec<Vector>,
-    /// Null vectors n of T with A n ≠ 0: motions along which forces change but stay in balance. Orthonormal, and orthogonal to `free`.
+    /// Null vectors n of the tangent stiffness T that stretch springs (A n ≠ 0): forces change along n but stay in balance. Orthonormal, and
+    /// orthogonal to `free`.
     pub(super) neutral: Vec<Vector>,
-    /// Left null vectors z of T with B z = 0: virtual motions along which no spring pushes. Orthonormal.
+    /// Left null vectors z of the tangent stiffness T along which no spring pushes: B z = 0 with the matrix B of push directions. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,
-    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z. The vectors B z have an entry for each spring and
-    /// are orthonormal.
+    /// Left null vectors z of the tangent stiffness T along which springs push, each with its vector B z ≠ 0 for the matrix B of push
+    /// directions. The vectors B z have an entry for each spring and are orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
@@ -125,7 +126,7 @@ fn sorted_null_vectors(
             q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
         }
         let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);
-        // Gram–Schmidt orthogonalisation; the second pass removes the rounding of the first.
+        // Gram–Schmidt orthogonalisation against the null vectors found so far; the second pass removes the rounding of the first.
         for _ in 0..2 {
             for (known, of_known) in &found {
                 let along = v.dot(known);

@@ -105,7 +105,8 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i|, without the norm of the load.
+    /// The norm of the imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W, and the sum of the norms |F_i|,
+    /// without the norm of the load.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

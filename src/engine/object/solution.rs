@@ -204,7 +204,8 @@ impl LinearProblem {
         self.forces(&x, problem.len())
     }
 
-    /// The scaled forces of all springs if the contacts have these stretches v: `x_r = s_r · v` for each spring r of a contact.
+    /// The scaled forces of all springs for given stretches v of the contacts: `x_r = s_r · v` for each spring r of a contact, along whose
+    /// vector s_r it is stretched.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);

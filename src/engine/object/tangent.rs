@@ -121,7 +121,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // At most four imbalances are computed. One or two steps are enough if T is well conditioned.
+    // The imbalance is computed at most four times. One or two Newton steps are enough if T is well conditioned.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

@@ -46,7 +46,7 @@ struct GivenLimits {
 /// The forces and states of all contacts at a twist of the object, for given friction limits.
 struct ContactResponses {
     of: Vec<LimitedAnswer>,
-    /// The imbalance `Σ G_i F_i + W` of contact forces and load.
+    /// The imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     imbalance: Vec<f64>,
 }
 
@@ -177,18 +177,18 @@ impl GivenLimits {
         // 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
-        // Outer iterations, each with new friction limits.
+        // Rounds, each with new friction limits.
         for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = paired(&next, &self.limits, &|(next, last)| next - last);
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
             let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
-            // The iteration ends when friction limits change by less than this fraction and no contact changes its state.
+            // The rounds end when friction limits change by less than this fraction and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;
             }
-            // The first six iterations take the new limits; later iterations take the mean with the previous limits, which stops oscillation.
+            // The first six rounds take the new friction limits; later rounds take the mean with the previous limits, which stops oscillation.
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);

@@ -59,7 +59,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         site.map.push(&row, &mut slope);
         size += row.norm() * site.span(&problem.offsets[i], at);
     }
-    // Bound of the rounding of a sum, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
+    // Bound of the rounding error of a sum, relative to the sum of the sizes of its terms. It includes the rounding of products and grasp maps.
     let rounding = 64.0 * f64::EPSILON * (problem.len() as f64).max(8.0);
     let mut left = work - resisted - rounding * size;
     if left <= 0.0 {

@@ -90,7 +90,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator is not added if its negative work along the residual is below this fraction of the norm of the residual.
+        // A generator is added only if its negative work along the residual exceeds this fraction of the norm of the residual.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0

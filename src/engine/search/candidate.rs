@@ -59,7 +59,7 @@ pub(super) fn admit(
     // The factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this factor,
     // so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
-        // A violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
+        // A relative violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| linear_problem.growth())
     };
     let mut shifted = None;
@@ -82,7 +82,8 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // Violations are relative to the sizes before the shift: a shift is refused if it is so long that its rounding exceeds the tolerance.
+            // Violations of inequalities are relative to the sizes of terms before the shift. A shift is thus refused if it is so long that its
+            // rounding exceeds the tolerance.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
@@ -93,7 +94,7 @@ pub(super) fn admit(
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
-    // Forces that leave an imbalance of more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
+    // Contact forces that leave an imbalance of more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(RejectedStates { states, at, doubtful: true });
     }
@@ -202,8 +203,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, &mut |rate, rate_size| {
-                // If the change of an inequality's value per unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very
-                // long motion could seem to satisfy the inequality.
+                // If an inequality's value changes per unit motion by less than this fraction of its size, the change is rounding of zero.
+                // Otherwise a very long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -276,7 +276,7 @@ fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
             }
         };
     }
-    // A proof for the polygon would prove nothing for the round cone.
+    // On the round cone no combinations of states are tried, since a proof for the polygonal cone would prove nothing for the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }

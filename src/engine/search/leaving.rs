@@ -102,14 +102,14 @@ fn pivoted(
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let mut moved = UnitDisplacements::default();
-    // Upper limit of the number of rounds in which further contacts begin to pivot. A changed state disturbs neighbouring contacts, but less in
-    // each further round.
+    // Upper limit of the number of rounds in which further contacts begin to pivot (may change their states). A changed state disturbs
+    // neighbouring contacts, but less in each further round.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.linear_problem, &base.at, &among, &mut moved)?;
-        // Each run of Lemke's method may take 20 times the usual number of multiplications, if the caller sets no limit on pivots. That takes some
-        // seconds; every other method would then take minutes. A quick search may stay undecided and stops earlier.
+        // Each run of Lemke's method may take 20 times the usual number of multiplications, if the caller sets no limit on pivots. That takes
+        // some seconds, whereas every other method would take minutes. A quick search may stay undecided and stops earlier.
         let work = MOST_WORK.saturating_mul(if settings.is_quick { 5 } else { 20 });
         let proposed = propose_dense(problem, settings, (Some(form), work), kinematic_states, log);
         let Some(mut states) = proposed else {

@@ -115,7 +115,7 @@ impl RoundPieces {
         let missing = linear_problem.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        // The step is the last if it changes the twist and each force by less than this fraction of themselves.
+        // Newton's method has converged if a step changes the twist and each force by less than this fraction of themselves.
         let last = 1e-14;
         // If only rounding determines the direction of a small force, no step is `sharp`. But a step that changes each force by less than this
         // fraction of itself leaves a relative error of only the square of the fraction. The rounding error of the largest force is allowed in

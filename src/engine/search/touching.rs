@@ -21,7 +21,7 @@ pub(super) fn touching_contacts(
     // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With
     // more contacts, all of them change together.
     let one_by_one = 64;
-    // Every contact usually changes once; this limit of rounds ends cycles.
+    // Every contact usually changes its state once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
         // With few contacts one contact opens at a time: as long as it pulls, other contacts may pull that would not once it is open. The

@@ -53,7 +53,7 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
 /// are too many contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
-    // With more than 32 contacts the search would reach its limit of cases without a result.
+    // With more than 32 contacts branch and bound would reach its limit of cases without a result.
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }

@@ -110,8 +110,8 @@ fn in_space() {
     let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
     while count.asked < 4_000 {
         let number = 3 + one_of(&mut draw, 3);
-        // Contacts lie around a circle. In most draws their heights, stiffnesses and friction are equal, so that often all of them slide or open at
-        // once.
+        // Contacts are placed around a circle. In most draws their heights, stiffnesses and friction are equal, so that often all of them slide
+        // or open at once.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
         let first_angle = draw.normal();
         let contact = |i: usize| {

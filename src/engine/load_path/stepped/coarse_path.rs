@@ -49,8 +49,8 @@ impl CoarsePath {
         // be exceeded at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If the paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
-        // path then moves to `at_once`. With a larger fraction, errors would be added up although they decay.
+        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method, and the
+        // second path moves to `at_once`. With a larger fraction, errors would be added up although they decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

@@ -142,7 +142,8 @@ fn equilibrium_after(
         to.forces.push(answer.force);
         to.states.push(answer.state);
     }
-    // The law of a contact may forbid that it opens, and then lets it pull. With limited friction `μ F_n` has no meaning for a pull, and the step fails.
+    // If the law of a contact forbids that it opens, the computed force may pull. With limited friction the limit `μ F_n` has no meaning for a
+    // pull, and the step fails.
     let least = -SOLVED_ROUNDING * to.largest_force();
     let pulls = |(i, force): (usize, &SVector<f64, 3>)| {
         force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()

@@ -50,8 +50,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates by up to twice the
-            // deviation in the middle of the step. A friction force turns no farther than the direction of slip.
+            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates from a straight
+            // line by up to twice the deviation in the middle of the step. A friction force turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -61,8 +61,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The state of the contact stores the fraction of the half step on which the contact slid, as the factor by which slip softens the
-                // springs. This fraction is exact if the normal force is constant. On the fraction `stuck` before that, the contact stuck.
+                // The state of the contact stores the fraction of the half step during which the contact slid, as the factor by which slip
+                // softens the springs. It is exact if the normal force is constant. During the fraction `stuck` before, the contact stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }

@@ -53,7 +53,7 @@ impl<'g> SteppedFollower<'g> {
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of the present step.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // If even so short a step is refused, rounding is larger than the allowed error.
+            // If even so short a step is refused, rounding errors exceed the allowed error.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(run, Doubt::Inaccurate))
             } else {
