@@ -39,7 +39,7 @@ struct Face {
     is_alive: bool,
 }
 
-/// A face in the queue; the closest face comes first.
+/// A face of the polytope in the queue, in which the face closest to the origin comes first.
 struct QueuedFace {
     distance: f64,
     face: usize,

@@ -34,7 +34,8 @@ impl<const C: usize> Turning<C> {
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
     }
 
-    /// An angle from 0 to `most` at which N - |v| has a local minimum that is negative by more than rounding; `None` without such an angle.
+    /// An angle from 0 to `most` at which N - |v|, with the number N and the vector v, has a local minimum that is negative by more than
+    /// rounding. `None` if there is no such angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {
@@ -50,8 +51,8 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// The angle of the local minimum of N - |v| that is reached downhill from the angle `start`. It lies between 0 and `most`, unless `most` is
-    /// a full turn.
+    /// The angle of the local minimum of N - |v|, with the number N and the vector v, that is reached downhill from the angle `start`. The angle
+    /// lies between 0 and `most`, unless `most` is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
         // First step of the search for the minimum, rad.

@@ -18,7 +18,7 @@ use crate::prelude::*;
 /// and Π permutes columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Orthogonal {
-    /// Q row by row; entries in columns from number `rank` on are zero.
+    /// The orthonormal factor Q row by row; entries in columns from number `rank` on are zero.
     q: Vec<f64>,
     r: Square,
     /// The reciprocals of the diagonal entries of the triangular factor R11. A multiplication takes a third of the time of a division, and
