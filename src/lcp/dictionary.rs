@@ -293,7 +293,7 @@ impl Dictionary {
         }
         let own = self.slot_of(entering);
         if let Some(own) = own {
-            // The stored column of the entering slack becomes the column of the leaving variable, u / pivot.
+            // The stored column of the entering slack becomes the column of the leaving variable: the entering column u divided by its pivot.
             self.g[own] = inverse;
             self.columns[own * n..(own + 1) * n].fill(0.0);
         }

@@ -42,7 +42,8 @@ impl Lcp {
     /// from q. `None` if no ratio that is tried gives an exact proof.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // Each bound is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then cancel exactly.
+        // Each bound of the ratio y_k / y_i is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then
+        // cancel exactly.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {

@@ -13,8 +13,8 @@ use crate::numerics::{mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Candidates for vertices of the set { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Each candidate is given by z_α, for a basis α. At these points
-/// as many rows are zero as z are nonzero. The caller must check the inequalities.
+/// Candidates for vertices of the set { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Each candidate is given by z_α, for a basis α. In a
+/// candidate as many components of M z + q are zero as entries of z_α are nonzero. The caller must check the inequalities.
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
