@@ -74,7 +74,7 @@ struct Slide<const C: usize> {
     normal: f64,
     /// A_NT / A_NN: the decrease of the normal force per unit of friction force, at normal velocity zero.
     coupling: SVector<f64, C>,
-    /// The largest entry of the matrix S, or A_NN if S is zero.
+    /// The largest entry of the matrix S in u_T = S r_T + c, or A_NN if S is zero. A_NN is the normal velocity per unit of normal force.
     size: f64,
 }
 
