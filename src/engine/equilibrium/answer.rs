@@ -90,8 +90,8 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. Such a cup would lose its vacuum, but this equilibrium still includes the pull of the vacuum. It
-    /// is therefore not valid for the real grasp.
+    /// Suction cups whose lips are open all around. Such a cup would lose its vacuum, but this equilibrium still includes the pull of the
+    /// vacuum. This equilibrium is therefore not valid for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions of equilibrium, such as balance of forces and contact laws, recomputed from grasp, commands and load.

@@ -52,8 +52,8 @@ impl Engine {
     }
 
     /// Minus the largest fraction of the springs' resistance that the contact forces of an equilibrium take away, over all motions that springs
-    /// resist. It is -1/t for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and
-    /// K_g the geometric stiffness of the contact forces.
+    /// resist. This value is -1/t for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts
+    /// stick, and K_g the geometric stiffness of the contact forces.
     ///
     /// `None` if the size of the fraction is below a half, and if the grasp has so many coordinates that it is solved with band matrices. Struts
     /// between two bodies are treated as if they were infinitely long.

@@ -40,8 +40,8 @@ pub(super) struct Arc<'s, 'g> {
     /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
     /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand
-    /// side, q the twist and λ the load factor. They are computed on first use, because some questions (how fast friction forces turn) do not
-    /// need them.
+    /// side, q the twist and λ the load factor. The constant parts are computed on first use, because some questions (how fast friction forces
+    /// turn) do not need them.
     fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -50,8 +50,9 @@ pub(super) struct Arc<'s, 'g> {
 /// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
 /// λ the load factor.
 struct ConstantTerms {
-    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since T
-    /// would otherwise be singular. The object then moves along it with its velocity in `Arc::free_motions`, which may be zero.
+    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since
+    /// T would otherwise be singular. The object then moves along such a motion with the velocity given in `Arc::free_motions`, which may be
+    /// zero.
     stiffness: PathStiffness,
     /// The terms of the right-hand side b of `T q' = b λ'` (twist q, load factor λ) from commands of contacts that do not slide, and from the
     /// velocities of free motions.

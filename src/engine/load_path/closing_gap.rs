@@ -35,7 +35,8 @@ struct FreeTravel {
     length: f64,
     /// Indices of the contacts and drives whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each contact or drive: true if the motion gives it no velocity. It then sticks even if its force is on the edge of its friction cone.
+    /// For each contact or drive: true if the motion gives it no velocity. Such a contact sticks even if its force is on the edge of its
+    /// friction cone.
     still: Vec<bool>,
 }
 

@@ -190,8 +190,8 @@ pub struct Loss<const C: usize> {
     /// equilibrium is lost. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// A virtual motion of the object, in the engine's coordinates, along which contact forces can do little or no negative work at the loss. It
-    /// may prove that no equilibrium exists beyond the loss. `None` if no such motion is known.
+    /// A virtual motion of the object, in the engine's coordinates, along which contact forces can do little or no negative work at the loss.
+    /// This motion may prove that no equilibrium exists beyond the loss. `None` if no such motion is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
@@ -214,8 +214,8 @@ impl<const C: usize> Loss<C> {
 }
 
 impl Loss<3> {
-    /// This loss with `motion` as the motion with which the object leaves, about the centroid of the contacts. It is also taken as the virtual
-    /// motion that may prove the loss.
+    /// This loss with `motion` as the motion with which the object leaves, about the centroid of the contacts. The same motion is also taken as
+    /// the virtual motion that may prove the loss.
     pub(super) fn leaving(mut self, grasp: &Engine, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);

@@ -197,9 +197,9 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem, so that they do not drag the object along. They
-    /// are opened only if with them open a solution exists in which the object moves less. If no contact gains a force, and a contact would
-    /// slide on the round cone, all contacts that may open are opened.
+    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem, so that they do not drag the object along.
+    /// These contacts are opened only if the rate problem still has a solution, and the object moves less in it. If no contact gains a force,
+    /// and a contact would slide on the round cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone a contact slides along its friction force. If that force is zero, it has no direction.

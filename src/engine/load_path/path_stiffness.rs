@@ -34,8 +34,8 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order that makes the
-/// band narrow.
+/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order in which
+/// the stiffness matrix is a narrow band.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),

@@ -26,9 +26,10 @@ pub(super) struct BoundedCubic {
     /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
     /// normal force or a gap.
     cone: Option<Coulomb>,
-    /// The factor g, N or m, of a bound on the error that the cubic makes in the margin: `s²(1 - s)² g` at the fraction s of the step.
+    /// The factor g, N or m, of a bound on the interpolation error: at the fraction s of the step, the margin from the cubic and the true margin
+    /// differ by at most `s²(1 - s)² g`.
     error_factor: f64,
-    /// The condition counts as satisfied if its margin is at least minus this number, in N or m.
+    /// The condition counts as satisfied if its margin, the value that must not be negative, is at least minus this number, in N or m.
     allowed_violation: f64,
 }
 
@@ -79,7 +80,7 @@ impl BoundedCubic {
         (size, step_error): (f64, f64),
     ) -> Self {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
+        // The condition counts as violated if its margin is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
         // The rounding error of a margin, relative to the terms whose difference the margin is. A smaller violation is ignored.
         let rounded = 2e-13;
@@ -116,11 +117,12 @@ impl BoundedCubic {
             pieces.push((middle, to, after));
             pieces.push((from, middle, before));
         }
-        // The step is too long for a decision, and the caller repeats it with half its length.
+        // The step is too long to decide whether the condition holds, and the caller repeats it with half its length.
         Some(0.5)
     }
 
-    /// Bound, N or m, on the error that the cubic makes in the margin at the fraction `part` of the step.
+    /// Bound, N or m, on the interpolation error at the fraction `part` of the step: the difference between the margin from the cubic and the
+    /// true margin.
     fn margin_error(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.error_factor * square * square

@@ -35,7 +35,7 @@ pub(crate) fn uses_band(coordinates: Size) -> bool {
 /// directions in which springs push.
 #[derive(Debug, Clone)]
 pub(crate) struct BandedTangent {
-    /// Position of each coordinate in the order of coordinates that makes the band of T narrow.
+    /// Position of each coordinate in an order in which T is a narrow band.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
@@ -48,7 +48,8 @@ pub(crate) struct BandedTangent {
 /// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// For each contact in turn, the positions (in the order that makes the band narrow) of the coordinates with entries in its grasp map.
+    /// For each contact in turn, the positions (in the order in which the stiffness matrix is a narrow band) of the coordinates with entries in
+    /// its grasp map.
     coordinates: Vec<usize>,
     /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
@@ -64,8 +65,8 @@ pub(super) struct SpringRows {
     /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
     /// map.
     rows: Vec<f64>,
-    /// For each coordinate, in the order that makes the band narrow, the factor that scales its column to length one. The factor of a zero column is
-    /// one.
+    /// For each coordinate, in the order in which the stiffness matrix is a narrow band, the factor that scales its column to length one. The
+    /// factor of a zero column is one.
     units: Vec<f64>,
     /// Euclidean length of the longest row: the largest scaled stretch of a spring under a unit motion.
     pub(super) longest: f64,
@@ -154,8 +155,8 @@ impl BandedTangent {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the order that makes the band narrow, if the springs of a contact push with the scaled `forces`
-    /// and no other load acts.
+    /// Displacements of the coordinates, in the order in which the stiffness matrix is a narrow band, if the springs of a contact push with the
+    /// scaled `forces` and no other load acts.
     pub(super) fn displacements_under(&self, contact: usize, forces: &[f64]) -> Vec<f64> {
         let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
@@ -169,7 +170,7 @@ impl BandedTangent {
     }
 
     /// The sum of the scaled stretches of a contact's springs, each times its entry of `times`, under the displacements `displacements` of the
-    /// coordinates. These are in the order that makes the band narrow.
+    /// coordinates. These are in the order in which the stiffness matrix is a narrow band.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
@@ -225,7 +226,7 @@ impl BandedTangent {
 
 impl SpringLists {
     /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`SpringRows::rows`].
-    /// `coordinates` has the position of each entry of this row in the order that makes the band narrow.
+    /// `coordinates` has the position of each entry of this row in the order in which the stiffness matrix is a narrow band.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {

@@ -27,8 +27,8 @@ use crate::prelude::*;
 pub(crate) struct Imbalance {
     /// The residual wrench `R = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     pub(crate) left: Vector,
-    /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of R is proportional
-    /// to it.
+    /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of `left` is
+    /// proportional to it.
     pub(crate) size: f64,
 }
 

@@ -98,7 +98,8 @@ impl PreciseTwist {
     }
 }
 
-/// The stretch `v - g·q` in twice the working precision; the scalar product has the first N components of the vectors `g` and `q`.
+/// The stretch `v - g·q` of a spring with offset v in twice the working precision, from the column g of a grasp map and the twist q. The scalar
+/// product has the first N components of `g` and `q`.
 #[inline(always)]
 fn less_products<const N: usize>(
     mut v: DoubleDouble,

@@ -177,7 +177,7 @@ impl GivenLimits {
         // 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
-        // Rounds, each with new friction limits.
+        // Rounds of the iteration, each with the friction limits from the normal forces of earlier rounds.
         for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);

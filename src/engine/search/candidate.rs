@@ -16,7 +16,7 @@ use crate::prelude::*;
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
     Violated {
-        /// Whether the violation of a condition may be rounding. It then does not prove that these states have no equilibrium.
+        /// Whether the violation of a condition may be rounding. If so, the violation does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: ForcesAndTwist,
-    /// Whether the violation of a condition may be rounding. It then does not prove that these states have no equilibrium.
+    /// Whether the violation of a condition may be rounding. If so, the violation does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 

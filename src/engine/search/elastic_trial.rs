@@ -56,7 +56,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
     }
 }
 
-/// Result of one method (rung) of the ladder for one problem.
+/// Result of one method of the search (a rung of the ladder) for one problem.
 pub(super) enum Attempt {
     Found(SearchSolution),
     /// A proof that no equilibrium exists.

@@ -24,7 +24,8 @@ use crate::object::{Problem, SpringDashpotRelaxation, newton_on_cones, twist_by_
 use crate::prelude::*;
 use crate::{forms, proofs};
 
-/// A method of the ladder. `applies` is the condition under which the method is tried, and `climb` runs it.
+/// A method of the ladder, the sequence of methods of the search. `applies` is the condition under which the method is tried, and `climb` runs
+/// it.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
