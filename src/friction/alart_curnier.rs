@@ -23,7 +23,8 @@ use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// The return map Π of a contact with friction μ: the force Π(ζ) for the trial value ζ = `trial`, and its derivative with respect to ζ.
+/// The projection Π of a trial value ζ = r − ρ u onto the contact force of a contact with friction μ. Returns Π(ζ) and its derivative with
+/// respect to ζ; `trial` is ζ.
 pub(super) fn answer<const C: usize>(
     trial: &SVector<f64, C>,
     mu: f64,
@@ -49,11 +50,11 @@ pub(super) fn answer<const C: usize>(
     (answer, change)
 }
 
-/// The equations of all contacts, with a proximal term of weight δ (`delta`) that holds the forces near an anchor. The matrix W is stored in blocks.
+/// The equations r = Π(ζ) of all contacts, with a proximal term of weight δ (`delta`) that holds the forces r near the forces `anchor`.
 pub(super) struct Anchored<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
-    /// The scale ρ of each contact, which converts velocities to forces.
+    /// The factor ρ of each contact that converts velocities to forces.
     pub(super) rho: Vec<f64>,
     pub(super) anchor: DVector<f64>,
     pub(super) delta: f64,
@@ -62,9 +63,9 @@ pub(super) struct Anchored<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations of Alart and Curnier with the proximal term `δ (r - a)`, whose anchor a are the forces `anchor`. In the norm that a line search
-    /// reduces, squared residuals are divided by ρ, which makes them energies. If `by_contact`, they are divided by the squared size of the contact's
-    /// own force and velocity instead.
+    /// The equations of Alart and Curnier with the proximal term δ (r − a), where a are the forces `anchor`. The line search reduces a weighted
+    /// norm of the residuals. Each squared residual is divided by ρ, which makes it an energy. If `by_contact`, it is divided by the squared
+    /// size of the contact's own force and velocity instead.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
@@ -78,8 +79,8 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            // With `by_contact`, squared residuals are divided by the squared size of the contact's force and velocity. This size is at least this
-            // fraction of the largest size of all contacts.
+            // Lower limit of the size of a contact's force and velocity, relative to the largest size of all contacts. Below it, a contact with
+            // almost no force would dominate the norm of the residuals.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

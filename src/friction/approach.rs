@@ -1,5 +1,5 @@
-//! The sequence of methods for many contacts. It is also used for a few contacts if the problem with polygons of facets in point of the cones has
-//! given no solution.
+//! The sequence of iterative methods for many contacts. It is also used for a few contacts if the problem with polygons in place of the friction
+//! cones has given no solution.
 //!
 //! One run of the sequence is a start. [`Sweeps`](super::sweeps), which solve one contact after another, find the magnitude of the forces. The
 //! [`central_path`] finds the states of most contacts. Newton steps continue from the forces at the end of the path, and a proximal term holds them
@@ -22,15 +22,15 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts in order: number of sweeps, and the initial parameter τ of the central path as a multiple of the mean energy ‖r_i‖² / ρ_i of a contact.
-/// r_i is the force of contact i after the sweeps, and ρ_i its factor from velocities to forces.
+/// The starts in order: number of Gauss–Seidel sweeps, and the initial parameter τ of the central path. τ is given as a multiple of the mean
+/// energy ‖r_i‖² / ρ_i of a contact, where r_i is the force of contact i after the sweeps. ρ_i converts its velocity to a force.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// A solve by the methods of this file, with the best forces so far. It treats one island: contacts that the matrix W couples, directly or through
-/// others.
+/// A solve of one island by the methods of this file, with the best forces so far. An island is a set of contacts that the matrix W couples,
+/// directly or through other contacts.
 pub(super) struct IslandSolve<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,
@@ -76,7 +76,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         }
     }
 
-    /// Runs start `nth` of [`STARTS`], counted from 0. Returns whether the residual of the best forces is then within the tolerance.
+    /// Runs start number `nth` of [`STARTS`], counted from 0. Returns whether the residual of the best forces is then within the tolerance.
     pub(super) fn run_start(&mut self, nth: usize) -> bool {
         let (sweeps, tau) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
@@ -97,8 +97,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         self.anchored_rounds(r)
     }
 
-    /// Runs a start that follows the central path around its folds, for a few contacts. Returns whether the residual of the best forces is then
-    /// within the tolerance; false if the path has no starting point.
+    /// Follows the central path around its folds, for a few contacts, and continues from the forces at its end. Returns whether the residual of
+    /// the best forces is then within the tolerance; false if the path has no starting point.
     pub(super) fn around_folds(&mut self) -> bool {
         let Some(r) = around_folds(self.problem, self.blocks) else { return false };
         if self.record_if_best(&r) <= WORTH_POLISHING && self.polish() || self.best.stopped {
@@ -118,13 +118,13 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
     /// to the forces of this round. After a round that fails, the anchor becomes the old anchor improved by sweeps. Returns whether the residual of
     /// the best forces is within the tolerance.
     fn anchored_rounds(&mut self, mut r: DVector<f64>) -> bool {
-        // Weight of the proximal term in the first round.
+        // Weight of the proximal term, which holds the forces near the anchor, in the first round.
         let mut delta = 1e-3;
         for _ in 0..self.settings.rounds {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // The line search gives up below `shortest`, a fraction of a Newton step: so short a step would not be worth its factorisation.
+            // The line search gives up below this fraction of a Newton step: so short a step is not worth the factorisation of its matrix.
             let patience =
                 IterationLimits { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (point, made) = descend(&equations, &self.order, r.clone(), patience);
@@ -133,11 +133,12 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if its residual is a small fraction of the residual at its start, or at the level of the rounding errors of its
-            // terms.
+            // A round has converged if its residual is a small fraction of the residual at its start, or is at the level of the rounding errors
+            // of its terms.
             if point.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * point.terms) {
                 r = point.r;
-                // A converged round reduces the weight of the proximal term; a failed round increases it.
+                // A converged round reduces the weight of the proximal term, which holds the forces near the anchor; a failed round increases
+                // it.
                 delta = (0.1 * delta).max(1e-10);
             } else {
                 delta = (3.0 * delta).min(1.0);
@@ -151,7 +152,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
     /// residual of the best forces is within the tolerance.
     fn polish(&mut self) -> bool {
         for _ in 0..20 {
-            // A residual of a hundredth of the tolerance needs no further polish.
+            // Forces whose residual is a hundredth of the tolerance need no further Newton steps.
             if self.best.residual <= 0.01 * self.settings.tolerance || self.best.stopped {
                 break;
             }
@@ -159,7 +160,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             let equations = self.anchored_at(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
-            // Polishing ends when neither a step nor sweeps reduce the residual to this fraction of its previous value.
+            // Newton steps end when neither a step nor sweeps reduce the residual to this fraction of its previous value.
             let worthwhile = 0.9;
             if step.is_some_and(|step| self.record_if_best(&(&r + step)) <= worthwhile * before) {
                 continue;
@@ -193,8 +194,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
         Anchored::with_anchor(self.problem, self.blocks, self.rho.clone(), anchor, weights)
     }
 
-    /// Moves these forces onto the cones, keeps them if their residual is the smallest so far, and calls the watcher with the progress. Returns their
-    /// largest residual over all contacts; infinite if a force is not finite.
+    /// Projects the forces r onto the friction cones, keeps them if their residual is the smallest so far, and reports the progress to the
+    /// watcher. Returns their largest residual over all contacts; infinite if a force is not finite.
     fn record_if_best(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;

@@ -22,7 +22,7 @@ impl<const C: usize> Blocks<C> {
         let n = problem.len();
         let block = |i: usize, j: usize| problem.w.fixed_view::<C, C>(C * i, C * j).into_owned();
         let mut others = vec![Vec::new(); n];
-        // Visits the blocks column by column, in the order in which the matrix is stored.
+        // The blocks are visited column by column, in the order in which nalgebra stores the matrix W.
         for j in 0..n {
             for (i, others) in others.iter_mut().enumerate().filter(|(i, _)| *i != j) {
                 let block = block(i, j);
@@ -34,12 +34,10 @@ impl<const C: usize> Blocks<C> {
         Self { own: numbered(n, &|i| block(i, i)), others }
     }
 
-    /// Number of contacts.
     pub(super) fn len(&self) -> usize {
         self.own.len()
     }
 
-    /// The diagonal block of a contact.
     pub(super) fn diagonal(&self, i: usize) -> &ContactBlock<C> {
         &self.own[i]
     }
@@ -56,13 +54,13 @@ impl<const C: usize> Blocks<C> {
         if own > 0.0 { own } else { any() }
     }
 
-    /// The scale ρ of each contact, the inverse of [`Self::size`], which converts velocities to forces.
+    /// The factor ρ of each contact that converts velocities to forces: the inverse of [`Self::size`].
     pub(super) fn scales(&self) -> Vec<f64> {
         let scale = |i| if self.size(i) > 0.0 { 1.0 / self.size(i) } else { 1.0 };
         numbered(self.len(), &scale)
     }
 
-    /// The velocity of one contact due to the forces of all others: its part of W r without the diagonal block.
+    /// The velocity of contact i due to the forces r of all other contacts: its part of W r without the diagonal block.
     pub(super) fn by_others(&self, i: usize, r: &DVector<f64>) -> SVector<f64, C> {
         self.others[i].iter().fold(SVector::zeros(), |sum, (j, w)| sum + w * part::<C>(r, *j))
     }

@@ -22,7 +22,7 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
 
-/// The smoothed equations r' = P(r' − ρ û') of all contacts (see the top of the file) for one value of τ.
+/// The smoothed equations r' = P(r' − ρ û') of all contacts for one value of the path's parameter τ (symbols at the top of the file).
 pub(super) struct Smoothed<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
@@ -52,8 +52,9 @@ fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {
     block
 }
 
-/// Follows the central path from the forces r, as its parameter τ decreases. The first τ is `begin` times the mean of ‖r_i‖² / ρ_i over the contacts.
-/// `judge` returns the residual of forces, or stops the path. Returns the forces with the smallest residual, and the number of Newton steps.
+/// Follows the central path from the forces r, as its parameter τ decreases. The first τ is `begin` times the mean of ‖r_i‖² / ρ_i over the
+/// contacts i. `judge` returns the residual of the forces that it receives, or stops the path. Returns the forces with the smallest residual,
+/// and the number of Newton steps.
 pub(super) fn follow<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -67,16 +68,16 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // The parameter τ of the last point on the path, and the factor by which τ is reduced for the next point.
+    // The parameter τ of the last point on the central path, and the factor by which τ is reduced for the next point.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
-    // The factor by which τ is reduced after the starting point of the path.
+    // Factor of τ between the first two points of the path; later factors adapt to the number of Newton steps.
     let slow = 0.2;
-    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's method has
-    // lost the path if it converges only for a reduction of τ by a factor above 0.9.
+    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's
+    // method has lost the path if it converges only for a factor of τ above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
-        // A point is on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made that the
-        // next τ makes obsolete; if larger, Newton's method fails to follow the path.
+        // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made
+        // that the next τ makes obsolete; if larger, Newton's method loses the path.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
         let patience = IterationLimits { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (point, steps) = descend(&smoothed, order, r.clone(), patience);
@@ -96,7 +97,7 @@ pub(super) fn follow<const C: usize>(
                 factor
             };
         } else if first {
-            // A larger τ puts the starting point of the path farther inside the cones.
+            // A larger parameter τ puts the starting point of the path farther inside the cones.
             tau /= slow;
             if tau > 1e3 * energy {
                 break;
@@ -167,7 +168,7 @@ fn contact<const C: usize>(
     (scaled - projected, scale - change * scale, change * inverse * dilation * rho)
 }
 
-/// The smoothed projection of x onto the cone ‖x_T‖ ≤ x_N, and its derivative.
+/// The smoothed projection P of x onto the cone ‖x_T‖ ≤ x_N, and its derivative; `width` is the product ρ τ (see the top of the file).
 fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, C>, ContactBlock<C>) {
     let slip = tangent(x);
     let length = slip.norm();
@@ -192,13 +193,13 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// The smoothed positive part φ of `x`, with the product ρ τ as `width` (see the top of the file). Also small values φ are accurate.
+/// The smoothed positive part φ(x), with the product ρ τ as `width` (see the top of the file). The second form avoids cancellation, so that
+/// small values of φ are accurate, too.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }
 }
 
-/// Derivative of [`smoothed`] with respect to `x`.
 fn slope(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (1.0 + x / root) } else { 2.0 * width / (root * (root - x)) }

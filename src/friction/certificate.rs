@@ -48,8 +48,8 @@ impl<const C: usize> FrictionProblem<C> {
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
             }
-            // A tangential component relative to the normal component. Both are pairs of mantissa and exponent, since the exponent may be outside the
-            // range of doubles.
+            // A tangential component of a = W_Nᵀ y, relative to the normal component. Both are pairs of mantissa and binary exponent, since the
+            // exponent may be outside the range of doubles.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + PROOF_ROUNDING) <= 1.0
@@ -87,13 +87,14 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) over contacts i, which is at most zero in a proof. W_iN and W_iT are entries of the normal and
-/// tangential columns of one contact in the matrix W. The product of y_i and μ is split into two doubles. `None` if it underflows or overflows.
+/// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) over contacts i, which is at most zero if y is a proof. W_iN and W_iT are entries of the
+/// normal and tangential columns of one contact in the matrix W. `None` if the product of y_i and μ underflows or overflows; otherwise this
+/// product is split into two doubles without error.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {
         let product = mu * y;
-        // Products in this range lose no digits by underflow and do not overflow.
+        // Factors and products in this range lose no digits by underflow and do not overflow.
         let kept = 1e-280..1e280;
         if product != 0.0 && [product, mu, *y].iter().any(|x| !kept.contains(&x.abs())) {
             return None;

@@ -78,8 +78,8 @@ impl<const C: usize> FrictionProblem<C> {
         Some(Solution { r, u, states: found, residuals, pivots: 0, steps: 0 })
     }
 
-    /// Whether some contact's friction exceeds its limit μ r_N by more than rounding. For a steep cone the excess may be small relative to the force
-    /// but large relative to its normal component.
+    /// Whether some contact's friction exceeds its limit, μ times its normal force, by more than rounding. For a steep cone the excess may be
+    /// small relative to the force but large relative to its normal component.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);

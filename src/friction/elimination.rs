@@ -23,9 +23,10 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     by_degree(near)
 }
 
-/// [`order`] from lists of the neighbours of each contact.
+/// The elimination order by minimum degree, from lists of the neighbours of each contact.
 fn by_degree(mut near: Vec<Vec<usize>>) -> Vec<usize> {
-    // Entries of the heap are pairs of degree and contact. Outdated degrees of a contact remain in it and are skipped.
+    // Entries of the heap are pairs of degree (number of remaining neighbours) and contact. Outdated pairs of a contact remain in the heap and
+    // are skipped.
     let mut waiting = BinaryHeap::new();
     for (i, near) in near.iter_mut().enumerate() {
         near.sort_unstable();
@@ -98,7 +99,7 @@ pub(super) fn solve<const C: usize>(
     for (k, i) in order.iter().enumerate() {
         position[*i] = k;
     }
-    // By position in the elimination order: inverse pivots, and the rows of the upper triangle.
+    // By position of the contact in the elimination order: inverses of the pivot blocks, and the block rows of the upper triangle.
     let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
     let mut uppers: Vec<SparseRow<C>> = Vec::with_capacity(n);
     let mut work: Vec<ContactBlock<C>> = vec![ContactBlock::zeros(); n];

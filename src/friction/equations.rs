@@ -39,7 +39,6 @@ impl<const C: usize> Linearisation<C> {
         }
     }
 
-    /// Appends the residual of the next contact and its derivatives.
     pub(super) fn push(
         &mut self,
         residual: SVector<f64, C>,
@@ -57,7 +56,8 @@ pub(super) trait Equations<const C: usize> {
     /// Residuals and derivatives at the forces r.
     fn at(&self, r: DVector<f64>) -> Linearisation<C>;
 
-    /// Multiple of the identity that is added to a contact's diagonal block of the matrix W, to regularise the equations of redundant contacts.
+    /// Multiple of the identity that is added to a contact's diagonal block of the matrix W. It makes the equations of redundant contacts
+    /// regular.
     fn shift(&self, contact: usize) -> f64;
 
     fn blocks(&self) -> &Blocks<C>;
@@ -74,7 +74,7 @@ pub(super) struct IterationLimits {
     pub(super) rounding: f64,
     /// The line search tries no smaller fraction of a Newton step than this.
     pub(super) shortest: f64,
-    /// If the line search finds no shorter step that reduces the residuals enough, a full Newton step is taken, but at most this number of times.
+    /// Limit of the number of full Newton steps that are taken although the line search found no shorter step that reduces the residuals enough.
     pub(super) leaps: usize,
 }
 
@@ -123,7 +123,7 @@ pub(super) fn newton_step<const C: usize>(
         let (by_force, by_velocity) = (point.by_force[i], point.by_velocity[i]);
         let own = blocks.diagonal(i) + ContactBlock::identity() * equations.shift(i);
         let mut row = vec![(i, by_force + by_velocity * own)];
-        // The residual of an open contact does not depend on other contacts.
+        // If the residual of a contact does not depend on its velocity (an open contact), it does not depend on the forces of other contacts.
         if by_velocity.iter().any(|x| *x != 0.0) {
             row.extend(blocks.off_diagonal(i).iter().map(|(j, w)| (*j, by_velocity * w)));
         }

@@ -12,7 +12,7 @@ pub enum Error {
     /// The friction coefficient of a contact is negative or not finite.
     #[error("friction of contact {contact} is {value}, but must be finite and not negative")]
     Friction {
-        /// The contact, counted from 0.
+        /// The contact with this coefficient, counted from 0.
         contact: usize,
         /// The friction coefficient that was given.
         value: f64,

@@ -25,8 +25,8 @@ use nalgebra::{DMatrix, DVector, SVector};
 pub(super) struct Facets<const C: usize>(pub(super) Vec<Vec<SVector<f64, C>>>);
 
 impl<const C: usize> Facets<C> {
-    /// Regular facet directions: both directions in the plane, `count` directions in space, the first of them at the angle (rad, from the first
-    /// tangential axis) given for each contact.
+    /// Regular facet directions: both directions in the plane, `count` directions in space. In space `angles` has the angle of the first
+    /// direction of each contact, in rad from the first tangential axis.
     pub(super) fn regular(count: usize, angles: &[f64]) -> Self {
         let direction = |angle: f64| {
             let mut d = SVector::zeros();
@@ -64,8 +64,8 @@ pub struct FacetedProblem<const C: usize> {
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// Selects the entries of the contacts' normal forces from a vector with an entry for each unknown of the complementarity problem. From a vector
-    /// of slacks it selects the normal velocities.
+    /// Selects the entries of the contacts' normal forces from a vector z with an entry for each unknown of the complementarity problem. From a
+    /// vector of slacks w it selects the normal velocities.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         vector_of(self.facets.0.len(), &|i| z[self.facets.width() * i])
     }
@@ -104,7 +104,8 @@ impl<const C: usize> FrictionProblem<C> {
 
     pub(super) fn polygon(&self, facets: Facets<C>) -> Result<FacetedProblem<C>, LcpError> {
         let (n, width) = (self.len(), facets.width());
-        // Each column of `span` is the contact force due to one unit of one unknown. The transpose of `span` maps velocities to slacks.
+        // Each column of `span` is the contact force due to one unit of one unknown: a normal force, or friction along one facet direction. The
+        // transpose of `span` maps velocities to slacks.
         let mut span = DMatrix::zeros(C * n, width * n);
         for (i, facets) in facets.0.iter().enumerate() {
             span[(C * i, width * i)] = 1.0;

@@ -14,7 +14,8 @@ use crate::numerics::{IntoList, total, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Upper limit of the number of Newton corrections per step. If at most half of this number was needed, the next step is longer.
+/// Upper limit of the number of Newton corrections per step along the central path. If at most half of this number was needed, the next step is
+/// longer.
 const MOST_FOLD_CORRECTIONS: usize = 6;
 
 /// Follows the central path around its folds. Returns the forces at the end of the path, or at the point of the path where steps become too short or
@@ -39,13 +40,13 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // Shortest step along the path. The search ends where a step would have to be shorter.
+        // Shortest step along the path; the path ends where a step would have to be shorter.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);
             let onward = next.and_then(|(next, corrections)| {
                 let then = path.tangent(&next, &ahead, &measure)?;
-                // The step is shortened if the tangent turns by more than 45°.
+                // The step is shortened if the tangent of the path turns by more than 45° in it.
                 (then.dot(&ahead.component_mul(&measure)) >= 0.7).then_some((next, corrections))
             });
             if let Some((next, corrections)) = onward {
@@ -94,7 +95,8 @@ impl<const C: usize> Path<'_, C> {
         (point.size <= enough).then_some(x)
     }
 
-    /// The residuals at a point, their root mean square relative to √τ, and their derivatives with respect to forces and ln τ.
+    /// The residuals at a point x, their root mean square relative to √τ, and their derivatives with respect to forces and ln τ. x has the
+    /// forces, then ln τ.
     fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();
@@ -120,7 +122,8 @@ impl<const C: usize> Path<'_, C> {
         (residual, near, change)
     }
 
-    /// Diagonal of the metric for changes of forces and ln τ along the path. Forces are measured relative to their size at x.
+    /// Diagonal of the metric for changes of forces and ln τ along the path with the parameter τ. Forces are measured relative to their size at
+    /// x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy = total(self.problem.len(), &|i| x.rows(C * i, C).norm_squared() / self.rho[i]);

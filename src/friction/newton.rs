@@ -15,9 +15,9 @@ struct Iterate<const C: usize> {
     r: DVector<f64>,
     /// The residual r − Π(ζ): r are the forces, Π is the return map, and ζ = r − ρ u are its trial values for the velocities u.
     residual: DVector<f64>,
-    /// Derivative of each contact's return map Π with respect to its trial value ζ.
+    /// Derivative of each contact's return map Π, from the trial value ζ to the force, with respect to ζ.
     changes: Vec<SMatrix<f64, C, C>>,
-    /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts.
+    /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts; ρ converts velocities to forces.
     size: f64,
     /// Norm, as for `size`, of the forces r and the scaled velocities ρ u together: the terms whose differences are the residual.
     terms: f64,
@@ -51,7 +51,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             made += 1;
             let mut part = 1.0;
             let mut next = self.iterate_at(&point.r + &step);
-            // Shortest fraction of a step that the line search tries.
+            // Shortest fraction of a Newton step that the line search tries.
             let shortest = 1e-3;
             while next.size > (1.0 - SUFFICIENT_DECREASE * part) * point.size && part > shortest {
                 part *= 0.5;
@@ -59,7 +59,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             if part <= shortest {
                 if point.size <= SOLVED_ROUNDING * point.terms {
-                    // The residual is at the level of rounding errors.
+                    // No fraction of the step reduces the residual enough, and the residual is at the level of rounding errors.
                     break;
                 }
                 next = self.iterate_at(&point.r + &step);
@@ -86,7 +86,8 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, residual, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The Newton step; its components along forces that the equations do not determine are zero. `None` if it is not finite.
+    /// The Newton step; it is zero along forces that the equations do not determine, as those of redundant contacts. `None` if the step is not
+    /// finite.
     fn step(&self, point: &Iterate<C>) -> Option<DVector<f64>> {
         let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);

@@ -16,8 +16,8 @@ use super::law::tangent;
 use crate::numerics::regula_falsi;
 use nalgebra::SVector;
 
-/// The force of a contact with the diagonal block A of the matrix W and friction μ; b is its velocity without its own force. `None` if A is not
-/// definite enough for a force to stop the approach, or if numbers overflow.
+/// The force of a contact whose diagonal block of the matrix W is `a`, with friction `mu`; `b` is its velocity without its own force. `None` if
+/// the block is not definite enough for a force to stop the approach, or if numbers overflow.
 pub(super) fn answer<const C: usize>(
     a: &ContactBlock<C>,
     b: &SVector<f64, C>,
@@ -49,7 +49,7 @@ pub(super) fn answer<const C: usize>(
             return None;
         }
     }
-    // A force that overflows counts as infinitely far outside the cone.
+    // A ratio κ whose force overflows counts as infinitely far outside the cone.
     let mut left = |kappa: f64| slide.at(kappa).map_or(f64::INFINITY, |r| miss(&r));
     let bracket = [(least, left(least)), (most, left(most))];
     let mut r = slide.at(regula_falsi(bracket, 0.0, &mut left)?)?;
@@ -65,14 +65,16 @@ pub(super) fn answer<const C: usize>(
 
 /// The forces of a sliding contact with normal velocity zero, as functions of κ, the slip speed per unit of friction force.
 struct Slide<const C: usize> {
-    /// The matrix S of the slip u_T = S r_T + c in the tangential rows and columns; the normal row and column are taken from the identity.
+    /// The matrix S of the slip velocity u_T = S r_T + c, as a function of the friction force r_T. The normal row and column are taken from the
+    /// identity.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
-    /// −b_N / A_NN, with A and b as at the top of the file. The normal force is `normal` minus `coupling` times the friction force.
+    /// −b_N / A_NN: the normal force without friction. A is the contact's diagonal block of the matrix W, b its velocity without its own force.
+    /// The normal force is `normal` minus `coupling` times the friction force.
     normal: f64,
     /// A_NT / A_NN: the decrease of the normal force per unit of friction force, at normal velocity zero.
     coupling: SVector<f64, C>,
-    /// The largest entry of the matrix S, or A_NN if S is zero.
+    /// The largest entry of the matrix S in u_T = S r_T + c, or A_NN if S is zero. A_NN is the normal velocity per unit of normal force.
     size: f64,
 }
 
@@ -102,7 +104,7 @@ impl<const C: usize> Slide<C> {
     }
 }
 
-/// The solution of the tangential part of a linear system, by Cramer's rule. `None` if it is not finite.
+/// The tangential components of the solution of A x = b, by Cramer's rule. `None` if they are not finite.
 fn solved<const C: usize>(a: &ContactBlock<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let mut x = SVector::<f64, C>::zeros();
     if C == 2 {

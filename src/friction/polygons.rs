@@ -57,7 +57,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 
     /// One try: solves the problem with polygons of `count` facets, and continues with Newton's method from its forces. If the polygons give no
-    /// solution and `from_zero` is set, Newton's method starts from zero forces, in space only.
+    /// solution and `from_zero` is set, Newton's method starts from zero forces; in the plane it does not.
     fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
         let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
             return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
@@ -79,7 +79,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 
     /// Accepts the forces `start` as a solution, or the forces at which Newton's method from `start` ends. Without a solution the outcome is
-    /// `NoConvergence`. In any case facets are rotated for the next try.
+    /// `NoConvergence`. In any case the facets are rotated for the next polygon.
     fn solution_from(&mut self, start: DVector<f64>) -> Outcome<Solution> {
         self.rotate_facets(&start);
         if let Some(solution) = self.checked_solution(start.clone()) {

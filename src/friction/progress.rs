@@ -10,9 +10,9 @@ pub struct SolveProgress<'a> {
     pub contacts: &'a [usize],
     /// The forces of these contacts with the smallest residual so far: for each contact the normal component, then the tangential components.
     pub forces: &'a DVector<f64>,
-    /// The largest of the [`Residuals`](super::Residuals) at these forces, over these contacts.
+    /// The largest of the [`Residuals`](super::Residuals) of Coulomb's law at `forces`, over these contacts.
     pub residual: f64,
-    /// Index, in the caller's problem, of the contact with this residual.
+    /// Index, in the caller's problem, of the contact with the largest residual.
     pub worst: usize,
     /// Number of Newton steps made for these contacts, without the steps of the method that starts from polygons.
     pub steps: usize,

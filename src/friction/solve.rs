@@ -74,8 +74,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_island(&blocks, settings, (&all, watch))
     }
 
-    /// Solves one [island](super::islands), or a problem that is a single island. `names` are the contacts' indices in the caller's problem, for
-    /// progress reports.
+    /// Solves one island, a set of contacts that the matrix W couples. `names` are the contacts' indices in the caller's problem; they are used
+    /// in progress reports.
     pub(super) fn solve_island<'a>(
         &'a self,
         blocks: &'a Blocks<C>,
@@ -109,7 +109,8 @@ impl<const C: usize> FrictionProblem<C> {
         for start in 0..settings.starts.min(STARTS.len()) {
             let mut converged = approach.run_start(start);
             if start == 0 && !converged && !approach.best.stopped {
-                // The cost of the linear program of a proof grows with the cube of the number of contacts, so it is solved for at most 200 contacts.
+                // The linear program for a proof of infeasibility costs the cube of the number of contacts, so it is solved for at most 200
+                // contacts.
                 if self.len() <= 200
                     && let Some(y) = self.certificate(&settings.lcp)
                 {
@@ -129,7 +130,8 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Breakdown { pivots, cause };
             }
         }
-        // If all else has failed, facets are tried once. For more than 600 rows this would take more than seconds.
+        // If all else has failed, the problem with polygons in place of the cones is tried once. For more than 600 rows this would take more
+        // than seconds.
         if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {

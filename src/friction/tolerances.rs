@@ -8,31 +8,33 @@
 /// If smaller, rounds that stop at rounding count as failed, and the proximal term grows; if larger, later rounds start from worse forces.
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
-/// Residual below which forces are polished (refined by final Newton steps without a proximal term), and below which residuals are weighted contact
-/// by contact instead of as energy.
+/// Residual below which forces are refined by final Newton steps without a proximal term. Below it, residuals are also weighted contact by
+/// contact instead of as energy.
 ///
 /// If smaller, unnecessary rounds precede the polish; if larger, polishing starts where Newton's method does not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;
 
-/// Lower limit of the weight δ of the proximal term in the linear equations of a Newton step, in units of the contact's diagonal block of W. It makes
-/// the equations of redundant contacts regular.
+/// Lower limit of the weight δ of the proximal term in the linear equations of a Newton step, relative to the contact's diagonal block of the
+/// matrix W. It makes the equations of redundant contacts regular.
 ///
 /// Undetermined force components lose half of their digits by this weight, determined components lose no digits. If smaller, equations become
 /// singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
-/// Multiple of 1/ρ, the scale of a contact's diagonal block of W, that is added to the block along the central path. This regularises the equations
-/// of redundant contacts.
+/// Multiple of the size of a contact's diagonal block of the matrix W that is added to the block along the central path. It makes the equations
+/// of redundant contacts regular.
 ///
 /// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path solve a visibly different problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
-/// Root mean square of the residuals, relative to √τ for the path's parameter τ, up to which a point counts as on the path around folds.
+/// Root mean square of the residuals up to which a point counts as on the central path, when the path is followed around its folds. It is
+/// relative to √τ, with the path's parameter τ.
 ///
 /// If smaller, each step needs more corrections; if larger, the path jumps to another branch.
 pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 
-/// Pivot, relative to the largest, below which an unknown is not changed: the forces of redundant contacts are not determined.
+/// Pivot of the linear equations of a Newton step, relative to the largest pivot, below which a force is not changed. The forces of redundant
+/// contacts are not determined.
 ///
 /// If smaller, undetermined forces follow rounding; if larger, determined forces of soft contacts are not updated.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;

@@ -1,6 +1,6 @@
 //! One attempt: Lemke's path from the slack basis to its end, and the check of the point at this end.
 //!
-//! An attempt returns `None` if the workspace then holds a solution, otherwise the outcome with which it failed.
+//! An attempt returns `None` if it has left a solution in the [`Workspace`], otherwise the outcome with which it failed.
 
 use super::certificate;
 use super::dictionary::LemkeVariable;
@@ -22,8 +22,8 @@ impl Workspace {
         self.reserve(lcp.len());
     }
 
-    /// Follows Lemke's path of a prepared problem from the slack basis, with the covering vector and the pivot limit of the settings. `None` if the
-    /// path ends in a solution.
+    /// Follows Lemke's path from the slack basis, with the covering vector and the pivot limit of the settings. The problem must have been
+    /// prepared by [`Self::prepare`]. `None` if the path ends in a solution.
     pub(super) fn first_path(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.cover(settings);
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
@@ -37,8 +37,8 @@ impl Workspace {
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d in the path. It is the covering vector of the settings, multiplied by the scale factors of the rows. Without one
-    /// in the settings every entry is 1, changed by the rounding of the scale factors to powers of two.
+    /// Stores the covering vector d of w = q + M z + d z₀ in the path: that of the settings, multiplied by the scale factors of the rows.
+    /// Without one in the settings every entry is 1, up to the rounding of the scale factors to powers of two.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -50,8 +50,8 @@ impl Workspace {
         }
     }
 
-    /// Follows Lemke's path from the slack basis with the stored covering vector, and checks the point at its end. `limit` is the largest number of
-    /// pivots of all paths of the solve together. `None` if the point is a solution.
+    /// Follows Lemke's path from the slack basis with the stored covering vector d, and checks the point at its end. `limit` is the largest
+    /// number of pivots of all paths of the solve together. `None` if the point is a solution.
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
@@ -77,7 +77,7 @@ impl Workspace {
         settings: &Settings,
         limit: usize,
     ) -> Option<Unsolved> {
-        // Each round costs one factorisation. A path whose end fails its check three times has met a nearly singular basis.
+        // Each check costs one factorisation. A path whose end fails its check three times has met a nearly singular basis.
         for _ in 0..3 {
             let Some(failure) = self.finish(lcp, settings) else {
                 self.sharpen(lcp, settings, limit);
@@ -91,23 +91,24 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Improves a solution whose w is more negative than rounding explains. The cause is that the path treated nearly equal ratios as ties, or small
-    /// values as noise. A second path starts at this solution with a tie tolerance of at most [`ROUNDED_SUM`]. Of the two points, the one with the
-    /// smaller largest residual is kept. Settings without retries skip this step.
+    /// Improves a solution with slacks w that are more negative than rounding explains. This happens if the path treated nearly equal ratios as
+    /// ties, or small values as noise. A second path starts at this solution with a tie tolerance of at most [`ROUNDED_SUM`]. Of the two points,
+    /// the point with the smaller largest residual is kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
             _ => return,
         };
         let m = lcp.m.as_slice();
-        // The values are recomputed from q, since slightly negative values may have been set to zero earlier on the path.
+        // The values of the basic variables are recomputed from q, since slightly negative values may have been set to zero earlier on the path.
         self.path.recompute_values();
         if !self.path.cover_violations(m, ROUNDED_SUM) {
             return;
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // Separating nearly tied ratios takes few pivots, if it is possible. Without this limit large degenerate problems would run for long.
+        // A few more pivots separate nearly tied ratios, if they can be separated at all. Without this limit large degenerate problems would run
+        // for long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

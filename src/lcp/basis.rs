@@ -36,12 +36,10 @@ impl Basis {
         self.basic_z.resize(n, false);
     }
 
-    /// Adds i to the set α: makes z_i basic and w_i nonbasic.
     pub(super) fn insert(&mut self, i: usize) {
         self.basic_z[i] = true;
     }
 
-    /// Exchanges w_i and z_i: makes z_i basic if w_i was basic, and w_i basic otherwise.
     pub(super) fn toggle(&mut self, i: usize) {
         self.basic_z[i] = !self.basic_z[i];
     }

@@ -25,15 +25,15 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Removes z's that are zero up to rounding from the dictionary's complementary basis. Then refines its point and checks it against the given M
-    /// and q. `None` if the point solves the problem.
+    /// Removes each z_j that is zero up to rounding from the complementary basis at the end of the path. Then refines the point of this basis
+    /// and checks it against the given M and q. `None` if the point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
         self.retire_vanishing(lcp);
         self.finish_basis(lcp, settings)
     }
 
-    /// [`Self::finish`] without removing z's that are zero up to rounding from the basis.
+    /// [`Self::finish`], except that each z_j that is zero up to rounding stays in the basis.
     pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         refill(&mut self.vanishing, lcp.len(), false);
         self.finish_basis(lcp, settings)
@@ -50,8 +50,8 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable that is zero in exact arithmetic is computed as noise. The variable is set to zero if that does not increase the residuals
-        // beyond rounding.
+        // A basic z_j that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
+        // rounding.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.candidate.z.clear();
@@ -68,8 +68,8 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Replaces the point of the workspace by the point `candidate` if `accept` is true for the largest residual of the candidate. `residuals` then
-    /// become the residuals of this point.
+    /// Replaces the point of the workspace by the point `candidate` if `accept` is true for the largest residual of `candidate`. `residuals`
+    /// then become the residuals of `candidate`.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let candidate_residuals = self.candidate.evaluate(lcp);
         if accept(candidate_residuals.max()) {
@@ -78,11 +78,11 @@ impl Workspace {
         }
     }
 
-    /// Marks the basic z's that are zero up to rounding.
+    /// Marks each basic z_j that is zero up to rounding.
     ///
-    /// One of two tests must hold. First, z is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. Second, z is at most
-    /// [`ZERO_VALUE`] times the largest z, and the residuals stay at the level of rounding errors if all z's this small are set to zero. The second
-    /// test finds z's that were computed from noise alone.
+    /// One of two tests must hold. First, z_j is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. Second, z_j is
+    /// at most [`ZERO_VALUE`] times the largest entry of z, and the residuals stay at the level of rounding errors if all entries this small are
+    /// set to zero. The second test finds entries that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -113,8 +113,8 @@ impl Workspace {
 
     /// Exchanges each z_j that [`Self::mark_vanishing`] has marked with w_j, unless the pivot is too small.
     ///
-    /// The remaining basic z then have a smaller principal block, and the noise of z_j does not affect them. Variables are processed by index, since
-    /// the order of rows depends on rounding.
+    /// The other basic variables then have a smaller principal block, and the noise of z_j does not affect them. Variables are processed in the
+    /// order of their indices, since the order of the dictionary's rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let LemkePath { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
@@ -128,7 +128,7 @@ impl Workspace {
     /// largest residual. Keeps the point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
-        // Each step costs O(n²); already the third step rarely gains anything.
+        // Each refinement step costs O(n²); already the third step rarely gains anything.
         for _ in 0..3 {
             if residuals.within(residual_rounding(n)) || residuals == Residuals::UNUSABLE {
                 break;
@@ -137,7 +137,7 @@ impl Workspace {
             self.path.read_point(&mut self.candidate.z);
             let before = residuals.max();
             self.take_spare(lcp, &mut residuals, |refined| refined < before);
-            // A step that leaves more than half of the largest residual has reached the level of rounding.
+            // A refinement step that leaves more than half of the largest residual has reached the level of rounding.
             if residuals.max() >= 0.5 * before {
                 break;
             }
@@ -145,8 +145,8 @@ impl Workspace {
         residuals
     }
 
-    /// One step of refinement: corrects the values of the basic variables for the defect of each row at the present point. If z_i is basic, the
-    /// defect of row i is the value of w_i, which should vanish.
+    /// One step of refinement: computes the defect of each row of w = M z + q at the present point, and corrects the values of the basic
+    /// variables for it. If z_i is basic, the defect of row i is the value of w_i, which should vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -177,8 +177,8 @@ impl Workspace {
         changed
     }
 
-    /// Factorises the principal block of the basis anew: first without the basic variables that are zero up to rounding, then with them. Replaces the
-    /// point if the largest residual of the new point is smaller.
+    /// Factorises the principal block M_αα of the basis anew: first without the z_j that are zero up to rounding, then with them. Replaces the
+    /// point z if the largest residual of the new point is smaller.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().list();
         let support: Vec<usize> = alpha.iter().copied().filter(|i| !self.vanishing[*i]).list();

@@ -31,7 +31,7 @@ use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
 use crate::prelude::*;
 
-/// A variable of the augmented problem: w_i, z_i, or the covering variable z₀.
+/// A variable of the augmented problem w = q + M z + d z₀: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LemkeVariable {
     W(usize),
@@ -54,40 +54,43 @@ impl LemkeVariable {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
-    /// The variable that is basic in each row.
     pub(super) basic: Vec<LemkeVariable>,
-    /// For each stored column, the index i of its nonbasic slack w_i.
+    /// For each stored column D_{w_i}, the index i of its nonbasic slack w_i.
     kept: Vec<usize>,
-    /// For each w_i, the index of its stored column in `columns`, counted from 0; `None` if w_i is basic.
+    /// For each w_i, the position of its stored column D_{w_i} in `columns`, counted from 0; `None` if w_i is basic.
     slot: Vec<Option<usize>>,
-    /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another.
+    /// The stored columns D_v of the nonbasic slacks v, n entries each, one after another. Entry r of D_v is the change of the basic variable of
+    /// row r per unit of v.
     columns: Vec<f64>,
-    /// Value of the basic variable of each row.
+    /// Values x of the basic variables, one for each row.
     pub(super) x: Vec<f64>,
     /// For each row, the change of its basic variable per unit of ε if ε p is added to q. It breaks ties between rows.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the terms from which its value in `x` was computed. [`Self::sum_terms`] sets it to the sum of their magnitudes. Each
-    /// later pivot raises this size to the magnitude of the term that the pivot adds, if that is larger.
+    /// For each row, the size of the terms from which its value in `x` was computed; the rounding error of the value is proportional to it.
+    /// [`Self::sum_terms`] sets it to the sum of their magnitudes. Each later pivot raises this size to the magnitude of the term that the pivot
+    /// adds, if that is larger.
     pub(super) term_sizes: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
     /// The covering vector d in balanced rows.
     pub(super) d: Vec<f64>,
-    /// The column of the balanced M, or d, from which equation (1) of the file header computes the column of the entering variable. An additional
-    /// entry with the index n is zero; it is read for rows whose basic variable is no slack.
+    /// The column of the balanced M, or the covering vector d, from which the entering column is computed. An additional entry with the index n
+    /// is zero; it is read for rows whose basic variable is no slack.
     source_column: Vec<f64>,
     /// For each row, the index i of its basic slack w_i; n if its basic variable is no slack.
     slack: Vec<usize>,
-    /// For each row, the first term of equation (1) of the file header: entry i of `source_column` if w_i is basic in the row, otherwise 0.
+    /// For each row, the first term of the entering column `first_term − Σ c_i D_{w_i}`: entry i of `source_column` if w_i is basic in the row,
+    /// otherwise 0.
     first_term: Vec<f64>,
-    /// For each stored column D_v, the factor g in the update `D_v += g u` with which a pivot changes the column. u is the entering column.
+    /// For each stored column D_v, the factor g in the update `D_v += g u` of a pivot with the entering column u.
     g: Vec<f64>,
-    /// For each stored column D_{w_i}, its factor in equation (1) of the file header: entry i of `source_column`.
+    /// For each stored column D_{w_i}, its factor c_i in the entering column `first_term − Σ c_i D_{w_i}`: entry i of `source_column`.
     c: Vec<f64>,
 }
 
 impl Dictionary {
-    /// Resets to the slack basis, in which every slack w_i is basic, with right-hand side q, perturbation p and covering vector d.
+    /// Resets the dictionary to the slack basis, in which every slack w_i is basic. q is the right-hand side, p the perturbation that breaks
+    /// ties, and d the covering vector.
     pub(super) fn reset(&mut self, q: &[f64], p: &[f64], d: &[f64]) {
         let n = q.len();
         self.n = n;
@@ -120,7 +123,7 @@ impl Dictionary {
         self.slot[i].is_some()
     }
 
-    /// The index of the stored column of a variable; `None` unless the variable is a nonbasic slack.
+    /// The position in `columns` of the stored column of a variable; `None` unless the variable is a nonbasic slack.
     fn slot_of(&self, variable: LemkeVariable) -> Option<usize> {
         if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
@@ -138,30 +141,30 @@ impl Dictionary {
         }
     }
 
-    /// The largest magnitude of an entry of `source_column`: of the column of the balanced M, or of d, that was last used in equation (1) of the file
-    /// header.
+    /// The largest magnitude of an entry of `source_column`, the column of the balanced M, or d, from which the entering column was last
+    /// computed.
     pub(super) fn source_size(&self) -> f64 {
         largest(&self.source_column)
     }
 
-    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side q. They follow from equation (1) of the file
-    /// header with r in place of a column of M.
+    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side q. They are computed like the column of an
+    /// entering variable (equation (1) at the top of the file), with r in place of a column of M.
     pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.source_column[..self.n].copy_from_slice(r);
         self.spread();
         self.eliminate(effect);
     }
 
-    /// Computes into y the right-hand side of equation (1) of the file header, as [`Self::spread`] has prepared it: the first term, in `first_term`,
-    /// minus the sum of the stored columns D_{w_i}, each times its factor M_ie in `c`.
+    /// Computes y = `first_term` − Σ c_i D_{w_i} over the stored columns D_{w_i} of the nonbasic slacks, after [`Self::spread`] has prepared
+    /// `first_term` and the factors c_i in `c`.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.first_term);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
     }
 
-    /// Recomputes `term_sizes` for values that equation (1) of the file header computes from the right-hand side q: for each row, the sum of the
-    /// magnitudes of the terms of (1), to which the rounding error of the value is proportional. These terms are q_i if the slack w_i is basic in the
-    /// row, and the entry of each stored column D_{w_j} times q_j.
+    /// Recomputes `term_sizes`: for each row, the sum of the magnitudes of the terms of its basic value as computed from the right-hand side q.
+    /// The rounding error of the value is proportional to this sum. The terms are q_i if the slack w_i is basic in the row, and the entry of
+    /// each stored column D_{w_j} times q_j.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));
@@ -171,10 +174,10 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.term_sizes });
     }
 
-    /// Sets entries of the entering column to zero that are only noise.
+    /// Sets entries of the entering column `u` to zero that are only noise: rounding errors of zero.
     ///
-    /// In a column that is summed by equation (1) of the file header, an entry is noise below `tolerance` times the magnitude of its terms. In the
-    /// stored column of a slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
+    /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise below `tolerance` times the magnitude of
+    /// its terms. In the stored column of a slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -195,8 +198,8 @@ impl Dictionary {
         }
     }
 
-    /// Copies into `source_column` the column of the balanced M that belongs to the variable z_e, or d for z₀. Then prepares equation (1) of the file
-    /// header with [`Self::spread`].
+    /// Copies into `source_column` the column of the balanced M that belongs to the variable z_e, or d for z₀. Then prepares the computation of
+    /// the entering column with [`Self::spread`].
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -210,8 +213,8 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Prepares equation (1) of the file header with `source_column` as column e of M. Stores the first term of the equation in `first_term`, and
-    /// the factors M_ie of the stored columns D_{w_i} in `c`.
+    /// Prepares [`Self::eliminate`] for the column M_·e in `source_column`. Its entries M_ie go to `first_term` where the slack w_i is basic,
+    /// and to `c` as factors of the stored columns D_{w_i} where w_i is nonbasic.
     fn spread(&mut self) {
         for (to, i) in self.first_term.iter_mut().zip(&self.slack) {
             *to = self.source_column[*i];
@@ -268,8 +271,8 @@ impl Dictionary {
         }
     }
 
-    /// Exchanges the entering variable with the basic variable of row r, except for the rank-one update of the stored columns. Leaves the factors of
-    /// this update in `g` and `u`; returns the leaving variable.
+    /// Exchanges the entering variable with the basic variable of row r, except for the update `D_v += g u` of the stored columns. Leaves the
+    /// factors g and u of this update in `g` and `u`; returns the leaving variable.
     fn rearrange(&mut self, entering: LemkeVariable, r: usize) -> LemkeVariable {
         let n = self.n;
         let leaving = self.basic[r];
@@ -277,8 +280,8 @@ impl Dictionary {
         let inverse = 1.0 / pivot;
         self.step(r, pivot);
 
-        // In row r the update `D_v += g u` must give g alone. Row r of each column is therefore set to 0 and row r of u to 1, so the update needs no
-        // branch.
+        // In row r the update `D_v += g u` must give g alone. Row r of each column D_v is therefore set to 0 and row r of u to 1, so the update
+        // needs no branch.
         self.u[r] = 1.0;
         let factor = -self.p[r] * inverse;
         self.p[r] = 0.0;
@@ -290,7 +293,7 @@ impl Dictionary {
         }
         let own = self.slot_of(entering);
         if let Some(own) = own {
-            // The stored column of the entering slack becomes the column of the leaving variable, u / pivot.
+            // The stored column of the entering slack becomes the column of the leaving variable: the entering column u divided by its pivot.
             self.g[own] = inverse;
             self.columns[own * n..(own + 1) * n].fill(0.0);
         }

@@ -72,7 +72,7 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
             None => without_point.push(bits),
         }
     }
-    // Singular bases are processed last, so that solutions of regular bases come first in the list.
+    // Singular bases are processed last, so that solutions of regular bases come first in the list of solutions.
     for bits in without_point {
         let alpha = indices(bits);
         if let Some(basic) = search.point_of_singular_piece(&alpha)
@@ -84,8 +84,8 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     search.found
 }
 
-/// The first solution found at a vertex of the solution set of a singular basis, for problems in which linear programming has found none. `None` if
-/// no vertex is a solution. The size n is at most [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES).
+/// The first solution found at a vertex of the solution set of a singular basis, for problems in which linear programming has found none. `None`
+/// if no vertex is a solution. The problem has at most [`MOST_ROWS_WITH_VERTICES`](super::tolerances::MOST_ROWS_WITH_VERTICES) rows.
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -109,8 +109,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the point with the values `basic` of z_α if it solves the problem and is not known yet. Returns its basis if it is a solution, new or
-    /// known, otherwise `None`.
+    /// Adds the point with the values `basic` of z_α, and z = 0 elsewhere, if it solves the problem and is not known yet. α is the list `alpha`
+    /// of basic z. Returns the basis of the solution, new or known; `None` if the point is no solution.
     fn offer(&mut self, alpha: &[usize], basic: &DVector<f64>) -> Option<Basis> {
         let solution = self
             .solution_at(alpha, basic)
@@ -124,9 +124,9 @@ impl Search<'_> {
         Some(basis)
     }
 
-    /// The values `basic` of z_α, in which values below rounding are replaced by zero.
+    /// The values `basic` of z_α, with values below rounding replaced by zero.
     ///
-    /// Otherwise the sign of noise would decide the sign of w in rows whose other terms are all zero. If a replaced value was not noise, the
+    /// Otherwise, in a row whose other terms are all zero, noise would decide the sign of the slack w. If a replaced value was not noise, the
     /// residuals become large.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
@@ -134,8 +134,8 @@ impl Search<'_> {
         vector_of(alpha.len(), &|j| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 
-    /// The solution with the values `basic` of z_α and z = 0 elsewhere; `None` if the residuals of this point exceed the tolerance, or if the point
-    /// does not depend on q.
+    /// The solution with the values `basic` of z_α and z = 0 elsewhere. `None` if the residuals of this point exceed the tolerance, or if q is
+    /// smaller than the rounding errors of M z.
     fn solution_at(&self, alpha: &[usize], basic: &DVector<f64>) -> Option<Solution> {
         let (lcp, tolerance) = (self.lcp, self.settings.residual_tolerance);
         let mut z = vec![0.0; lcp.len()];
@@ -143,7 +143,7 @@ impl Search<'_> {
             z[*i] = *value;
         }
         let mut point = LcpPoint::new(z, lcp);
-        // Residuals are checked before negative entries are set to zero, so that entries more negative than noise fail.
+        // Residuals are checked before negative entries of z are set to zero, so that a point with entries more negative than noise fails.
         if !point.residuals(lcp).within(tolerance) {
             return None;
         }

@@ -64,7 +64,7 @@ pub enum LcpError {
         row: usize,
         /// Column of the entry, counted from 0.
         column: usize,
-        /// The entry.
+        /// The value of the entry.
         value: f64,
     },
     /// An entry of a vector is infinite or not a number.
@@ -74,7 +74,7 @@ pub enum LcpError {
         what: &'static str,
         /// Row of the entry, counted from 0.
         row: usize,
-        /// The entry.
+        /// The value of the entry.
         value: f64,
     },
 }

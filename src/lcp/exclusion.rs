@@ -46,15 +46,15 @@ impl ExclusionTest<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// Whether one row of M and q alone excludes the basis. Row i does so if q_i < 0 and row i of M has no positive entry in the columns α. For i in
-    /// α, where w_i must be zero, the opposite signs also exclude the basis.
+    /// Whether one row of M and q alone excludes the basis α. Row i does so if q_i < 0 and row i of M has no positive entry in the columns α:
+    /// then w_i < 0. For i in α, where w_i must be zero, the opposite signs also exclude the basis.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Whether a row of the inverse of the regular block M_αα, taken as v, excludes the basis. Three rows are tried, for the conditions that the
-    /// point of the basis violates most.
+    /// Whether a row of the inverse of the regular block M_αα, taken as the vector v of the proof, excludes the basis. Three rows are tried, for
+    /// the conditions that the point of the basis violates most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = matrix_of(size, size, &|i, j| self.m[(alpha[i], alpha[j])]);
@@ -71,8 +71,8 @@ impl ExclusionTest<'_> {
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
         increasing(&values).into_iter().take(3).any(|position| {
             let (value, which) = &broken[position];
-            // Shifting (Mᵀv)_α below zero may use this fraction of the violation; the remaining fraction keeps qᵀv negative. With a value near 0 or 1
-            // rounding would decide one of the two signs.
+            // The entries (Mᵀv)_α of the proof are shifted below zero by at most this fraction of qᵀv < 0; the rest keeps qᵀv negative. With a
+            // value near 0 or 1 rounding would decide one of the two signs.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);
@@ -92,15 +92,16 @@ impl ExclusionTest<'_> {
         })
     }
 
-    /// Whether a dual solution of the linear program that minimises the largest violation of the basis's conditions, taken as v, excludes the basis.
-    /// One dual solution is computed for each margin δ in [`MARGINS`], by which its constraints are tightened.
+    /// Whether a dual solution of a linear program, taken as the vector v of the proof, excludes the basis α. The program minimises the largest
+    /// violation of the conditions z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0. One dual solution is computed for each margin δ in [`MARGINS`], by
+    /// which its constraints are tightened.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether the vector v, as computed or [`cleaned`], proves that no solution belongs to the basis. The entries of `v` are multipliers of the
-    /// scaled rows, and are first converted to multipliers of the given rows.
+    /// Whether the vector v, as computed or [`cleaned`] of rounding, proves that no solution belongs to the basis α. The entries of `v` are
+    /// multipliers of the scaled rows, and are first converted to multipliers of the given rows.
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = vector_of(v.len(), &|i| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
@@ -114,10 +115,9 @@ fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
-/// A condition that the point of a basis violates: this z_j or w_i is negative.
+/// A condition that the point of a basis α violates, because z_j or w_i is negative.
 enum ViolatedCondition {
-    /// The condition z_j ≥ 0, for an element of α that is given by its position in α.
+    /// The condition z_j ≥ 0 of a basic z_j, given by the position of j in the list α.
     Domain(usize),
-    /// The condition w_i ≥ 0.
     Slack(usize),
 }

@@ -76,14 +76,15 @@ impl Lcp {
         self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - BOUND_ROUNDING)
     }
 
-    /// The certificate with the vector y, as computed or [`cleaned`]: exact if y proves infeasibility without rounding, otherwise nearly infeasible.
-    /// `None` if y does not even prove infeasibility up to rounding.
+    /// The outcome that the vector y proves, as computed or [`cleaned`] of rounding: infeasible if y is a Farkas vector without rounding,
+    /// otherwise nearly infeasible. `None` if y is not even a Farkas vector up to rounding.
     pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Unsolved> {
         let certificate = |y| Certificate { y, pivots: 0 };
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
             return Some(Outcome::Infeasible(certificate(y)));
         }
-        // The first two vectors have the computed entries; the other candidates are rounded to integers.
+        // The first two vectors of `cleaned` have the computed entries, the others integers. Integers that are no exact Farkas vector are no
+        // proof up to rounding either.
         let nearly = cleaned(y).take(2).find(|y| self.nearly_proves(y));
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
@@ -113,8 +114,8 @@ impl Lcp {
             })
     }
 
-    /// Whether row i is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in these columns. The row is negative if
-    /// q_i < 0 and no entry of the row in these columns is positive; it is positive if both hold with the opposite signs.
+    /// Whether row i of M z + q is negative (sign 1) or positive (sign −1) for every z ≥ 0 whose nonzero entries are in the given columns. It is
+    /// negative if q_i < 0 and no entry of row i of M in these columns is positive. It is positive if both hold with the opposite signs.
     pub(super) fn has_certain_sign(
         &self,
         row: usize,

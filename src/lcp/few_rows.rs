@@ -1,7 +1,7 @@
 //! Farkas vectors (y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0) that a person can check: few nonzero entries, few digits.
 //!
 //! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
-//! contradict each other, are easier to understand. If its entries have few digits, such a proof also does not depend on how a computed entry was
+//! contradict each other, are easier to understand. If the vector has few digits, such a proof also does not depend on how a computed entry was
 //! rounded.
 
 use super::problem::Lcp;
@@ -11,7 +11,7 @@ use crate::numerics::FloatFunctions;
 use crate::numerics::{increasing, mapped, vector_of};
 use nalgebra::DVector;
 
-/// Numbers of binary digits to which entries are rounded, in the order in which they are tried.
+/// Numbers of binary digits to which the entries of a Farkas vector are rounded, in the order in which they are tried.
 const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
@@ -38,11 +38,12 @@ impl Lcp {
         None
     }
 
-    /// A Farkas vector y whose nonzero entries are in the rows i and k. The ratio y_k / y_i must lie between bounds, one from each column of M and
+    /// A Farkas vector y whose nonzero entries are y_i and y_k. The ratio y_k / y_i must lie between bounds, one from each column of M and one
     /// from q. `None` if no ratio that is tried gives an exact proof.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // Each bound is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then cancel exactly.
+        // Each bound of the ratio y_k / y_i is stored as a pair (y_i, y_k) of two matrix entries. Products of y with M that must cancel then
+        // cancel exactly.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {
@@ -104,7 +105,7 @@ impl Lcp {
     }
 }
 
-/// x rounded to this number of binary digits. Adding and subtracting a number 2^(53 − digits) times as large drops all further digits.
+/// x rounded to `digits` binary digits. Adding and subtracting a number 2^(53 − digits) times as large drops all further digits.
 fn rounded(x: f64, digits: i32) -> f64 {
     let far = x * 2.0_f64.powi(53 - digits);
     let rounded = (x + far) - far;

@@ -16,8 +16,8 @@ use crate::prelude::*;
 use nalgebra::DVector;
 
 impl Workspace {
-    /// Makes the attempts in turn for a prepared problem. `None` if an attempt solves the problem. Otherwise returns the proof that no solution
-    /// exists or, without one, the outcome of the first path.
+    /// Makes the attempts in turn for a problem whose rows and columns have been balanced. `None` if an attempt solves the problem. Otherwise
+    /// returns the proof that no solution exists or, without one, the outcome of the first path.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -57,28 +57,28 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// The outcome `Infeasible`, with a certificate of one or two nonzero entries if there is one, otherwise with a simplified y.
+    /// The outcome `Infeasible`, with a Farkas vector of one or two nonzero entries if there is one, otherwise with a simplified y.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
         })
     }
 
-    /// The outcome `Infeasible`, with a certificate of one or two nonzero entries; `None` if there is no such certificate.
+    /// The outcome `Infeasible`, with a Farkas vector of one or two nonzero entries; `None` if there is no such vector.
     fn few_rows(&self, lcp: &Lcp) -> Option<Unsolved> {
         let y = lcp.few_rows()?;
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then a path from a basis in which one or two z's are basic. `None` if one of them ends in a
-    /// solution.
+    /// Follows a path with another covering vector d, then a path from a basis in which one or two of the z_i are basic. `None` if one of the
+    /// paths ends in a solution.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // Entry i of d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths would stay close to the
-            // first path. In a wider range the problems would be badly scaled. Each attempt starts a million entries further in the sequence
-            // [`generic`]. A dense problem has fewer than a million rows, so attempts share no entry.
+            // Entry i of the covering vector d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths
+            // would stay close to the first path. In a wider range the problems would be badly scaled. Each attempt starts a million entries
+            // further in the sequence [`generic`]. A dense problem has fewer than a million rows, so attempts share no entry.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);
@@ -91,7 +91,6 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Tries all complementary bases. Stores the first solution found and returns `None`, or returns `Some(())` if there is none.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };

@@ -16,15 +16,15 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 pub(super) enum LemkeEnd {
     /// The covering variable z₀ has left the basis, which is thus complementary.
     Complementary,
-    /// This entering variable grows without bound; `u` of the dictionary holds the column of the variable.
+    /// The entering variable, given here, grows without bound; `u` of the dictionary holds its column.
     Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),
 }
 
 impl LemkePath {
-    /// Lets z₀, whose column is in the dictionary, enter an infeasible basis. Then follows the path until z₀ leaves again or the path ends otherwise,
-    /// and returns its end. A basis without negative values is `Complementary` at once.
+    /// Lets the covering variable z₀, whose column is in the dictionary, enter an infeasible basis. Then follows Lemke's path until z₀ leaves
+    /// again or the path ends otherwise, and returns its end. A basis without negative values is `Complementary` at once.
     pub(super) fn cover_and_run(&mut self, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         let row = match most_violated_row(&self.dictionary, settings) {
             Ok(Some(row)) => row,
@@ -41,7 +41,7 @@ impl LemkePath {
         self.run(leaving.complement(), m, settings, limit)
     }
 
-    /// Follows a path from the complementary basis in which z_i is basic if `active(i)`.
+    /// Follows Lemke's path from the complementary basis in which z_i is basic if `active(i)`.
     ///
     /// Returns whether the path ended in another complementary basis. From a singular or feasible start no path is followed, and the result is false.
     pub(super) fn run_from(
@@ -76,8 +76,8 @@ impl LemkePath {
         }
     }
 
-    /// Exchanges the entering variable with the basic variable of the row, and returns the leaving variable. Afterwards the dictionary holds the
-    /// column of the complement of the leaving variable, unless z₀ has left.
+    /// Exchanges the entering variable with the basic variable of the given row of the dictionary, and returns the leaving variable. Afterwards
+    /// the dictionary holds the column of the complement of the leaving variable, unless z₀ has left.
     pub(super) fn pivot(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> LemkeVariable {
         self.pivots += 1;
         self.age += 1;
@@ -86,9 +86,9 @@ impl LemkePath {
 
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
-    /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no row
-    /// offers a pivot. It is also recomputed if the pivot is below [`DOUBTFUL_PIVOT`] times the size of its column, unless one step of refinement
-    /// changes the column by at most the fraction [`DRIFTED`].
+    /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no
+    /// row offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the size of its column, unless one step of
+    /// refinement changes the column by at most the fraction [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
@@ -126,8 +126,8 @@ impl LemkePath {
                 continue;
             }
             if row.is_some() && pivot <= certain {
-                // The pivot is small relative to its column, but may be reliable relative to the terms of its own row. Only entries that are noise
-                // compared with these terms are set to zero.
+                // The pivot is small relative to its column, but may be reliable relative to the terms of its own row. Only entries of the
+                // column that are noise compared with the terms of their rows are set to zero.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

@@ -21,8 +21,8 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // For large problems only one program is solved, since each further margin costs one more Lemke path of a problem of 2 n + 1 rows. If rounding
-    // invalidates the proof, the outcome is nearly infeasible. Data of large problems usually contain rounding errors themselves.
+    // For large problems only one program is solved, since each further margin δ costs one more Lemke path of a problem of 2 n + 1 rows. If
+    // rounding invalidates the proof, the outcome is nearly infeasible. Data of large problems usually contain rounding errors themselves.
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
@@ -62,13 +62,13 @@ impl Lcp {
     }
 }
 
-/// The margins δ by which the constraints Aᵀy ≤ −δ 1 of the dual linear programs are tightened. Without a margin the solution y lies on some of the
-/// constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
+/// The margins δ by which the constraints Aᵀy ≤ −δ 1 of the dual linear programs are tightened. Without a margin the dual solution y lies on
+/// some of the constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The least violation of the conditions of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. M is scaled such that its nonzero entries lie
-/// near 1. `None` if the program cannot be solved. In its solution, x holds the z_α. The dual y has one entry per row of M, of either sign in the
-/// rows α, where (M z + q)_i = 0.
+/// The least violation of the conditions of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that belongs to the basis α. The nonzero
+/// entries of M must lie near 1. `None` if the program cannot be solved. In its solution x holds the z_α. The dual y has one entry per row of M,
+/// of either sign in the rows α, where (M z + q)_i = 0.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],
@@ -97,8 +97,8 @@ pub(super) struct LinearProgram {
     pub(super) y: DVector<f64>,
 }
 
-/// Solves the program and its dual, with t as an additional column of A. `None` if the program is unbounded, which δ > 0 may cause, or if rounding
-/// prevents the solution.
+/// Solves the linear program and its dual, with t as an additional column of A. `None` if the program is unbounded, which δ > 0 may cause, or if
+/// rounding prevents the solution.
 fn least_violation(
     a: &DMatrix<f64>,
     b: &DVector<f64>,

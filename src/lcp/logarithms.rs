@@ -14,14 +14,15 @@ const MULTIPLIED: usize = 512;
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
     pub(super) count: Vec<f64>,
-    /// For each row or column, the sum of the biased binary exponents in the lower 32 bits, and the number of entries in the upper 32 bits.
+    /// For each row or column, the sum of the biased binary exponents of its entries in the lower 32 bits, and the number of entries in the
+    /// upper 32 bits.
     exponents: Vec<u64>,
     mantissas: Vec<f64>,
 }
 
 impl Logarithms {
     /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. Logarithms are taken only of products of mantissas,
-    /// not of single entries.
+    /// not of single entries, which would be slow.
     pub(super) fn of(n: usize, m: &[f64], rows: &mut Self, columns: &mut Self) {
         rows.reset(n);
         columns.reset(n);
@@ -45,7 +46,7 @@ impl Logarithms {
         columns.finish();
     }
 
-    /// Adds q as one more column of the matrix; its sums become the last of `columns`.
+    /// Adds q as one more column of the matrix [M, q]; its sums become the last of `columns`.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
         for (i, q) in q.iter().enumerate().filter(|(_, q)| is_nonzero(**q)) {
@@ -66,7 +67,8 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Adds the logarithm of a product of mantissas to the sum, and sets the product to 1. Called before the product can overflow.
+    /// Adds the logarithm of the product of mantissas of row i to the sum of this row, and sets the product to 1. Called before the product can
+    /// overflow.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;
@@ -82,8 +84,8 @@ impl Logarithms {
     }
 }
 
-/// For the entries of a column: adds their binary exponents to the sums of their rows, and multiplies the products of their rows by their mantissas.
-/// Returns the sum and the product over the column.
+/// For the entries of one column: adds their binary exponents to the sums of their rows, and multiplies the mantissa products of their rows by
+/// their mantissas. Returns the exponent sum and the mantissa product of the column.
 fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
     let mut sum = [0_u64; 4];
     let mut product = [1.0_f64; 4];

@@ -35,7 +35,7 @@ impl Lcp {
         }
         if (0..n).all(|j| (0..n).all(|i| i == j || m[(i, j)] <= 0.0)) {
             // A matrix without positive entries off its diagonal is a P-matrix exactly if all pivots of an elimination without exchanges are
-            // positive (3.11.10).
+            // positive (Cottle, Pang & Stone, theorem 3.11.10).
             let mut a = m.clone();
             for k in 0..n {
                 if a[(k, k)] <= elimination_rounding(n) * m[(k, k)] {

@@ -12,7 +12,7 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Direction of τ along a piece of the path of solutions. On a piece the basis does not change.
+/// Direction of the parameter τ along a piece of the path of solutions. On a piece the basis does not change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ increases.
@@ -27,7 +27,7 @@ pub enum Trend {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Breakpoint {
-    /// τ at the breakpoint; it may be negative on a path that has turned back.
+    /// The parameter τ at the breakpoint; it may be negative on a path that has turned back.
     pub tau: f64,
     /// Solution z at the breakpoint (n entries, none negative).
     pub z: DVector<f64>,
@@ -94,8 +94,8 @@ pub struct Parametric<'a> {
     entering: LemkeVariable,
     trend: Trend,
     breakpoints: usize,
-    /// The basis of an earlier piece of the path, replaced after 1, 2, 4, 8, … breakpoints. A path that has entered a loop returns to this basis
-    /// eventually (R. P. Brent, BIT 20, 1980).
+    /// The basis of an earlier piece of the path of solutions, replaced after 1, 2, 4, 8, … breakpoints. A path that has entered a loop returns
+    /// to this basis eventually (R. P. Brent, BIT 20, 1980).
     remembered: Basis,
     /// Whether the path of solutions has returned to an earlier piece of itself.
     closed: bool,
@@ -196,8 +196,8 @@ impl<'a> Parametric<'a> {
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
 
-    /// Follows one piece of the path, on which the basis does not change, up to the breakpoint at the end of the piece. The error is the reason why
-    /// there is no further breakpoint.
+    /// Follows one piece of the path of solutions, on which the basis does not change, up to the breakpoint at its end. The error is the reason
+    /// why there is no further breakpoint.
     fn step(&mut self) -> Result<Breakpoint, PathEnd> {
         if self.closed {
             return Err(PathEnd::Loop);
@@ -235,8 +235,8 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        // In exact arithmetic each basis has one piece of the path, so a path that closes returns to its start. Rounding, or a start at which
-        // variables are zero, may lead into a loop that does not contain the start.
+        // In exact arithmetic each basis has one piece of the path of solutions, so a path that closes returns to its start. Rounding, or a
+        // start at which basic variables are zero, may lead into a loop that does not contain the start.
         let begun = self.start.solution().is_some_and(|start| start.basis == self.basis);
         self.closed = begun || self.remembered == self.basis;
         if self.breakpoints.is_power_of_two() {

@@ -21,22 +21,22 @@ pub(super) struct LemkePath {
     pub(super) pivots: usize,
     /// Number of pivots since the dictionary was last computed from M, q and d by elimination.
     pub(super) age: usize,
-    /// The tie-breaking column p of the dictionary, kept by variable while the dictionary is recomputed: entry i for w_i, entry n + i for z_i, entry
-    /// 2n for z₀. Entries of nonbasic variables are 0.
+    /// A copy of the dictionary's tie-breaking column p, kept by variable while the dictionary is recomputed: entry i for w_i, entry n + i for
+    /// z_i, entry 2n for z₀. Entries of nonbasic variables are 0.
     pub(super) saved: Vec<f64>,
     /// Variables that become basic as the dictionary is recomputed from the slack basis.
     pub(super) members: Vec<LemkeVariable>,
     /// Rows whose slacks become nonbasic as the dictionary is recomputed from the slack basis.
     pub(super) leaving: Vec<usize>,
-    /// For each row, the defect q + M z + d z₀ − w of the current values.
+    /// For each row, the defect q + M z + d z₀ − w of the current values, which is zero without rounding.
     pub(super) defect: Vec<f64>,
     /// For each row, the sum of the magnitudes of the terms of the defect q + M z + d z₀ − w, to which its rounding error is proportional.
     pub(super) terms: Vec<f64>,
 }
 
 impl LemkePath {
-    /// Computes the factors that balance the rows and columns of M, and multiplies q by the factors of the rows. Sets the perturbation p to generic
-    /// numbers in balanced rows. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
+    /// Computes the factors that balance the rows and columns of M, and multiplies q by the factors of the rows. Sets the perturbation p, which
+    /// breaks ties, to generic numbers in balanced rows. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
@@ -46,7 +46,7 @@ impl LemkePath {
         self.reserve(q.len());
     }
 
-    /// Reserves memory for steps that only some problems need, so that later problems of this size do not allocate.
+    /// Reserves memory for computations that only some problems need, so that later problems of this size do not allocate.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);
@@ -61,8 +61,8 @@ impl LemkePath {
         self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
     }
 
-    /// Sets the dictionary to the slack basis, in which every slack w_i is basic, with the right-hand side, perturbation and covering vector of this
-    /// path.
+    /// Sets the dictionary to the slack basis, in which every slack w_i is basic, with the right-hand side q, perturbation p and covering vector
+    /// d of this path.
     pub(super) fn start_from_slacks(&mut self) {
         self.dictionary.reset(&self.q, &self.p, &self.d);
         self.age = 0;
@@ -83,7 +83,8 @@ impl LemkePath {
         covering
     }
 
-    /// Writes the current z into `z`, and returns the value of z₀, or `None` if z₀ is not basic. Negative entries of z are noise and are set to zero.
+    /// Writes the current z into `z`, and returns the value of the covering variable z₀, or `None` if z₀ is not basic. Negative entries of z are
+    /// noise and are set to zero.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

@@ -24,7 +24,6 @@ impl LcpPoint {
         point
     }
 
-    /// Computes w and, for each row, the magnitude of its terms.
     fn sum(&mut self, lcp: &Lcp) {
         self.w.resize(lcp.len(), 0.0);
         self.terms.resize(lcp.len(), 0.0);
@@ -36,7 +35,6 @@ impl LcpPoint {
         residuals_from(&lcp.m, lcp.q.as_slice(), &self.z, &self.w, &self.terms)
     }
 
-    /// Computes w and the magnitudes of its terms, and returns the residuals.
     pub(super) fn evaluate(&mut self, lcp: &Lcp) -> Residuals {
         self.sum(lcp);
         self.residuals(lcp)
@@ -47,8 +45,8 @@ impl LcpPoint {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Sets w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether a basic z_i is exactly zero, or a basic w_i up to
-    /// rounding.
+    /// Sets the slack w_i to zero where z_i is basic, and negative w_i to zero elsewhere. Returns whether the point is degenerate: a basic z_i
+    /// is exactly zero, or a basic w_i is zero up to rounding.
     pub(super) fn settle_slacks(&mut self, basis: &Basis) -> bool {
         let mut degenerate = false;
         for (i, w) in self.w.iter_mut().enumerate() {

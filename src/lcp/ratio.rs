@@ -20,8 +20,9 @@ pub(super) enum Covering {
     Parameter,
 }
 
-/// The row whose basic variable reaches zero first as the entering variable increases; `None` if no basic variable ever reaches zero. If z₀ is
-/// `Artificial` and reaches zero together with others, the row of z₀ is returned. If z₀ is a `Parameter`, its row never blocks.
+/// The row whose basic variable reaches zero first as the entering variable increases; `None` if no basic variable ever reaches zero. If the
+/// covering variable z₀ is `Artificial` and reaches zero together with others, the row of z₀ is returned. If z₀ is a `Parameter`, its row never
+/// blocks.
 ///
 /// u is the entering column: the change of each basic variable per unit of the entering variable. p is the perturbation that breaks ties. Only rows
 /// with u_i < −`noise` are considered. Among tied rows, rows with u_i < −`certain` are preferred, and among the preferred rows the row with the
@@ -34,7 +35,7 @@ pub(super) fn blocking_row(
     settings: &Settings,
 ) -> Option<usize> {
     let least = -noise;
-    // The parameter of a family of problems may have any sign, so its row does not block the entering variable.
+    // The parameter z₀ of a family of problems may have any sign, so its row does not block the entering variable.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {
@@ -88,11 +89,11 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step that the row `firm` allows violates a doubtful row. u_i is the change of the basic variable in row i per unit of the entering
-/// variable. A row is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
+/// Whether the step that the blocking row `firm` allows makes the value of a doubtful row negative. u_i is the change of the basic variable of
+/// row i per unit of the entering variable. Row i is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
 ///
-/// A row is violated if its value becomes negative by more than rounding: its own rounding error, or the rounding error of the largest value. If no
-/// row is violated, it does not matter whether a doubtful row blocks first.
+/// A value counts as negative only beyond rounding: beyond its own rounding error, or the rounding error of the largest value. If no value
+/// becomes negative, it does not matter whether a doubtful row blocks first.
 pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,
@@ -109,11 +110,11 @@ pub(super) fn doubtful_row_breaks(
     })
 }
 
-/// The shortest step of the entering variable: min x_i / −u_i over the rows with u_i < `least`. x_i is the value of the basic variable, where
-/// negative x_i count as 0, and u_i its change per unit step. `least` is zero or negative: a u_i between `least` and zero may be noise, so that its
-/// row does not count.
+/// The shortest step of the entering variable: min x_i / −u_i over the rows with u_i < `least`. x_i is the value of the basic variable of row i
+/// (negative x_i count as 0), and u_i its change per unit step. `least` is zero or negative: a u_i between `least` and zero may be noise, so
+/// that row i does not count.
 ///
-/// The loop has no branches, since half of them would be mispredicted.
+/// The loop has no branches, since a processor would predict half of them wrongly.
 struct ShortestStep<'a> {
     x: &'a [f64],
     u: &'a [f64],

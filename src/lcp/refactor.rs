@@ -21,8 +21,8 @@ impl LemkePath {
             .fold(0.0, |drift, (r, a)| r.abs().max(drift * (a + floor)) / (a + floor))
     }
 
-    /// Computes the defect q + M z + d z₀ − w of the current values, row by row. Also computes the magnitude of the terms of each row, to which the
-    /// rounding error of the defect is proportional.
+    /// Computes the defect q + M z + d z₀ − w of the current values, row by row. Also computes the magnitude of the terms of each row of the
+    /// defect, to which its rounding error is proportional.
     fn compute_defect(&mut self, m: &[f64]) {
         self.defect.clone_from(&self.q);
         self.terms.clear();
@@ -70,8 +70,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Computes from M, q and d the dictionary in which `members` are basic and the slacks of the rows `leaving` are nonbasic. The error is
-    /// [`BreakdownCause::SingularBasis`], if a pivot does not exceed its rounding error.
+    /// Computes from M, q and d the dictionary in which the variables `members` are basic and the slacks of the rows `leaving` are nonbasic. The
+    /// error is [`BreakdownCause::SingularBasis`], if a pivot does not exceed its rounding error.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -95,8 +95,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes `term_sizes` from the terms of
-    /// that defect.
+    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes their `term_sizes` from
+    /// the magnitudes of the terms of that defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -107,7 +107,7 @@ impl LemkePath {
         self.terms = effect;
     }
 
-    /// Recomputes the basic values of the current dictionary from the right-hand side q, and `term_sizes`, the size of their terms.
+    /// Recomputes the values of the basic variables from the right-hand side q, and `term_sizes`, the magnitudes of the terms of these values.
     pub(super) fn recompute_values(&mut self) {
         let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
@@ -115,8 +115,8 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the current complementary basis. z₀ covers only the rows whose basic value is below −`noise` times the size of its terms.
-    /// Returns whether there are such rows.
+    /// Prepares the covering variable z₀ to enter the current complementary basis. z₀ covers only the rows whose basic value is below −`noise`
+    /// times the size of its terms. Returns whether there are such rows.
     ///
     /// In the dictionary, the column of z₀ then has an entry near 1 in each of these rows and 0 in the others. d becomes the covering vector that has
     /// this column.
@@ -126,14 +126,14 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // With exact balancing factors this entry would be 1. Since the factors are rounded to powers of two, it is corrected by the rounding of
-            // the factor of this row or variable, and lies between 1/√2 and √2.
+            // With exact balancing factors this entry of the column of z₀ would be 1. Since the factors are rounded to powers of two, it is
+            // corrected by the rounding of the factor of its row or variable, and lies between 1/√2 and √2.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation belongs to the variable and not to its row, since the order of rows depends on rounding.
+            // The perturbation p belongs to the variable and not to its row, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.term_sizes[row] {
@@ -157,7 +157,8 @@ impl LemkePath {
         violated
     }
 
-    /// Makes z₀ the parameter of the right-hand sides q + z₀ d and computes the column of z₀. The vector d is given in the caller's units of rows.
+    /// Makes z₀ the parameter of the right-hand sides q + z₀ d and computes the column of z₀. The caller gives the vector d in the units of the
+    /// rows of M.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));

@@ -56,8 +56,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. Such a point does not count as a solution.
-/// `terms` holds the magnitude a_i of the terms of each row, and `row` the factors that balance the rows.
+/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. Such a point does not count as a
+/// solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the factors that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
@@ -67,7 +67,7 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
 }
 
-/// Whether q_i is at most the fraction [`LOST`] of the magnitude of the terms of its row.
+/// Whether q_i is at most the fraction [`LOST`] of the magnitude of the terms of row i of M z.
 fn is_lost(q: f64, terms: f64) -> bool {
     q.abs() <= LOST * terms
 }
@@ -82,7 +82,7 @@ pub(super) fn slack_and_terms(m: &DMatrix<f64>, q: &[f64], z: &[f64], w: &mut [f
     if n == 0 {
         return;
     }
-    // Four columns of M are added at a time.
+    // Four columns of M, each times its z_j, are added at a time.
     let column = |j: usize| &m.as_slice()[j * n..(j + 1) * n];
     let mut support = z.iter().enumerate().filter(|(_, z)| **z != 0.0).map(|(j, z)| (j, *z));
     while let Some(first) = support.next() {
@@ -158,8 +158,8 @@ impl Rows<'_> {
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
     }
 
-    /// The largest contribution of an entry z_j to a row, s_j = max_i |M_ij| |z_j| / a_i. a_i is the magnitude of the terms of row i. The search
-    /// stops at the first contribution that reaches `enough`.
+    /// The largest contribution of an entry z_j to a row, s_j = max_i |M_ij| |z_j| / a_i, where a_i is the magnitude of the terms of row i. The
+    /// search stops at the first contribution that reaches `enough`.
     fn largest_contribution(&self, column: &[f64], z: f64, enough: f64) -> f64 {
         let mut contribution = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {

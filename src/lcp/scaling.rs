@@ -27,7 +27,7 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// The factor row_i / 2^ρ_i by which rounding ρ_i to an integer changes the balanced row i.
+    /// The factor row_i / 2^ρ_i of the balanced row i, due to rounding of the exponent ρ_i to an integer.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -61,7 +61,7 @@ impl Scaling {
         self.round();
     }
 
-    /// Solves the least-squares problem of the balancing exponents ρ and γ over the nonzero entries of [M, q].
+    /// Solves the least-squares problem of the balancing exponents ρ (rows) and γ (columns) over the nonzero entries of [M, q].
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::append(q, &mut self.rows, &mut self.columns);
         let mut list = core::mem::take(&mut self.pattern);
@@ -87,7 +87,8 @@ impl Scaling {
         refill(&mut self.direction, n, 0.0);
         refill(&mut self.image, n, 0.0);
         let mut before = 0.0;
-        // Contact problems need about ten steps of conjugate gradients. Long chains of contacts need more, but the later steps change little.
+        // Problems of contacts need about ten steps of conjugate gradients. Long chains of contacts need more, but the later steps change
+        // little.
         for _ in 0..24 {
             // The preconditioner divides the residual of each row by the number of nonzero entries of the row.
             let mut size = 0.0;
@@ -124,7 +125,7 @@ impl Scaling {
         }
     }
 
-    /// The factor 2^γ_j / column_j by which rounding γ_j to an integer changes the balanced z_j.
+    /// The factor 2^γ_j / column_j of the balanced z_j, due to rounding of the exponent γ_j to an integer.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }

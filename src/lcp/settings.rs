@@ -107,8 +107,7 @@ impl Settings {
         /// These settings with another covering vector, see [`Settings::covering`].
         pub fn with_covering(mut self, covering: DVector<f64>) { self.covering = Some(covering); }
 
-        /// These settings with a limit on the pivots of all paths together, see
-        /// [`Settings::max_pivots`].
+        /// These settings with a limit on the number of pivots of all Lemke paths of a solve together, see [`Settings::max_pivots`].
         pub fn with_max_pivots(mut self, max_pivots: usize) { self.max_pivots = Some(max_pivots); }
 
         /// These settings with or without the search for a proof, see [`Settings::prove_infeasible`].
@@ -159,10 +158,10 @@ impl Settings {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// For a retry of a problem of n rows, the limit on the pivots of all paths together: the caller's limit, otherwise 100 + 10 n more than the
-    /// `made` pivots of all paths before.
+    /// For a retry of a problem of n rows, the limit on the pivots of all paths together: the caller's limit, otherwise the `made` pivots of all
+    /// paths before plus 100 + 10 n.
     ///
-    /// A path of exponential length is thus not followed to its end a second time.
+    /// A path that needs about 2ⁿ pivots is thus not followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| made.saturating_add(100 + 10 * n))
     }

@@ -93,8 +93,8 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves the problem like [`Self::solve`], but without the shortcut for q ≥ 0. The workspace thus always holds the dictionary at the end of the
-    /// path, even if this is the dictionary of the slack basis. `None` if the problem is solved.
+    /// Solves the problem like [`Self::solve`], but without the shortcut for q ≥ 0. The workspace thus always holds the dictionary at the end of
+    /// Lemke's path, even if this is the dictionary of the slack basis. `None` if the problem is solved.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -103,8 +103,8 @@ impl Workspace {
         self.climb(lcp, settings)
     }
 
-    /// Solves the problem for a new right-hand side q, starting from the dictionary that the path holds for the same matrix M. `None` if the problem
-    /// is solved.
+    /// Solves the problem for a new right-hand side q, starting from the dictionary of the last basis, which the workspace holds for the same
+    /// matrix M. `None` if the problem is solved.
     pub(super) fn solve_next(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);
@@ -114,8 +114,8 @@ impl Workspace {
         self.resume(lcp, settings)
     }
 
-    /// Follows the path from the complementary basis that the dictionary holds. If this path does not end in a solution, the solve starts again from
-    /// the slack basis. `None` if a solution is found.
+    /// Follows Lemke's path from the complementary basis that the dictionary holds. If this path does not end in a solution, the solve starts
+    /// again from the slack basis. `None` if a solution is found.
     fn resume(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let limit = settings.pivot_limit(lcp.len());
         let m = lcp.m.as_slice();

@@ -5,13 +5,13 @@
 //!
 //! Tolerances that a caller may change are fields of [`Settings`](super::Settings), where the reasons for their values are given.
 
-/// A value is zero below this fraction of its largest term, or of the largest value of its kind.
+/// A basic variable is zero below this fraction of the largest term of its value, or of the largest value of its kind.
 ///
 /// Sums of n terms have relative errors of about nε, and a few pivots multiply them by a small number. With a smaller limit, noise remains in the
 /// basis and `degenerate` is not set. Above 1e-10, true values are set to zero, which the residuals do not show.
 pub(super) const ZERO_VALUE: f64 = 1e-13;
 
-/// Residuals above this limit are worth a new factorisation of the basis, which costs up to 2n³/3 flops.
+/// Residuals of a point z above this limit are worth a new factorisation of its basis, which costs up to 2n³/3 flops.
 ///
 /// Refined points stay below it unless the basis is nearly singular. With a smaller limit, ordinary problems are factorised needlessly. With a larger
 /// limit, points keep fewer correct digits than possible.
@@ -23,13 +23,14 @@ pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 /// of this size. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A pivot below this fraction of its column is accepted only in a recently computed or refined dictionary.
+/// A pivot below this fraction of its column is accepted only if the dictionary was recently recomputed from M and q, or its entering column
+/// refined.
 ///
 /// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits would be lost. With a larger limit, dictionaries are
 /// recomputed, at O(n³), although they are accurate. With a smaller limit, pivots are made on noise.
 pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 
-/// A dictionary is recomputed if its values violate w = q + M z + d z₀ by more than this fraction of the terms.
+/// A dictionary is recomputed if its values violate w = q + M z + d z₀ in some row by more than this fraction of the terms of the row.
 ///
 /// Up to this violation, values larger than 1e-10 of their terms have the correct sign. With a smaller limit, long paths are refactorised again and
 /// again. With a larger limit, the path may leave the path of exact arithmetic.
@@ -42,10 +43,10 @@ pub(super) const DRIFTED: f64 = 1e-10;
 /// do not help. With a larger fraction, drift in rows of small terms is not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
-/// A z that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of its column.
+/// A basic z_j that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of its column.
 ///
-/// Removal keeps the noise of this z out of the other values, but a small pivot would amplify their rounding errors. With 1 hardly any such z would
-/// be removed.
+/// Removal keeps the noise of z_j out of the other values, but a small pivot would amplify their rounding errors. With 1 hardly any such z_j
+/// would be removed.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
 /// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. The basis is then singular, in a
@@ -108,8 +109,8 @@ pub(super) const MOST_ENUMERATED: usize = 20;
 /// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
 
-/// The largest number of rows for which pairs of rows are tried as proofs, and Farkas vectors are simplified. Either takes n² checks, each with n²
-/// products.
+/// The largest number of rows for which pairs of rows are tried as proofs of infeasibility, and Farkas vectors are simplified. Either takes n²
+/// checks, each with n² products.
 ///
 /// With a larger limit, these checks take longer than Lemke's path. With a smaller limit, proofs are longer than necessary.
 pub(super) const MOST_PAIRED_ROWS: usize = 48;

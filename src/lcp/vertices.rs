@@ -13,8 +13,8 @@ use crate::numerics::{mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Candidates for vertices of the set { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Each candidate is given by z_α, for a basis α. At these points
-/// as many rows are zero as z are nonzero. The caller must check the inequalities.
+/// Candidates for vertices of the set { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Each candidate is given by z_α, for a basis α. In a
+/// candidate as many components of M z + q are zero as entries of z_α are nonzero. The caller must check the inequalities.
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
@@ -32,8 +32,8 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }, as computed or moved inside the cone by a margin that covers rounding. `None` if
-/// no edge gives an exact proof.
+/// A Farkas vector among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }: the edge as computed, or moved inside the cone by a margin that covers
+/// rounding. `None` if no edge gives an exact proof.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -57,8 +57,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first. No scaling of rows and
-/// columns brings these entries near 1 together with the others, so that the system could appear singular.
+/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first. No scaling brings such
+/// an entry near 1 together with all others, so that a regular system could appear singular.
 fn without_single_entries(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {
@@ -87,7 +87,7 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets: all subsets of one size, then the subsets of the next size. Bit i of `bits` is 1 if i belongs to the next candidate.
+/// Iterator over subsets: all subsets of one size, then those of the next size. Bit i of `bits` is 1 if i belongs to the next candidate.
 struct Subsets {
     count: usize,
     size: usize,

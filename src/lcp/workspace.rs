@@ -33,7 +33,7 @@ pub struct Workspace {
     pub(super) path: LemkePath,
     /// The point z, with slacks w, at the end of the last path.
     pub(super) point: LcpPoint,
-    /// A second candidate, which replaces `point` if it has the smaller residuals.
+    /// A second point, which replaces `point` if it has the smaller residuals.
     pub(super) candidate: LcpPoint,
     /// Entry j is `true` if z_j is basic at the end of the last path, but zero up to rounding.
     pub(super) vanishing: Vec<bool>,
@@ -69,7 +69,6 @@ impl Workspace {
         }
     }
 
-    /// Reserves memory for steps that only some problems need, so that later problems of this size do not allocate.
     pub(super) fn reserve(&mut self, n: usize) {
         let LcpPoint { z, w, terms } = &mut self.candidate;
         for scratch in [&mut self.correction, &mut self.defect, z, w, terms] {

@@ -38,12 +38,10 @@ impl Band {
         }
     }
 
-    /// All stored entries, in unspecified order.
     pub(crate) fn entries_mut(&mut self) -> &mut [f64] {
         &mut self.entries
     }
 
-    /// The largest absolute value of an entry.
     pub(crate) fn amax(&self) -> f64 {
         self.entries.iter().fold(0.0, |most, x| most.max(x.abs()))
     }
@@ -67,7 +65,7 @@ impl Band {
         let entries = &mut self.entries[..];
         let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut without_pivot) = (Vec::with_capacity(count), Vec::new());
-        // The rightmost column that any row reaches after the row exchanges so far.
+        // The rightmost column that any row reaches after the row exchanges up to now.
         let mut last = 0;
         for k in 0..count {
             let below = half_bandwidth.min(count - 1 - k);
@@ -112,7 +110,7 @@ impl Band {
 pub(crate) struct BandFactors {
     /// U on and above the diagonal, L below it.
     band: Band,
-    /// For each row k, the number of rows from row k down to the row that was exchanged with it as pivot row; 0 without an exchange.
+    /// For each row k, the distance to the row below that was exchanged with it as pivot row; 0 without an exchange.
     pivots: Vec<usize>,
     /// Indices of the columns without a pivot. If `A x = b` has a solution, [`Self::solve`] returns the solution with zeros in these components.
     without_pivot: Vec<usize>,
@@ -144,20 +142,20 @@ impl BandFactors {
         mapped(&self.without_pivot, &from)
     }
 
-    /// The stored column k, starting `above` rows above the diagonal.
+    /// The stored column k of the factors, starting `above` rows above the diagonal.
     fn column(&self, k: usize, above: usize) -> &[f64] {
         let half_bandwidth = self.band.half_bandwidth;
         let height = 3 * half_bandwidth + 1;
         &self.band.entries[k * height..(k + 1) * height][2 * half_bandwidth - above..]
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `A x = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `A x = b` for the factored matrix A.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         let (count, half_bandwidth) = (self.band.count, self.band.half_bandwidth);
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], half_bandwidth.min(count - 1 - k));
-            // A zero in the right-hand side changes no later row. A right-hand side due to the force of one contact has many zeros.
+            // A zero in the right-hand side changes no later row. The right-hand side of a single contact's force has many zeros.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
@@ -166,7 +164,7 @@ impl BandFactors {
         self.back_substitute(x);
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `U x = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `U x = b` with the upper triangular factor U.
     fn back_substitute(&self, x: &mut [f64]) {
         for k in (0..self.band.count).rev() {
             let above = (2 * self.band.half_bandwidth).min(k);
@@ -177,7 +175,7 @@ impl BandFactors {
         }
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `Aᵀx = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `Aᵀx = b` for the factored matrix A.
     pub(crate) fn solve_transposed(&self, x: &mut [f64]) {
         let (count, half_bandwidth) = (self.band.count, self.band.half_bandwidth);
         for k in 0..count {

@@ -72,9 +72,9 @@ impl Bordered {
             order.swap(k, pivot);
         }
         let inverse = inverse(top[k])?;
-        // The inverse is stored, since a pivot is only used as a divisor.
+        // The inverse of the pivot is stored, since a pivot is only used as a divisor.
         top[k] = inverse;
-        // Components of this row up to the pivot are zero, so that loops of fixed length may run over all components.
+        // Components of the pivot row up to the pivot are set to zero, so that loops of fixed length may run over all components.
         let row = Vector::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
         let open = k + 1..d;
         let row = &row.as_slice()[open.clone()];
@@ -91,7 +91,7 @@ impl Bordered {
         Some(())
     }
 
-    /// The smallest absolute pivot divided by the largest.
+    /// The smallest absolute pivot of the factors, divided by the largest.
     pub(crate) fn least_pivot(&self) -> f64 {
         let mut least = 1.0 / self.corner.abs();
         let mut largest = least;
@@ -133,9 +133,10 @@ impl Bordered {
     }
 }
 
-/// Solves a bordered system of `N` rows once, without storing factors; the result equals the result of [`Bordered::solve`] bit for bit. `stiffness`
-/// has the balance matrix T column by column; `column`, `border` and `corner` complete the bordered matrix. The right-hand side is zero except for
-/// `last` in the border row. Also returns the smallest absolute pivot divided by the largest. `None` if the matrix is singular.
+/// Solves a bordered system of `N` rows once, without storing factors; the result equals the result of [`Bordered::solve`] bit for bit.
+/// `stiffness` has the balance matrix T column by column; `column`, `border` and `corner` complete the bordered matrix. The right-hand side is
+/// zero except for `last` in the border row. Also returns the smallest absolute pivot divided by the largest. `None` if the bordered matrix is
+/// singular.
 pub(crate) fn solved_once<const N: usize>(
     stiffness: &[f64],
     [column, border]: [&Vector; 2],

@@ -21,15 +21,15 @@ pub(crate) struct BorderedBand {
     cover: Vec<f64>,
     gradient: Vec<f64>,
     corner: f64,
-    /// The vector T⁻¹c, with the band T and the border's column c.
+    /// The vector T⁻¹c, with the band matrix T and the column c beside it.
     covered: Vec<f64>,
-    /// The reciprocal of γ - gᵀT⁻¹c, with the border's row gᵀ and corner γ.
+    /// The reciprocal of γ - gᵀT⁻¹c. gᵀ is the row below the band matrix T, c the column beside it, and γ the corner.
     inverse: f64,
 }
 
 impl BorderedBand {
-    /// Factorises the band T, and with it the bordered matrix. Rows and columns are in the order of the band. `None` if T or the bordered matrix is
-    /// singular.
+    /// Factorises the band matrix T and the bordered matrix [T c; gᵀ γ]. c is `cover`, g is `gradient`, γ is `corner`; their entries are in the
+    /// order of the rows of the band. `None` if T or the bordered matrix is singular.
     pub(crate) fn new(band: Band, cover: Vec<f64>, gradient: Vec<f64>, corner: f64) -> Option<Self> {
         let factors = band.clone().factors().filter(|factors| !factors.is_singular())?;
         let mut covered = cover.clone();
@@ -39,13 +39,12 @@ impl BorderedBand {
         Some(Self { band, factors, cover, gradient, corner, covered, inverse })
     }
 
-    /// Solves the bordered system. Replaces the right-hand side in `balance` by the solution y; `last` is the right-hand side of the border row.
-    /// Returns the last unknown z.
+    /// Solves the system T y + c z = b, gᵀy + γ z = β of the bordered matrix. Replaces b in `balance` by the solution y; `last` is β. Returns z.
     pub(crate) fn solve(&self, balance: &mut [f64], last: f64) -> f64 {
         let given = balance.to_vec();
         let mut z = self.solve_once(balance, last);
         let mut left = vec![0.0; given.len()];
-        // Two steps of iterative refinement restore digits that a nearly singular band costs.
+        // Two steps of iterative refinement restore the digits that are lost if the band matrix is nearly singular.
         for _ in 0..2 {
             left.copy_from_slice(&given);
             self.band.subtract_product(balance, &mut left);

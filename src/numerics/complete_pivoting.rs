@@ -28,7 +28,7 @@ impl CompletePivoting {
             for j in k..cols {
                 for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
                     let size = entry.abs();
-                    // Among entries of equal size the pivot is the first, row by row, whatever the order of comparison.
+                    // Among entries of equal size the pivot is the first one, row by row, in whatever order they are compared.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);
                     }
@@ -57,8 +57,8 @@ impl CompletePivoting {
         Self { lu: a, row_order, col_order, rows, cols, rank }
     }
 
-    /// A solution of `A x = b` with zeros in the free columns of the factored matrix A. Also returns the largest component of the part of b outside
-    /// the range of A.
+    /// A solution x of `A x = b` for the factored matrix A. Components that are not determined are zero. Also returns the largest component of
+    /// the part of b outside the range of A.
     pub(crate) fn solve(&self, b: &Vector) -> (Vector, f64) {
         let mut components = Vector::all_zero(self.lu.size());
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::prelude::*;
 
-/// Calls `what` with each number from 0 to `count` − 1, in parallel. A panic is passed on to the caller.
+/// Calls `what` with each number from 0 to `count` − 1, in parallel. A panic in `what` is passed on to the caller.
 fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(what);
 }

@@ -19,7 +19,7 @@ type Sum = &'static [(usize, f64)];
 struct Tableau {
     /// Coefficients a_sj of each stage after the first, row by row.
     ways: [Sum; 11],
-    /// Weights b_s of the stages in the result of the step.
+    /// Weights b_s of the stages s in the result of the step.
     weights: Sum,
     /// Weights of the stages in the error estimate by the embedded formula of order 5.
     fifth: Sum,
@@ -105,12 +105,11 @@ const TABLEAU: Tableau = Tableau {
     third: &[(0, 0.2440944881889764), (8, 0.7338466882816118), (11, 0.022058823529411766)],
 };
 
-/// The result of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct Stepped {
     /// Change of the variables over the step.
     pub(crate) change: Vec<f64>,
-    /// Estimated error of this change, as measured by the caller's function `size`.
+    /// Estimated error of `change`, as measured by the caller's function `size`.
     pub(crate) error: f64,
 }
 
@@ -140,7 +139,7 @@ pub(crate) fn explicit_step(
     y.iter_mut().zip(&change).for_each(|(third, best)| *third -= best);
     let third = size(&y);
     let scale = fifth.hypot(0.1 * third);
-    // With the factor 4 the estimate usually exceeds the true error.
+    // The factor 4 makes the estimate usually exceed the true error.
     let error = if scale > 0.0 { 4.0 * fifth * (fifth / scale) } else { scale };
     error.is_finite().then_some(Stepped { change, error })
 }

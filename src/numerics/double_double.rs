@@ -44,7 +44,7 @@ impl DoubleDouble {
         self.add_product(a, b.high);
     }
 
-    /// The sum divided by a number k that has no rounding error.
+    /// This sum divided by k, a double without rounding error of its own.
     pub(crate) fn over(self, k: f64) -> Self {
         let high = self.high / k;
         let product = high * k;

@@ -7,7 +7,6 @@ use nalgebra::SVector;
 
 /// An array of two to five elements that is mapped without a loop.
 pub(crate) trait Each<A> {
-    /// An array of the same length.
     type Of<B>;
 
     /// `f` of each element, in order.

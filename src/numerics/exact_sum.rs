@@ -75,7 +75,7 @@ impl ExactSum {
                 (*limb, carry) = add(!*limb, 0, carry);
             }
         }
-        // Pairs of each limb and the exponent of its lowest bit.
+        // Pairs of each 64-bit limb and the binary exponent of its lowest bit.
         let limbs = size.iter().zip((LOWEST..).step_by(64));
         let Some((top, exponent)) = limbs.filter(|(limb, _)| **limb != 0).last() else { return (0.0, 0) };
         let below = size.iter().zip((LOWEST + 64..).step_by(64)).find(|(_, above)| *above == exponent);

@@ -11,8 +11,8 @@ use super::tolerances::{FEW_ROUNDINGS, LINEARLY_DEPENDENT};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Factorises the matrix whose rows are in `q`, which are overwritten with the rows of Q. Writes R, the reciprocals of its diagonal and the order of
-/// columns; returns the rank.
+/// Factorises the matrix A with d columns whose rows are in `q`, one after another. The rows of the orthonormal factor Q overwrite them. Writes
+/// the triangular factor to `r`, the reciprocals of its diagonal to `over_diagonal`, and the order of columns to `order`. Returns the rank.
 #[inline(always)]
 pub(super) fn factorise(
     d: usize,
@@ -24,8 +24,8 @@ pub(super) fn factorise(
     let size = r.size();
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // For each column: its length, the length of its rounding errors, the length of its remainder after the projections so far, and its coefficients
-    // along the newest column of Q.
+    // For each column: its length, the length of its rounding errors, the length of its remainder after the projections so far, and its
+    // coefficients along the newest column of Q.
     let [mut full, mut noise, mut left, mut parts] = [(); 4].each(|()| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);
@@ -104,8 +104,8 @@ fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
     }
 }
 
-/// Orthogonalises column k a second time against the finished columns. The first time, each finished column was subtracted by
-/// [`subtract_from_later`]. Adds the coefficients to column k of R, and returns the squared length of the remainder.
+/// Orthogonalises column k a second time against the finished columns, since rounding in [`subtract_from_later`] leaves a component along them.
+/// Adds the coefficients to column k of the triangular factor R, and returns the squared length of the remainder.
 #[inline(always)]
 fn reorthogonalise(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
     let over = looped(d, 0..k);
@@ -158,7 +158,7 @@ fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Ra
     }
 }
 
-/// Range of columns for a loop that must cover the columns `needed`. For up to six columns the loop runs over all columns, a length that the compiler
+/// Range of columns for a loop that must cover the columns `needed`. Up to six columns, the range has all columns, a length that the compiler
 /// knows; the additional columns have zero coefficients.
 #[inline(always)]
 fn looped(d: usize, needed: Range<usize>) -> Range<usize> {

@@ -19,12 +19,11 @@ impl<X> Harmonic<X> {
         Self { constant, cosine, sine }
     }
 
-    /// The image of x(φ) under a linear function.
     pub(crate) fn map<Y>(&self, mut by: impl FnMut(&X) -> Y) -> Harmonic<Y> {
         Harmonic { constant: by(&self.constant), cosine: by(&self.cosine), sine: by(&self.sine) }
     }
 
-    /// The coefficients x₀, x_c and x_s.
+    /// The coefficients x₀, x_c and x_s of `x(φ) = x₀ + x_c cos φ + x_s sin φ`.
     pub(crate) fn parts(&self) -> [&X; 3] {
         [&self.constant, &self.cosine, &self.sine]
     }
@@ -59,7 +58,7 @@ impl Harmonic<f64> {
     pub(crate) fn work_on(&self, moved: &Self, angle: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         let (mixed, squares) = (0.5 * sin * sin, [0.5 * (angle + sin * cos), 0.5 * (angle - sin * cos)]);
-        // 1 - cos φ, computed without cancellation.
+        // 1 - cos φ as sin φ tan(φ/2), which has no cancellation.
         let versine = sin * (0.5 * angle).tan();
         let versine = if cos > 0.0 { versine } else { 1.0 - cos };
         self.constant * (moved.sine * sin - moved.cosine * versine)

@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-/// An iterator whose elements make a list. `collect` compiles several adapters for each iterator, and asks it for its length first.
+/// Replaces `collect`, which compiles several adapters for each iterator and asks the iterator for its length first.
 pub(crate) trait IntoList: Iterator + Sized {
     /// The elements, in order.
     fn list(mut self) -> Vec<Self::Item> {

@@ -39,7 +39,7 @@ struct Face {
     is_alive: bool,
 }
 
-/// A face in the queue; the closest face comes first.
+/// A face of the polytope in the queue, in which the face closest to the origin comes first.
 struct QueuedFace {
     distance: f64,
     face: usize,
@@ -72,7 +72,8 @@ struct Polytope {
     faces: Vec<Face>,
     alive: Vec<usize>,
     queue: BinaryHeap<QueuedFace>,
-    /// The ridges of the faces that a new point removes, each joined with that point. One list is reused for all points.
+    /// The ridges (edges in three dimensions) of the faces that a new point removes, each joined with that point. One list is reused for all
+    /// points.
     ridges: Vec<Corners>,
 }
 
@@ -93,7 +94,8 @@ impl Polytope {
         polytope
     }
 
-    /// Adds the face through these points. A face too thin to have a plane is omitted: the neighbouring faces then meet up to rounding.
+    /// Adds the face through the points with these indices. A face too thin to have a plane is omitted: the neighbouring faces then meet up to
+    /// rounding.
     fn add(&mut self, vertices: Corners) {
         let columns = Square::from_columns(self.size, |k| &self.points[vertices[k]] - &self.middle);
         let Some(solver) = PartialPivoting::new(&columns.transpose()) else { return };
@@ -104,8 +106,8 @@ impl Polytope {
         self.faces.push(Face { vertices, normal, is_alive: true });
     }
 
-    /// Adds a point. The faces that are visible from it, or contain it in their plane, are replaced by faces from the rim of the removed region to
-    /// the point.
+    /// Adds a point to the polytope. The faces that are visible from it, or contain it in their plane, are removed. New faces join the point
+    /// with the rim of the removed region.
     fn add_point(&mut self, point: Vector) {
         let number = self.points.len();
         let (d, from_middle) = (self.size.count(), &point - &self.middle);
@@ -148,8 +150,8 @@ impl Polytope {
     }
 }
 
-/// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, unless the search ends early, after
-/// `most_points` points. `None` if the polytope has no face.
+/// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the
+/// size of the set, unless the search ends early, after `most_points` points. `None` if the polytope has no face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],
@@ -163,7 +165,7 @@ pub(crate) fn largest_ball(
         let shrinks = bounds
             .as_ref()
             .is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - POLYTOPE_SHRINKS * size);
-        // The number of faces is limited, since each new point is compared with all of them.
+        // The number of faces is limited, since each new point of the polytope is compared with all of them.
         if shrinks || polytope.alive.len() > 20_000 {
             break;
         }
@@ -174,7 +176,7 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // If the set does not extend beyond the origin in some direction, it contains no ball, and more points would not help.
+        // If in some direction the set does not extend beyond the origin, it contains no ball about the origin, and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;
         }

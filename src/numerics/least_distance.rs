@@ -13,8 +13,8 @@ use super::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{dot, largest, mapped, moved, summed};
 use crate::prelude::*;
 
-/// The shortest vector τ with `b + a·τ >= 0` for all rows (b, a), which have equal length and nonzero a. `None` if no τ satisfies all rows, if there
-/// are no rows, or if rounding ends the search.
+/// The shortest vector τ with `b + a·τ >= 0` for all `rows` (b, a). The vectors a have equal numbers of components and are not zero. `None` if
+/// no τ satisfies all rows, if there are no rows, or if rounding ends the search.
 pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
     let largest = largest(&rows, &|(value, _)| value.abs());
     let count = rows.first()?.1.len();
@@ -36,10 +36,10 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
-        // Up to rounding every generator a has `a·r <= 0` with the residual r: the closest point is found.
+        // If every generator a of the cone has `a·r <= 0` with the residual r, up to rounding, the closest point of the cone is found.
         if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
-            // If the last component of the residual is zero, no τ satisfies all rows.
+            // If the last component of the residual is zero, no vector τ satisfies all inequalities.
             return (last[0] > NEGLIGIBLE).then(|| mapped(parts, &|r| -r / last[0] * largest));
         }
         if !nearest.add_generator(most, &generators[most], &target) {

@@ -43,7 +43,7 @@ pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
 
 /// The sum of `f` over all elements, added in order.
 pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
-    // -0.0 is the neutral element of addition; 0.0 would change the sign of a sum of negative zeros.
+    // -0.0 is the neutral element of addition; starting from 0.0 would change the sign of a sum of negative zeros.
     let mut sum = -0.0;
     for element in list {
         sum += f(element);

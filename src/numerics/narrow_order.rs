@@ -11,7 +11,7 @@ use super::increasing::increasing;
 use super::mapped::mapped;
 use crate::prelude::*;
 
-/// The position (from 0) of each of `count` coordinates in the order. A coupling connects all coordinates of its ranges.
+/// For each of `count` coordinates, its position in the new order, counted from 0. A coupling connects all coordinates of its ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
     let node_count = neighbours.len();
@@ -33,7 +33,7 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
     numbers
 }
 
-/// The half bandwidth: the largest distance in the order between two coordinates of the same coupling.
+/// The half bandwidth of a matrix over the coordinates: the largest distance in the new order between two coordinates of the same coupling.
 pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usize {
     let mut widest = 0;
     for ranges in couplings {
@@ -83,8 +83,8 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
     (starts, neighbours)
 }
 
-/// A node at the periphery of the graph. The search starts at `node` and moves to a node of the last level until the number of levels no longer
-/// increases.
+/// A node at the periphery of the graph of couplings, from which a breadth-first search has many levels. The search starts at `node` and moves
+/// to a node of the last level until the number of levels no longer increases.
 fn peripheral(neighbours: &[Vec<usize>], mut node: usize, visited: &mut [bool]) -> usize {
     let mut levels = levels_from(neighbours, node, visited);
     loop {

@@ -24,7 +24,7 @@ pub(crate) struct NearestPoint<Tag> {
     q: Vec<f64>,
     /// The triangular factor R of the matrix of active generators. Column k starts at entry `size k`.
     r: Vec<f64>,
-    /// Components of Qᵀt, one per column of Q, for the target t, the point to which the closest point of the cone is sought.
+    /// The components of Qᵀt, one per column of Q, with the target t: the point whose closest point in the cone is sought.
     components: Vec<f64>,
 }
 
@@ -69,7 +69,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         self.tags.contains(&tag)
     }
 
-    /// Removes the generators with these tags. [`Self::move_to_closest`] must then find the closest point again.
+    /// Removes the generators whose tag satisfies `which`. [`Self::move_to_closest`] must then find the closest point again.
     pub(crate) fn remove_tags(&mut self, which: impl Fn(Tag) -> bool) {
         for k in (0..self.tags.len()).rev() {
             if which(self.tags[k]) {
@@ -78,7 +78,8 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         }
     }
 
-    /// Adds a generator of length at most one, with coefficient zero. Returns whether the generator is linearly independent of the active generators.
+    /// Adds a generator of length at most one, with coefficient zero. Returns false, and adds nothing, if the generator depends linearly on the
+    /// active generators.
     pub(crate) fn add_generator(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
         let (m, k) = (self.size, self.tags.len());
         if k == m {
@@ -90,7 +91,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         let (before, w) = self.q.split_at_mut(from);
         let column = &mut self.r[from..to];
         let mut length = 1.0;
-        // The projection is subtracted at most three times; twice is enough, and the third time changes nothing.
+        // The projection on the active generators is subtracted at most three times; twice is enough, and the third time changes nothing.
         for _ in 0..3 {
             for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
                 let h = dot(q, w);
@@ -98,7 +99,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
                 subtract(w, h, q);
             }
             let left = dot(w, w).sqrt();
-            // A column that keeps this fraction of its length when its projection is subtracted has lost no digits.
+            // A column that keeps this fraction of its length when its projection on the others is subtracted has lost no digits.
             let done = left > 0.1 * length;
             length = left;
             if done {
@@ -145,14 +146,15 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         for (q, h) in self.q.chunks_exact(self.size).zip(&self.components) {
             subtract(&mut self.residual, *h, q);
         }
-        // The projection is subtracted a second time, so that even a small residual is orthogonal to the columns relative to its own size.
+        // The projection on the columns of Q is subtracted a second time, so that even a small residual is orthogonal to them relative to its
+        // own size.
         for q in self.q.chunks_exact(self.size) {
             let h = dot(q, &self.residual);
             subtract(&mut self.residual, h, q);
         }
     }
 
-    /// Least-squares coefficients of the active generators, of any sign.
+    /// The least-squares coefficients of the active generators without the condition s >= 0.
     fn unbounded(&self) -> Vec<f64> {
         let mut coefficients = self.components.clone();
         for j in (0..coefficients.len()).rev() {
@@ -164,7 +166,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         coefficients
     }
 
-    /// Removes column k; Givens rotations restore the triangular form.
+    /// Removes column k of the factors Q and R; Givens rotations restore the triangular form of R.
     fn remove(&mut self, k: usize) {
         let (m, last) = (self.size, self.tags.len() - 1);
         self.tags.remove(k);

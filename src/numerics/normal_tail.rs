@@ -31,7 +31,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    // The number of terms of the continued fraction after which its value no longer changes.
+    // Number of terms of the continued fraction from which on its value no longer changes.
     let mut k = (1080.0 / (x * x)).ceil() + 4.0;
     while k > 0.0 {
         fraction = x + k / fraction;
@@ -40,8 +40,8 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     normal_density(x) / fraction
 }
 
-/// The probability that two standard normal variables with the correlation ρ exceed a and b, `a, b > -8`, with a relative error of 1e-4 up to ρ =
-/// 0.99, and of a few 1e-3 for ρ closer to 1. The tails of a and b are given, since sums over pairs need each of them often:
+/// The probability that two standard normal variables with the correlation ρ exceed a and b, both above -8. The relative error is 1e-4 up to ρ =
+/// 0.99, and a few 1e-3 for ρ closer to 1. `tails` has Φ(-a) and Φ(-b), since sums over pairs need each of them often:
 ///
 /// ```text
 /// Φ(-a) Φ(-b) + 1/(2π) ∫ exp(-(a² + b² - 2ab sin θ) / (2 cos² θ)) dθ      from 0 to asin ρ
@@ -49,7 +49,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
 ///
 /// (Drezner and Wesolowsky, On the computation of the bivariate normal integral, 1990).
 pub(crate) fn tail_of_both([a, b]: [f64; 2], tails: [f64; 2], correlation: f64) -> f64 {
-    // Nodes and weights of Gauss and Legendre's rule with eight points on (-1, 1): the four positive nodes.
+    // Nodes and weights of the Gauss–Legendre rule with eight points on (-1, 1): the four positive nodes.
     let nodes = [
         (0.183_434_642_495_649_78, 0.362_683_783_378_362),
         (0.525_532_409_916_329, 0.313_706_645_877_887_4),

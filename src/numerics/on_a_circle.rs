@@ -22,7 +22,7 @@ impl<const C: usize> Turning<C> {
         self.number.at(angle) - self.vector.at(angle).norm()
     }
 
-    /// The sum of the absolute values of all coefficients.
+    /// The sum of the absolute values of all coefficients of N and v, the scale of rounding errors.
     fn size(&self) -> f64 {
         let [numbers, vectors] = [self.number.map(|x| x.abs()), self.vector.map(SVector::norm)];
         numbers.parts().into_iter().chain(vectors.parts()).sum()
@@ -34,7 +34,8 @@ impl<const C: usize> Turning<C> {
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
     }
 
-    /// An angle from 0 to `most` at which N - |v| has a local minimum that is negative by more than rounding; `None` without such an angle.
+    /// An angle from 0 to `most` at which N - |v|, with the number N and the vector v, has a local minimum that is negative by more than
+    /// rounding. `None` if there is no such angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {
@@ -50,7 +51,8 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// The angle of the local minimum of N - |v| that is reached downhill from the angle `start`, between 0 and `most` unless `most` is a full turn.
+    /// The angle of the local minimum of N - |v|, with the number N and the vector v, that is reached downhill from the angle `start`. The angle
+    /// lies between 0 and `most`, unless `most` is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
         // First step of the search for the minimum, rad.

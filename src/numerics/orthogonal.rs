@@ -18,11 +18,11 @@ use crate::prelude::*;
 /// and Π permutes columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Orthogonal {
-    /// Q row by row; entries in columns from `rank` on are zero.
+    /// The orthonormal factor Q row by row; entries in columns from number `rank` on are zero.
     q: Vec<f64>,
     r: Square,
-    /// The reciprocals of the diagonal entries of R11. A multiplication takes a third of the time of a division, and each division would wait for the
-    /// previous one.
+    /// The reciprocals of the diagonal entries of the triangular factor R11. A multiplication takes a third of the time of a division, and
+    /// successive divisions would wait for each other.
     over_diagonal: Vector,
     order: Indices,
     rank: usize,
@@ -48,7 +48,7 @@ impl Orthogonal {
         Self { q: Vec::new(), r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
-    /// Factorises the matrix with other rows in the same memory.
+    /// Factorises another matrix, given by its rows, in the memory of these factors.
     pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
             *self = Self { q: core::mem::take(&mut self.q), ..Self::of(size) };
@@ -60,7 +60,7 @@ impl Orthogonal {
             let row = row.as_slice();
             to[..row.len()].copy_from_slice(row);
         }
-        // For three and for six columns the compiler knows the length of the loops.
+        // With three or six columns the compiler knows the length of the loops.
         self.rank = match d {
             3 => factorise(3, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
             6 => factorise(6, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
@@ -76,7 +76,7 @@ impl Orthogonal {
         self.rank
     }
 
-    /// Row i of Q; its entries from `rank` on are zero.
+    /// Row i of Q; its entries from number `rank` on are zero.
     pub(crate) fn row(&self, i: usize) -> &[f64] {
         let d = self.size().count();
         &self.q[i * d..(i + 1) * d]
@@ -98,11 +98,12 @@ impl Orthogonal {
         in_halves(0..x.len(), &part, &|a, b| a + b)
     }
 
-    /// Moves x to the closest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. The vector becomes `x - Q y`; y is returned.
+    /// Moves x to the closest vector with `Aᵀx = -w`, for the factored matrix A and a w in the range of Aᵀ. The vector becomes `x - Q y` with
+    /// the orthonormal factor Q; y is returned.
     pub(crate) fn project(&self, x: &mut [f64], w: &Vector) -> Vector {
         let load = self.load_coordinates(w);
         let mut moved = Vector::zeros();
-        // The projection is repeated to remove its own rounding. Rows whose sizes differ by many decades need more than one repetition.
+        // The projection is repeated to remove its own rounding error. Rows whose sizes differ by many decades need more than one repetition.
         for _ in 0..4 {
             let step = self.coordinates(x) + &load;
             if step.norm() <= FEW_ROUNDINGS * summed(x, &|x| x * x).sqrt() {
@@ -114,7 +115,7 @@ impl Orthogonal {
         moved
     }
 
-    /// Subtracts the combination Q y of the columns of Q from x.
+    /// Subtracts the combination Q y of the columns of the orthonormal factor Q from x.
     pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector) {
         let (d, y) = (self.size().count(), y.as_slice());
         match (d, y.len()) {
@@ -133,7 +134,8 @@ impl Orthogonal {
         product(self.row(i), y)
     }
 
-    /// A solution v of `A v = Q c`, with zeros in the components of linearly dependent columns of A.
+    /// A solution v of `A v = Q c` for the factored matrix A and its orthonormal factor Q, with zeros in the components of linearly dependent
+    /// columns of A.
     pub(crate) fn preimage(&self, c: &Vector) -> Vector {
         let (mut y, mut v) = (Vector::all_zero(self.size()), Vector::all_zero(self.size()));
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -146,8 +148,9 @@ impl Orthogonal {
         v
     }
 
-    /// The coordinates `y = Qᵀx` of the vectors x with `Aᵀx = w`, for a w in the range of Aᵀ. All such x have the same y, which solves the first r
-    /// rows of `R11ᵀ y = Πᵀw`.
+    /// The coordinates `y = Qᵀx`, along the columns of the orthonormal factor Q, of the vectors x with `Aᵀx = w` for the factored matrix A. w
+    /// must be in the range of Aᵀ. All such x have the same y, which solves the first r rows of `R11ᵀ y = Πᵀw` with the triangular factor R11
+    /// and the column permutation Π.
     pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -159,7 +162,7 @@ impl Orthogonal {
         found
     }
 
-    /// An orthonormal basis of the null space {v : A v = 0}.
+    /// An orthonormal basis of the null space {v : A v = 0} of the factored matrix A.
     pub(crate) fn null_space(&self) -> Vec<Vector> {
         let mut basis = Vec::new();
         if self.rank < self.size().count() {
@@ -196,7 +199,7 @@ fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
     }
 }
 
-/// Subtracts from each entry of x the product of its row with y.
+/// Subtracts from each entry of x the dot product of its row of `q` with y.
 #[inline(always)]
 fn subtract_rows(d: usize, q: &[f64], y: &[f64], x: &mut [f64]) {
     let y = &y[..d];

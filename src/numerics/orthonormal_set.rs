@@ -11,7 +11,8 @@ pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
     v
 }
 
-/// v minus its projection, computed twice, so that rounding leaves no component along the set.
+/// v minus its projection on an orthonormal set. The projection is subtracted twice, so that rounding leaves
+/// no component along the set.
 pub(crate) fn orthogonal_part(v: Vector, basis: &[Vector]) -> Vector {
     without(without(v, basis), basis)
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use super::cores;
 
-/// The results of `a` and `b`, on two threads if there are at least 4096 terms.
+/// The results of `a` and `b`, computed on two threads if there are at least 4096 terms to sum.
 fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     // With fewer terms, waking a second thread costs more than the summation.
     if count >= 4096 { cores::both(a, b) } else { (a(), b()) }
@@ -62,7 +62,7 @@ pub(crate) fn in_halves<W: Halves, S: Send>(
     plus: &(impl Fn(S, S) -> S + Sync),
 ) -> S {
     let count = whole.count();
-    // With fewer terms, the gain in accuracy is not worth the calls.
+    // Short parts are summed without further halving, which would gain too little accuracy for the cost of the calls.
     if count <= 256 {
         return part(whole);
     }

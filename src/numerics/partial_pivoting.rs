@@ -13,7 +13,6 @@ pub(crate) struct PartialPivoting {
 }
 
 impl PartialPivoting {
-    /// The factors; `None` if the matrix is nearly singular or not finite.
     pub(crate) fn new(matrix: &Square) -> Option<Self> {
         let size = matrix.size();
         let d = size.count();
@@ -23,7 +22,7 @@ impl PartialPivoting {
         let mut row_order = size.in_order();
         let (entries, reciprocal, order) =
             (lu.as_mut_slice(), reciprocal_pivots.as_mut_slice(), row_order.as_mut());
-        // For three and for six rows the compiler knows the length of the loops.
+        // With three or six rows the compiler knows the length of the loops.
         match d {
             3 => eliminate(3, entries, reciprocal, order, least)?,
             6 => eliminate(6, entries, reciprocal, order, least)?,
@@ -64,7 +63,7 @@ impl PartialPivoting {
     }
 }
 
-/// Gaussian elimination in place; L is stored below the diagonal. `None` if a pivot is at most `least`, or not finite.
+/// Gaussian elimination in place: U on and above the diagonal, L below it. `None` if a pivot is at most `least`, or not finite.
 #[inline(always)]
 fn eliminate(
     d: usize,
@@ -83,7 +82,7 @@ fn eliminate(
                 pivot = i;
             }
         }
-        // This condition is false for NaN, too, so that such a matrix has no factors.
+        // This condition is false for NaN, too, so that a matrix with NaN has no factors.
         let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
         if !large_enough {
             return None;

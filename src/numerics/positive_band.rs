@@ -19,7 +19,6 @@ impl PositiveBand {
         Self { entries: vec![0.0; count * (half_bandwidth + 1)], height: half_bandwidth + 1 }
     }
 
-    /// Sets all entries to zero without new memory.
     pub(crate) fn clear(&mut self) {
         self.entries.fill(0.0);
     }
@@ -57,7 +56,7 @@ impl PositiveBand {
         Some(())
     }
 
-    /// Replaces the right-hand side in `x` by the solution of `L Lᵀ x = b`.
+    /// Replaces the right-hand side b in `x` by the solution of `L Lᵀ x = b` with the Cholesky factor L.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         for (k, column) in self.entries.chunks_exact(self.height).enumerate() {
             x[k] /= column[0];

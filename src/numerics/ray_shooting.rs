@@ -10,18 +10,20 @@ use super::support::{SupportFunction, Vertex, middle};
 use super::tolerances::BEYOND_PLANE;
 use crate::prelude::*;
 
-/// Bounds for the point where a ray leaves a set. As a fraction of the way from the middle to the target, it lies between 1 / `stretch` and
-/// `upper_bound` / `stretch`.
+/// Bounds for the point where the ray from the middle of a simplex to a target leaves a convex set. As a fraction of the way from the middle to
+/// the target, the point lies between 1 / `stretch` and `upper_bound` / `stretch`.
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit {
     pub(crate) vertices: Vec<Vertex>,
     /// Coefficients `β_k >= 0` of the vertices p_k with `Σ β_k (p_k - middle) = target - middle`; their sum is `stretch`.
     pub(crate) coefficients: Vector,
-    /// Normal v: all points x of the set satisfy `v·(x - middle) <= upper_bound`, with the middle of the simplex from which the ray starts.
+    /// Normal v of the plane of `vertices`: all points x of the set satisfy `v·(x - middle) <= upper_bound`, with the middle of the simplex from
+    /// which the ray starts.
     pub(crate) normal: Vector,
     /// The upper bound in `v·(x - middle) <= upper_bound`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) upper_bound: f64,
-    /// The ratio s = Σ β_k: the distance of the target from the middle, divided by the distance at which the ray crosses the plane of `vertices`.
+    /// The sum s of `coefficients`: the distance of the target from the middle, divided by the distance at which the ray crosses the plane of
+    /// `vertices`.
     pub(crate) stretch: f64,
 }
 
@@ -42,7 +44,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     }
     let (mut vertices, mut coefficients) = first_face(simplex, &origin, &ray)?;
     let mut found: Option<RayExit> = None;
-    // The number of pivots is limited, since rounding could cause cycling.
+    // The number of simplex pivots is limited, since rounding could cause cycling.
     for _ in 0..1000 {
         let points = matrix(&vertices, &origin);
         // If the set is smooth, points come so close together that rounding corrupts their plane. Then the result of the previous pivot is kept.
@@ -67,7 +69,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
         let least = BEYOND_PLANE * change.amax();
         let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
             let part = |k: usize| coefficients[k] / change[k];
-            // Among vertices with the same ratio, the vertex with the largest pivot `change` leaves the simplex.
+            // Among vertices with the same ratio, the vertex with the largest pivot `change` is replaced.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };

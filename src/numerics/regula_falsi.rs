@@ -16,7 +16,7 @@ pub(crate) fn regula_falsi(
     value: &mut dyn FnMut(f64) -> f64,
 ) -> Option<f64> {
     let (mut reached, mut last) = (high.1, None);
-    // Bisection alone would need some fifty evaluations; secants rarely need ten.
+    // At most a hundred evaluations. Bisection alone would need some fifty; secants rarely need ten.
     for _ in 0..100 {
         if reached >= -2.0 * within || high.0 - low.0 <= FEW_ROUNDINGS * high.0.abs() {
             return Some(high.0);

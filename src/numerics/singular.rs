@@ -13,7 +13,8 @@ use super::tolerances::FEW_ROUNDINGS;
 use super::without_std::FloatFunctions;
 use crate::prelude::*;
 
-/// `M = U diag(values) Vᵀ`, from the largest value to the smallest, with as many values and right vectors as M has columns.
+/// The singular value decomposition `M = U diag(values) Vᵀ` of a matrix M, from the largest value to the smallest, with as many values and right
+/// vectors as M has columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Singular {
     pub(crate) values: Vec<f64>,
@@ -64,7 +65,7 @@ impl Singular {
         })
     }
 
-    /// The least-squares solution x of `M x = vector`, of least norm; singular values up to `least` count as zero.
+    /// The least-squares solution x of `M x = vector`, of least norm, for the decomposed matrix M; singular values up to `least` count as zero.
     pub(crate) fn solve(&self, vector: &DVector<f64>, least: f64) -> DVector<f64> {
         let mut solution = DVector::zeros(self.values.len());
         for (k, part) in self.along(vector).into_iter().enumerate() {
@@ -87,7 +88,7 @@ impl Singular {
     }
 }
 
-/// The tangent of the angle by which two columns are turned to become orthogonal; `None` if they are orthogonal already.
+/// The tangent of the angle by which columns i and j are rotated to become orthogonal; `None` if they are orthogonal already.
 fn rotation(columns: &DMatrix<f64>, i: usize, j: usize) -> Option<f64> {
     let (a, b) = (columns.column(i), columns.column(j));
     let (a2, b2, ab) = (a.norm_squared(), b.norm_squared(), a.dot(&b));
@@ -112,8 +113,8 @@ fn rotate(columns: &mut DMatrix<f64>, i: usize, j: usize, tangent: f64) {
 
 /// The eigenvalues of a symmetric matrix, from the largest to the smallest, with their unit vectors as columns.
 pub(crate) fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
-    // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal, no eigenvalue is negative, so
-    // eigenvalues are singular values.
+    // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal no eigenvalue is negative, so
+    // that eigenvalues are singular values.
     let mut shift = 0.0_f64;
     for row in matrix.row_iter() {
         shift = shift.max(row.lp_norm(1));

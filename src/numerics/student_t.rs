@@ -6,8 +6,8 @@ use super::normal_tail::normal_tail;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Half width of a two-sided confidence interval in standard errors, for a probability from 0 to below 1. `None` degrees of freedom mean that
-/// the scatter is known. Otherwise there is at least one degree; fractions are allowed.
+/// Half width of a two-sided confidence interval in standard errors, for a probability from 0 to below 1. `degrees` are the degrees of freedom
+/// ν, at least one; fractions are allowed. `None` means that the standard deviation is known.
 ///
 /// With t = √ν tan θ, `|t|` is exceeded with the probability `I(cos² θ; ν/2, 1/2)`, an incomplete beta function (Abramowitz and Stegun, 26.7.1 and
 /// 26.5.27).
@@ -17,11 +17,11 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
             let middle = 0.5 * (low + high);
             if within(middle) < probability { (middle, high) } else { (low, middle) }
         };
-        // Sixty bisection steps determine all digits.
+        // Sixty bisection steps determine all digits of the quantile.
         let (low, high) = (0..60).fold((least, most), halve);
         0.5 * (low + high)
     };
-    // Above 4000 degrees of freedom the normal distribution replaces Student's, from which it differs by some 1e-4.
+    // Above 4000 degrees of freedom the normal distribution replaces Student's distribution, from which it differs by some 1e-4.
     match degrees {
         Some(nu) if nu <= 4000.0 => {
             let a = 0.5 * nu.max(1.0);
@@ -33,11 +33,11 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
     }
 }
 
-/// The probability that |t| is below √ν tan θ, with a = ν/2 and `whole` = B(a, 1/2).
+/// The probability that |t| is below √ν tan θ for Student's t with ν degrees of freedom, at the angle θ. `a` is ν/2, and `whole` is B(a, 1/2).
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // Of two continued fractions for the probability, the one that converges faster is used.
+    // Of the two continued fractions for the probability, the faster one is used.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {
@@ -74,7 +74,7 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
 /// 6.1.47).
 fn beta_with_half(a: f64) -> f64 {
     let (mut a, mut times) = (a, 1.0);
-    // From this argument on the series is accurate to 1e-13.
+    // From this argument on the series below is accurate to 1e-13.
     while a < 100.0 {
         times *= (a + 0.5) / a;
         a += 1.0;

@@ -32,8 +32,8 @@ pub(crate) const NEGLIGIBLE: f64 = 1e-9;
 /// This is Armijo's rule. Near 1 full Newton steps are rejected; at 0 steps without progress are accepted, and a search may cycle.
 pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 
-/// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix whose smallest pivot
-/// is below this fraction of its largest pivot is singular.
+/// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix whose smallest
+/// pivot is below this fraction of its largest pivot is singular.
 ///
 /// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding errors count as stiffness
 /// along a free motion. If larger, the stiffness of soft springs is dropped where stiff springs act too.
@@ -57,20 +57,20 @@ pub(super) const BAND_PIVOT: f64 = 1e-11;
 /// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 get no factors.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 
-/// A set counts as flat if it is thinner than this fraction of its size in some direction.
+/// A convex set counts as flat if it is thinner than this fraction of its size in some direction.
 ///
 /// If smaller, a flat set gets a volume that consists of rounding. If larger, thin sets count as flat, and wrenches inside such a set count as
 /// outside.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
-/// As a polytope grows, its distance from the origin should not decrease. A decrease up to this fraction of its size is accepted as rounding; a
-/// larger one ends the search.
+/// In the search for the largest ball in a convex set, the polytope grows, and its distance from the origin should not decrease. A decrease up
+/// to this fraction of its size is accepted as rounding; a larger one ends the search.
 ///
 /// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;
 
-/// Limit for rounding in ray shooting. Distances beyond a plane, or from the middle of a set, count as zero up to this fraction of the ray. Pivots
-/// count as zero up to this fraction of the largest.
+/// Limit for rounding in the search for the point where a ray leaves a convex set. Distances beyond a plane, or from the middle of the set,
+/// count as zero up to this fraction of the ray. Pivots count as zero up to this fraction of the largest.
 ///
 /// If smaller, rounding makes a ray change planes until the pivot limit. If larger, the length of a ray has fewer correct digits.
 pub(super) const BEYOND_PLANE: f64 = 1e-13;

@@ -77,7 +77,7 @@ impl Trigonometric {
         }
     }
 
-    /// The shifted polynomial f(φ + π/2), for this polynomial f.
+    /// The polynomial f(φ + π/2), for this polynomial f.
     fn a_quarter_on(&self) -> Self {
         let ([a, b], [a2, b2]) = (self.first, self.second);
         Self { constant: self.constant, first: [b, -a], second: [-a2, -b2] }
@@ -86,8 +86,8 @@ impl Trigonometric {
     /// The first angle in (0, `most`] at which the polynomial becomes negative, or touches zero; `most` is at most a full turn. `None` if there is no
     /// such angle.
     ///
-    /// A value up to `rounding` counts as zero. The polynomial has `roots_here` roots at φ = 0, which do not count, because it is positive just after
-    /// φ = 0.
+    /// A value up to `rounding` counts as zero. The polynomial has `roots_here` roots at φ = 0. They do not count, because the polynomial is
+    /// positive just after φ = 0.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<FirstZero> {
         let most = most.min(TAU);
         let mut shifted = *self;
@@ -103,7 +103,8 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // With the roots at φ = 0 divided out, values near φ = 0 have no rounding error larger than themselves. No value then counts as zero.
+            // After division by the roots at φ = 0, values near φ = 0 have no rounding error larger than themselves. No nonzero value then
+            // counts as zero.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {
@@ -116,17 +117,17 @@ impl Trigonometric {
         touched
     }
 
-    /// Coefficients of the polynomial `(1 + t²)² f`, the constant first.
+    /// Coefficients of the polynomial `(1 + t²)² f` in t = tan(φ/2), the constant first.
     fn of_the_half_angle(&self) -> [f64; 5] {
         let (c, [a, b], [a2, b2]) = (self.constant, self.first, self.second);
         [c + a + a2, 2.0 * b + 4.0 * b2, 2.0 * c - 6.0 * a2, 2.0 * b - 4.0 * b2, c - a + a2]
     }
 }
 
-/// The first zero in (0, end] at which the polynomial changes from positive to negative, or else touches zero to within `rounding`; `None` without
-/// such a zero.
+/// The first zero in (0, end] of the polynomial with coefficients `p` at which it changes from positive to negative. Otherwise the first point
+/// where it touches zero to within `rounding`; `None` without such a point.
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
-    // No zero in (0, 1] exists if the constant coefficient exceeds the magnitude of the sum of all negative coefficients.
+    // No zero exists on (0, 1] if the constant coefficient exceeds the magnitude of the sum of all negative coefficients.
     if p[0] + summed(&p[1..], &|p| p.min(0.0)) > rounding {
         return None;
     }
@@ -137,7 +138,7 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     for &high in bends.list().iter().chain([&end]) {
         let next = horner(p, high);
         if next < -rounding {
-            // If the polynomial starts at zero, or slightly below by rounding, the zero is the start.
+            // If the polynomial is zero at the start, or slightly negative by rounding, the start is the zero.
             let root = if value > 0.0 { root_between(p, low, high) } else { low };
             return Some(FirstZero::At(root));
         }
@@ -149,7 +150,7 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<FirstZero> {
     touched
 }
 
-/// Roots in ascending order, at most three.
+/// Roots of a polynomial in ascending order, at most three.
 #[derive(Debug, Default, Clone, Copy)]
 struct Roots {
     at: [f64; 3],
@@ -189,7 +190,7 @@ fn horner(p: &[f64; 5], t: f64) -> f64 {
     p.iter().rev().fold(0.0, |sum, p| sum * t + p)
 }
 
-/// The root of a polynomial in an interval on which it is monotone and changes sign.
+/// The root of the polynomial p between `low` and `high`, where it is monotone and changes sign.
 fn root_between(p: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let falls = horner(p, low) > horner(p, high);
     let mut t = 0.5 * (low + high);

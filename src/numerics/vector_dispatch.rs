@@ -4,7 +4,7 @@
 //! registers that the processor supports are chosen at run time. The operations and their order are the same for every width, and so are all bits of
 //! the results.
 
-/// A loop with its operands.
+/// A loop with its operands, to be compiled for several SIMD widths.
 pub(crate) trait Loop {
     type Output;
     /// Runs the loop. Implementations must be inlined, so that the loop is compiled for the SIMD width of the calling function.

@@ -60,7 +60,8 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The displacement is a sum of terms. Half a unit of rounding of these terms is added to its error.
+            // The displacement of the contact is a sum of terms. Half a unit of rounding of these terms is added to the error of the
+            // displacement.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -80,8 +81,8 @@ impl Engine {
         })
     }
 
-    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves; `None` if its answer lacks the engine's solution,
-    /// for example because it was read from a file.
+    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves. `None` if the equilibrium lacks the engine's
+    /// own solution, for example because it was read from a file.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
@@ -100,7 +101,7 @@ struct Variation {
     /// Change of the stretch of each contact, m.
     stretches: Vec<SVector<f64, 3>>,
     load: Vector,
-    /// Change of the friction forces due to the change of the coefficients of friction, N.
+    /// Change of the friction force of each contact due to the change of its coefficient of friction, N.
     friction_changes: Vec<SVector<f64, 3>>,
 }
 
@@ -136,8 +137,8 @@ impl Variation {
                 }
             }
             site.map.push(&variation.friction_changes[i], &mut variation.load);
-            // The coordinates of a point are varied by their own size: a relative error refers to the distance from the origin, not from neighbouring
-            // points.
+            // The coordinates of a contact point are varied by their own size: a relative error refers to the distance from the origin, not from
+            // neighbouring points.
             let point = grasp
                 .contacts()
                 .get(i)

@@ -90,8 +90,8 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. Such a cup would lose its vacuum, but this equilibrium still includes the pull of the vacuum. It
-    /// is therefore not valid for the real grasp.
+    /// Suction cups whose lips are open all around. Such a cup would lose its vacuum, but this equilibrium still includes the pull of the
+    /// vacuum. This equilibrium is therefore not valid for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions of equilibrium, such as balance of forces and contact laws, recomputed from grasp, commands and load.
@@ -182,7 +182,7 @@ pub(crate) struct LocalAnswer {
     /// The motion of the object in the engine's coordinates, about the centroid of the contacts.
     pub(crate) twist: Coordinates,
     pub(crate) free_motions: Vec<Coordinates>,
-    /// Commanded displacements minus clearance and `slips`, m, in the contact frames.
+    /// Finger offsets, m, in the contact frames: commanded displacements minus clearance and minus `slips`.
     pub(crate) offsets: Vec<SVector<f64, 3>>,
     /// The slips accumulated along a load path, m; they were subtracted from `offsets`.
     pub(crate) slips: Vec<SVector<f64, 3>>,

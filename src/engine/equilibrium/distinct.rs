@@ -23,15 +23,16 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A gap, force, slip or margin below ten times its estimated error may be zero in exact arithmetic. (A margin is the distance of a force to
-        // the edge of the friction cone.)
+        // A gap, force, slip or margin (distance of a force to the edge of the friction cone) below ten times its estimated error may be zero in
+        // exact arithmetic.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);
             let of_forces = part(force_error, largest);
             let of_displacements = part(displacement_error, at.span);
-            // The numbers given for grasp and load are rounded. For the exact numbers a gap, force, slip or margin below this fraction of the size of
-            // its terms may be zero. Normals, arms and their products have errors of a few 1e-16, which even well-posed grasps magnify a hundredfold.
+            // The numbers given for grasp and load are rounded. For the exact numbers, a gap, force, slip or margin below this fraction of the
+            // size of its terms may be zero. Normals, arms and their products have errors of a few 1e-16, which even well-posed grasps magnify a
+            // hundredfold.
             let least = SOLVED_ROUNDING.max(match state {
                 Mode::Open => of_displacements,
                 Mode::Sticking => of_forces,

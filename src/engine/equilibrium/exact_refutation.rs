@@ -157,7 +157,7 @@ fn is_contradicted(
     let parts = || contacts.iter().zip(forces.chunks(3));
     let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.offset));
     let gain = work - dot(&motion, &load);
-    // The virtual forces now balance exactly.
+    // The virtual contact forces now balance one another exactly.
     let sum =
         |k: usize| parts().flat_map(|(c, f)| (0..3).map(move |a| &c.map[a][k] * &f[a])).sum::<Rational>();
     assert!(every_index(6, &|k| sum(k).is_zero()));
@@ -205,8 +205,8 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // The grasp holds a quarter of the load. For that load no proof exists, so the same steps must fail there: this shows that the check can
-        // fail.
+        // The grasp holds a quarter of the load, so that no proof exists for a quarter. The same steps must fail there: this shows that the
+        // check of a proof can fail.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

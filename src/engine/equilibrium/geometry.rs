@@ -21,13 +21,13 @@ pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
     let mut arm = SVector::<f64, 3>::zeros();
     arm[axis] = 1.0 / length;
     let mut map = site.space.grasp_map(site.map.size(), &arm, &site.frame);
-    // The resultant force is unchanged; only its moment changes.
+    // A moved contact point leaves the resultant force unchanged; only its moment changes.
     (0..site.space.axes()).for_each(|k| map.set_row(k, &SVector::zeros()));
     map
 }
 
-/// The change of the grasp map of a contact per radian by which its frame turns. For axis 0, in space only, the frame turns about its normal from t₁
-/// to t₂. For axis 1, and in space 2, the normal tilts towards the tangent with this number. `None` for an axis that does not exist.
+/// The change of the grasp map of a contact per radian by which its frame turns. For axis 0, in space only, the frame turns about its normal
+/// from t₁ to t₂. For axis 1 (in space also 2) the normal tilts towards tangent number 1 (or 2). `None` for an axis that does not exist.
 pub(super) fn map_by_normal(site: &Site, axis: usize) -> Option<Map> {
     let (from, to) = match axis {
         0 if site.space == Space::Spatial => (1, 2),

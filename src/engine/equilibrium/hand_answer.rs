@@ -84,8 +84,8 @@ pub enum DriveState {
     Absent,
 }
 
-/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives. A drive that yields at a constant force is
-/// modelled by two.
+/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives. A joint or tendon that yields at a
+/// constant force is modelled by two drives.
 struct CombinedDrives {
     carried: f64,
     state: DriveState,
@@ -180,7 +180,7 @@ fn drive_state(
     match drive.role {
         DriveLaw::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
         DriveLaw::UpperHalf if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
-        // The lower limit of the tension of a tendon is zero; at this limit the tendon is slack.
+        // The lower limit of the tension of a tendon is zero; a tendon at this limit is slack.
         DriveLaw::LowerHalf if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
         DriveLaw::LowerHalf if open => (DriveState::Yields, stretch[0].min(0.0)),
         DriveLaw::Holds | DriveLaw::Pulls | DriveLaw::UpperHalf | DriveLaw::LowerHalf => {

@@ -10,13 +10,14 @@ use crate::prelude::*;
 /// The influence matrix of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at a given point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// Sum over the three unit forces of the size of the terms that add up to the contact force, N. The rounding error of `of` is proportional to it.
+    /// Sum over the three unit forces of the size of the terms that add up to the contact force, N. The rounding error of the matrix `of` is
+    /// proportional to it.
     pub(crate) size: f64,
 }
 
 impl Influence {
-    /// The change of the value `row·F` of a condition on the contact force F, under a force of 1 N along each coordinate axis at the point. Zero if
-    /// the change is within rounding.
+    /// The change of the value `row·F` of a condition on the contact force F, under a force of 1 N along each coordinate axis at the given
+    /// point. Zero if the change is within rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);
         if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }
@@ -24,8 +25,8 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence matrix of each contact and drive for forces at a point. The error value is a motion that nothing resists and along which one of
-    /// the unit forces does work.
+    /// The influence matrix of each contact and drive for forces at a point. The error value is a motion that no spring resists and along which
+    /// one of the unit forces does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });

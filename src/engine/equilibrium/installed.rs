@@ -11,10 +11,10 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// This grasp with commands of its links such that each link with a given tension has this tension without load; an error if the grasp cannot
-    /// hold it. Called after a change of the grasp; without such links nothing changes.
+    /// This grasp with commands of its links (joints between bodies) such that each link with a given tension has this tension without load. An
+    /// error if the grasp cannot hold that tension. Called after a change of the grasp; without links with a given tension nothing changes.
     pub(crate) fn installed(self) -> Result<Self, Error> {
-        // If the squeeze was multiplied by zero, so was the tension. A link without tension keeps the command that it has.
+        // If the squeeze was multiplied by zero, so was the given tension. A link without tension keeps the command that it has.
         let wanted = |contact: &Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
@@ -24,7 +24,7 @@ impl Engine {
         let stiffness: Vec<f64> = mapped(&pressed, &|(i, _)| self.contacts()[*i].stiffness.series()[0]);
         let mut commands: Vec<SVector<f64, 3>> = mapped(self.contacts(), &|contact| contact.command);
         let mut missing = self.missing(&commands, &pressed)?;
-        // Limit on Newton steps. One is enough while no contact changes its state; each change of state may take one more.
+        // Upper limit of Newton steps. One step is enough while no contact changes its state; each change of state may take one more step.
         for _ in 0..20 {
             let worst = missing
                 .iter()
@@ -35,11 +35,11 @@ impl Engine {
             if worst <= SOLVED_ROUNDING {
                 break;
             }
-            // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension. The
-            // fraction is so small that contacts hardly ever change state. If none does, the quotient is exact.
+            // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension.
+            // The fraction is so small that contacts hardly ever change state. If no contact does, the quotient is exact.
             let nudge = 1e-3;
-            // Column k: the decrease of every missing tension (given tension less present tension) as the command of link k grows by `nudge` times
-            // the stretch of its spring.
+            // Column k: how much every missing tension (given tension less present tension) falls as the command of link k grows by `nudge`
+            // times the stretch of its spring.
             let mut change = DMatrix::zeros(pressed.len(), pressed.len());
             for (k, (i, force)) in pressed.iter().enumerate() {
                 let mut pulled = commands.clone();
@@ -53,22 +53,23 @@ impl Engine {
             }
             missing = self.missing(&commands, &pressed)?;
         }
-        // The method has failed if the tension of a link is off by more than this fraction: the other contacts cannot hold against the link.
+        // Newton's method has failed if the tension of a link is off by more than this fraction: the other contacts cannot hold against the
+        // link.
         match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(&commands),
         }
     }
 
-    /// For each link with a given tension, this tension minus the tension that the link has under these commands without load, N. An error if no
+    /// For each link with a given tension: the given tension minus the tension of the link under `commands` without load, N. An error if no
     /// equilibrium is found.
     fn missing(&self, commands: &[SVector<f64, 3>], pressed: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands)?.solve(&Wrench::ZERO, &Settings::default())?;
         let Outcome::Equilibrium(state) = outcome else {
             return Err(self.not_held(pressed[0].0, pressed[0].1));
         };
-        // In a slack link the gap times the stiffness is added to the missing tension. The missing tension thus depends on the command even if the
-        // link is slack.
+        // If the link is slack, the gap times the stiffness is added to its missing tension (given tension less present tension). The missing
+        // tension thus depends on the command even then.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
         Ok(DVector::from_iterator(pressed.len(), each))

@@ -46,13 +46,14 @@ impl Engine {
         let left_out = rotation.dot(
             &(self.stiffness_of_arms(0, self.origin(), &forces_in(&rest.contacts), &Wrench::ZERO) * rotation),
         );
-        // Fractions up to a tenth are not returned. A smaller threshold would add a caution to ordinary verdicts; a larger one would hide a loss of
-        // stability until it is near.
+        // A fraction of the resistance up to a tenth is not returned. A smaller threshold would add a caution to ordinary verdicts; a larger
+        // threshold would hide a loss of stability until it is near.
         (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
     }
 
-    /// Minus the largest fraction of the springs' resistance that the forces of an equilibrium take away in any motion that springs resist. It is -1/t
-    /// for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts stick, and K_g the geometric stiffness.
+    /// Minus the largest fraction of the springs' resistance that the contact forces of an equilibrium take away, over all motions that springs
+    /// resist. This value is -1/t for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts
+    /// stick, and K_g the geometric stiffness of the contact forces.
     ///
     /// `None` if the size of the fraction is below a half, and if the grasp has so many coordinates that it is solved with band matrices. Struts
     /// between two bodies are treated as if they were infinitely long.
@@ -60,7 +61,7 @@ impl Engine {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
         let stiffness =
             self.unstable_at(unstable, &forces_in(&there.contacts), &is_open_in(&there.contacts), load)?;
-        // Thirty bisections give nine digits, of which two are printed.
+        // Thirty bisections of the factor t give nine digits, of which two are printed.
         for _ in 0..30 {
             let middle = 0.5 * (stable + unstable);
             *(if self.is_stable(&stiffness, middle) { &mut stable } else { &mut unstable }) = middle;
@@ -68,8 +69,9 @@ impl Engine {
         Some(-1.0 / unstable)
     }
 
-    /// Whether the grasp buckles under these contact forces, N, in coordinate axes, and this load: `K + K_g` is not positive definite on the motions
-    /// that springs resist. Stability along the others is the question of `hold/driven_on`.
+    /// Whether the grasp buckles under these contact forces, N, in coordinate axes, and this load: `K + K_g` is not positive definite on the
+    /// motions that springs resist, with the stiffness K and the geometric stiffness K_g. Stability along all other motions is decided in
+    /// `hold/driven_on`.
     pub(crate) fn buckles(
         &self,
         forces: &[SVector<f64, 3>],
@@ -79,7 +81,7 @@ impl Engine {
         self.unstable_at(1.0, forces, is_open, load).is_some()
     }
 
-    /// Whether the grasp buckles in an equilibrium with these contacts under this load, if it [may](Self::may_buckle).
+    /// Whether the grasp buckles in an equilibrium with these contacts under this load. Also false if [`Self::may_buckle`] is false.
     pub(super) fn buckles_in(&self, contacts: &[ContactAnswer<3>], load: &Wrench<3>) -> bool {
         self.may_buckle(load) && self.buckles(&forces_in(contacts), &is_open_in(contacts), load)
     }
@@ -94,9 +96,9 @@ impl Engine {
         self.loads_of_bodies(load).iter().all(|load| load.points_of_action().stiffness().is_some())
     }
 
-    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g, if `K + t K_g` is not positive definite for t = `times` although
-    /// K is. Motions that springs do not resist are left out: K has a stiffness for them as large as the largest of all. `None` also where the grasp
-    /// is solved with band matrices.
+    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g, if `K + t K_g` is not positive definite for t = `times`
+    /// although K is. Motions that springs do not resist cannot buckle here: K gets a stiffness along them as large as its largest eigenvalue,
+    /// and K_g none. `None` also where the grasp is solved with band matrices.
     fn unstable_at(
         &self,
         times: f64,
@@ -111,7 +113,7 @@ impl Engine {
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
         let mut both = (tangent_stiffness(self.sites(), &springs), self.geometric_stiffness(forces, load));
-        // Of a grasp that is stable in every motion the free motions need not be found.
+        // Free motions need not be found for a grasp that is stable in every motion.
         if self.is_stable(&both, times) {
             return None;
         }
@@ -135,7 +137,7 @@ impl Engine {
         (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
     }
 
-    /// Whether `K + t K_g` is positive definite for t = `times`.
+    /// Whether `K + t K_g` is positive definite for t = `times`, with the elastic stiffness K and the geometric stiffness K_g.
     fn is_stable(&self, (elastic, geometric): &(Square, Square), times: f64) -> bool {
         let count = size_of(self.sites()).count();
         let mut sum = PositiveBand::zeros(count, count - 1);
@@ -145,9 +147,9 @@ impl Engine {
         sum.factor().is_some()
     }
 
-    /// The geometric stiffness of contact forces in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, with
-    /// arms r about the point to which the coordinates of the body refer. A rope to the ground with the pull T and the length L adds `T |u|²/L` for the
-    /// displacement u across it.
+    /// The geometric stiffness of contact forces F in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`.
+    /// The arms r of the forces are about the point to which the coordinates of the body refer. A rope to the ground with the pull T and the
+    /// length L adds `T |u|²/L` for the displacement u across the rope.
     pub(crate) fn geometric_stiffness(&self, forces: &[SVector<f64, 3>], load: &Wrench<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
@@ -203,12 +205,10 @@ impl Engine {
     }
 }
 
-/// Whether a contact is open in an equilibrium, by the index of the contact.
 fn is_open_in(contacts: &[ContactAnswer<3>]) -> impl Fn(usize) -> bool + Sync + '_ {
     move |i| contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
 }
 
-/// The contact forces on the bodies.
 pub(crate) fn forces_in(contacts: &[ContactAnswer<3>]) -> Vec<SVector<f64, 3>> {
     mapped(contacts, &|answer| answer.force_world)
 }

@@ -223,7 +223,7 @@ impl Engine {
                 add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
-        // A sum below this fraction of the sizes of its terms is rounding.
+        // A sum of forces or moments below this fraction of the sizes of its terms is rounding.
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
         Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).list()))
     }

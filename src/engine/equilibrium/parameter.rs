@@ -88,8 +88,9 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivatives of contact forces and twist of an equilibrium with respect to one given number (the datum `by`), per unit of it. `None` if the
-    /// grasp has no such datum, or if after a small change of the datum no forces balance in the present contact states.
+    /// The derivatives of contact forces and twist of the equilibrium `state` with respect to one given number of the grasp or its load (the
+    /// datum `by`). `None` if the grasp has no such datum, or if after a small change of the datum no forces balance in the present contact
+    /// states.
     pub(crate) fn derivative(&self, state: &ForcesAndTwist, by: Parameter) -> Option<ForcesAndTwist> {
         let ForcesAndTwist { forces, twist } = state;
         let mut offsets = self.at_rest();
@@ -172,8 +173,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // A free motion stays free if the forces that it causes in the changed geometry are rounding. They are rounding below this fraction of
-            // the force that the same displacement of the contact alone would cause in its stiffest spring.
+            // A free motion stays free if the forces that it causes in the changed geometry are only rounding. Forces count as rounding below
+            // this fraction of the force that the same displacement of the contact alone would cause in its stiffest spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })
@@ -209,8 +210,8 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // The change of force along the axis, minus the part that slip compensates: the component of friction along the facet normal h stays at
-            // its limit. On the round cone slip also reduces the stiffness across the direction of sliding.
+            // The change of force along the axis, minus the part that slip compensates: the component of friction along the facet normal h stays
+            // at its limit. On the round cone slip also reduces the stiffness across the direction of sliding.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -1,4 +1,4 @@
-//! The user's questions for one equilibrium (`solve`) and for all equilibria (`equilibria`) under a load.
+//! The questions of a caller for one equilibrium (`solve`) and for all equilibria (`equilibria`) under a load.
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
 use super::cone::{AnswerFor, Cone};
@@ -71,8 +71,8 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // If the polygon lies inside the round cone, the round cone may allow an equilibrium although the polygon allows none, or one far from every
-        // equilibrium on the polygon.
+        // If the polygon lies inside the round cone, equilibria may be missed: the round cone may allow an equilibrium where the polygon allows
+        // none, or an equilibrium far from every equilibrium on the polygon.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -142,7 +142,8 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     equilibrium.residuals.worst() <= most
 }
 
-/// Whether two solutions are the same equilibrium. They are if forces and twist agree; if both have free motions, their twists may differ.
+/// Whether two solutions are the same equilibrium: their forces and twists agree. If both have motions that no contact resists, their twists may
+/// differ.
 fn same(problem: &Problem, a: &SearchSolution, b: &SearchSolution) -> bool {
     let size = |found: &SearchSolution| problem.largest_force(&found.forces, &found.twist);
     // Solutions are the same if forces and motions differ by less than this fraction of the largest force or motion.

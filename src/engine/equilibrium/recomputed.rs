@@ -92,7 +92,7 @@ impl Engine {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, displacement_terms] = found.sizes;
-        // The comparisons below ignore NaN, so that an answer with such a number would seem exact. Its residuals are infinite instead.
+        // The comparisons below ignore NaN, so that an answer with NaN would seem exact. Its residuals are infinite instead.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
@@ -100,7 +100,8 @@ impl Engine {
         let object = self.space().of_the_object();
         let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
         let translated = self.space().object_alone(twist);
-        // The offsets already contain the slip `problem.slips` that was accumulated on a load path. The contact law holds for the remaining slip.
+        // The offsets of the contact springs already contain the slip `problem.slips` that was accumulated on a load path. The contact law holds
+        // for the remaining slip.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drive_site_answers(problem, twist, found);
         let mut displacement_sizes: Vec<f64> = numbered(self.len(), &|i| {
@@ -109,7 +110,7 @@ impl Engine {
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
-            // Residuals are not divided by sizes, N or m, below `SMALLEST`: products of subnormal numbers have no relative precision.
+            // Residuals are divided by sizes (N or m) of at least `SMALLEST`: products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(displacement_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {
@@ -231,8 +232,9 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Relative imbalance of the forces and moments on the object: divided by the sum of the absolute values of its terms, plus `spring_force`, the
-    /// force that displacements could cause in a spring. Returns the larger of the ratios for force and for moment.
+    /// Relative imbalance of the forces and moments on the object. It is divided by the sum of the absolute values of its terms, plus
+    /// `spring_force`, the least force that the displacements could cause in a spring. Returns the larger of the ratios for force and for
+    /// moment.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);
@@ -255,9 +257,10 @@ impl Engine {
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
-        // If no contact carries a force, the computed forces are rounding, in proportion to the force that displacements could cause in a spring.
+        // If no contact carries a force, the computed forces are rounding. Their size is proportional to the force that displacements could
+        // cause in a spring.
         force_size += spring_force;
-        // The size of moments is the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
+        // Moments are compared with the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();
@@ -283,7 +286,7 @@ mod tests {
     use crate::object::Load;
     use crate::search::{SearchSolution, Settings};
 
-    /// If any number of an answer is not finite, its largest residual is infinite. A comparison with a tolerance then fails.
+    /// If any number of an answer is not finite, the largest residual of the answer is infinite. A comparison with a tolerance then fails.
     #[test]
     fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {

@@ -39,7 +39,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// Residuals of an answer that contains a number which is not finite: all are infinite.
+    /// Residuals of an answer with a number that is not finite.
     pub(super) const NONE_HOLDS: Self = Self {
         equilibrium: f64::INFINITY,
         springs: f64::INFINITY,

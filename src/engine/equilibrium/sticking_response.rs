@@ -1,9 +1,9 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of the grasp's numbers, such as
 //! stiffnesses. One factorisation serves all of them.
 //!
-//! Each load, command or small change gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything sticks,
-//! the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions that a contact's force, a sum of
-//! such responses, must satisfy for the contact to keep its state.
+//! Each load, command or small change gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything
+//! sticks, the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions under which a contact
+//! keeps its state; they are checked for its force, a sum of such responses.
 
 use alloc::sync::Arc;
 
@@ -23,12 +23,12 @@ pub(crate) struct StickingResponse<'g> {
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
     pub(crate) linear_problem: Arc<LinearProblem>,
-    /// For each contact and drive, the conditions under which it keeps its state: sticking or open.
+    /// For each contact and drive, the conditions on its force under which it keeps its state: sticking or open.
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces of all contacts and drives, N. For each force `sizes` has the size of the terms that add up to this force; the rounding error of the force
-/// is proportional to it.
+/// Forces of all contacts and drives, N, in `of`. For each force `sizes` has the size of the terms that add up to this force; its rounding error
+/// is proportional to this size.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -44,7 +44,7 @@ impl<'g> StickingResponse<'g> {
         Self::of(grasp, problem, &states)
     }
 
-    /// The linear response of the grasp while contacts keep these states, with the friction cone `cone`.
+    /// The linear response of the grasp while contacts and drives keep `states`, with the friction cone `cone`.
     pub(crate) fn in_states(grasp: &'g Engine, cone: Cone, states: &[State]) -> Self {
         Self::of(grasp, Self::at_rest_on(grasp, cone), states)
     }
@@ -53,7 +53,7 @@ impl<'g> StickingResponse<'g> {
         grasp.problem_on(cone, grasp.offsets(), &Load::from(&Vector::zeros()))
     }
 
-    /// The linear response of the grasp while contacts keep these states. Offsets and load of `problem` are not used.
+    /// The linear response of the grasp while contacts and drives keep `states`. Offsets and load of `problem` are not used.
     pub(crate) fn of(grasp: &'g Engine, problem: Problem<'g>, states: &[State]) -> Self {
         let linear_problem = problem.linear_problem(states);
         let edges = problem.locals().zip(states).map(|(local, state)| local.edges(state)).list();
@@ -65,13 +65,14 @@ impl<'g> StickingResponse<'g> {
         self.problem.local(contact)
     }
 
-    /// Finger offsets of zero for all contacts and drives, as without commands and clearances.
+    /// Finger offsets (commands minus clearances) of zero for all contacts and drives.
     pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
         vec![SVector::zeros(); self.problem.len()]
     }
 
-    /// Forces of contacts and drives under the finger offsets `offsets` (commands minus clearances) and the load `load` in the engine's coordinates.
-    /// Contacts and drives have the states of this response. The error value is a motion that nothing resists and along which the load does work.
+    /// Forces of contacts and drives under the finger offsets `offsets` (commands minus clearances) and the load `load` in the engine's
+    /// coordinates. Contacts and drives keep the states of this response. The error value is a motion that no spring resists and along which the
+    /// load does work.
     pub(crate) fn forces(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -89,13 +90,14 @@ impl<'g> StickingResponse<'g> {
         }
     }
 
-    /// Forces of contacts and drives under a load alone, without commands; the error is that of [`Self::forces`].
+    /// Forces of contacts and drives under a load alone, without commands. The error value is a motion that no spring resists and along which
+    /// the load does work.
     pub(crate) fn by_load(&self, load: &Wrench<3>) -> Result<ContactForces, Motion<3>> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
 
-    /// Forces and motion under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if no forces in the states of
-    /// this response balance them.
+    /// Forces and motion under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if in the contact states of
+    /// this response no forces balance the load.
     pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<ForcesAndTwist> {
         self.linear_problem.solve(self.problem.sites, offsets, load).ok()
     }

@@ -70,7 +70,7 @@ pub enum TooFar {
     Buckles,
 }
 
-/// What happens at a lip that is open in part.
+/// The sentence for a suction cup whose lip is open at some of its points.
 pub(crate) const AIR_FLOWS_IN: &str = "air flows in where the lip opens";
 
 /// Writes the name of the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
@@ -89,7 +89,7 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
-    /// Whether a motion is too large. Buckling and a leak end what is held, however small motions are.
+    /// Whether this is a motion that is too large, not buckling or a leak. Those end what the grasp holds, however small motions are.
     pub(crate) fn is_motion(&self) -> bool {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
@@ -156,12 +156,12 @@ impl CountedMotion {
     }
 }
 
-/// The motion whose length is the largest multiple of its limit, whether or not it is beyond the limit; `None` for an empty list.
+/// The motion whose length is the largest multiple of its own limit, even if it is below the limit; `None` for an empty list.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     highest(motions, &CountedMotion::over_the_limit)
 }
 
-/// An equilibrium, given by the data from which its motions are measured: contact states, forces, finger offsets, slips and twist.
+/// The data of an equilibrium from which its motions are measured: contact states, forces, finger offsets, slips and twist.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MotionData<'s> {
     pub(crate) offsets: &'s [SVector<f64, 3>],
@@ -172,7 +172,7 @@ pub(crate) struct MotionData<'s> {
 }
 
 impl<'s> MotionData<'s> {
-    /// The equilibrium `found` of a problem, with the problem's finger offsets and slips.
+    /// The data of the equilibrium `found` of a problem, with the problem's finger offsets and slips.
     pub(crate) fn found(problem: &'s Problem<'_>, found: &'s SearchSolution) -> Self {
         let (offsets, slips) = (&problem.offsets, &problem.slips);
         Self { offsets, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
@@ -185,7 +185,7 @@ impl Engine {
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
-        // Contact points coincide if their distances are below this fraction of their coordinates, which is the rounding of their centroid.
+        // All contact points coincide if their distances are below this fraction of their coordinates: the rounding error of their centroid.
         if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;
         }
@@ -223,7 +223,7 @@ impl Engine {
             let moved = site.map.tr_mul(standing.twist);
             let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
             if standing.states[i].is_open() {
-                // The gap before the object moves, due to a retracting command or a clearance, is no motion of the object and does not count.
+                // A gap that a retracting command or a clearance leaves before the object moves is no motion of the object and does not count.
                 (shift[0], of) = (moved[0] - standing.offsets[i][0].max(0.0), MotionOf::Opening(i));
             } else {
                 let mut slip = standing.slips[i];
@@ -259,7 +259,7 @@ impl Engine {
         }
     }
 
-    /// Describes a motion beyond its limit with the name of its body or contact, for an answer.
+    /// Describes a motion beyond its limit, with the name of its body, joint or contact, for an answer.
     pub(crate) fn too_far(&self, motion: &CountedMotion) -> TooFar {
         let limit = motion.limit;
         let contact = |site: usize| self.wholes().at(site).with(1);

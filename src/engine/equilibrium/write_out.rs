@@ -124,7 +124,6 @@ impl Engine {
     }
 }
 
-/// States of all contacts in a solution, then of the drives of a hand, which obey contact laws, too.
 pub(crate) fn site_states(problem: &Problem, found: &SearchSolution) -> Vec<ContactState<3>> {
     solved_sites(problem, found).map(|solved| solved.state().0).list()
 }
@@ -154,7 +153,7 @@ struct SolvedContact<'s> {
     bonded: bool,
     state: &'s State,
     force: SVector<f64, 3>,
-    /// Commanded displacement minus clearance and minus the accumulated slip `memory`, m.
+    /// Finger offset, m: commanded displacement minus clearance and minus the accumulated slip `memory`.
     offset: SVector<f64, 3>,
     /// Slip accumulated along a load path so far, m.
     memory: SVector<f64, 3>,

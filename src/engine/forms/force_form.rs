@@ -81,8 +81,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
     problem.locals().enumerate().map(state).list()
 }
 
-/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of order one. The unit is 1 if no
-/// spring resists the component.
+/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of order one. The unit is 1 if
+/// no spring resists the component.
 fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
@@ -98,11 +98,11 @@ struct Builder<'p, 'g> {
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
-    /// For each contact, the index of its first complementary pair, from 0, which is also its row and its column in the matrix.
+    /// For each contact, the index of its first complementary pair, from 0: its first row and first column in the matrix of the problem.
     first: Vec<usize>,
-    /// Stiffness `Σ G k Gᵀ` of the springs that both push and pull, with grasp maps G and stiffnesses k.
+    /// Stiffness `Σ G k Gᵀ` of the springs that both push and pull, with their stiffnesses k and the grasp maps G of their contacts.
     stiffness: Square,
-    /// `W + Σ G k a`: the load W plus the forces of the springs that both push and pull, at their offsets a and without twist.
+    /// `W + Σ G k a`: the load W plus the forces of the springs that both push and pull, with stiffnesses k and offsets a, at zero twist.
     load: Vector,
 }
 
@@ -156,8 +156,8 @@ impl<'p, 'g> Builder<'p, 'g> {
             row
         });
         let facets = local.facets().len();
-        // Adds the coefficients of the term `v·q` to a row of the matrix. The unknowns are the positive and the negative part of each scaled
-        // component of the twist q. If `skew` is true, the negative transpose is also added to the rows of the equilibrium equations.
+        // Adds the coefficients of the term `v·q` to a row of the matrix, for the twist q. The unknowns are the positive and the negative part
+        // of each scaled component of q. If `skew` is true, the negative transpose is also added to the rows of the equilibrium equations.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
@@ -208,7 +208,8 @@ impl<'p, 'g> Builder<'p, 'g> {
         }
     }
 
-    /// Adds to `stiffness` and `load` a spring along this axis that both pushes and pulls, with the force F = k (a - G_iᵀq).
+    /// Adds to `stiffness` and `load` a spring of contact i along this axis that both pushes and pulls. Its force is F = k (a - G_iᵀq) with
+    /// stiffness k, offset a, grasp map G_i and twist q.
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);

@@ -1,4 +1,4 @@
-//! The kinematic form (see [`super`]): jumps (gaps and slips) from the elastic trial state.
+//! The kinematic form (see [`super`]): jumps (gaps and slips) from the elastic trial state, in which every contact sticks.
 //!
 //! The form needs the matrix P, the change of all contact forces per unit of a displacement at one contact while the object gives way. G is the grasp
 //! map of all contacts, and K the diagonal matrix of their stiffnesses. P is computed by orthogonal factors Q and R, whose accuracy does not depend
@@ -20,8 +20,8 @@ use crate::numerics::{IntoList, mapped, matrix_of, numbered, total, vector_of};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// One complementary pair of the form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. The contact force F is scaled by the contact's
-/// stiffnesses K to x = K^{-1/2} F, a square root of energy. The unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
+/// One complementary pair of the kinematic form: a gap or slip ẑ of a contact as unknown, and its slack ŵ. The contact force F is scaled by the
+/// contact's stiffnesses K to x = K^{-1/2} F, a square root of energy. The unknown adds `column · ẑ` to x, and the slack is `ŵ = row · x`.
 struct GapOrSlip {
     contact: usize,
     row: SVector<f64, 3>,
@@ -30,7 +30,8 @@ struct GapOrSlip {
     z_unit: f64,
 }
 
-/// The complementary pairs of the contacts `contacts` in the kinematic form, as two lists: the meaning of each pair, and its gap or slip.
+/// The complementary pairs of the contacts `contacts` in the kinematic form, as two lists: the meaning of each pair, and its gap or slip with
+/// its slack.
 fn jumps(problem: &Problem, contacts: &[usize]) -> (Vec<Row>, Vec<GapOrSlip>) {
     let (mut rows, mut jumps) = (Vec::new(), Vec::new());
     for &contact in contacts {
@@ -74,7 +75,8 @@ pub(crate) fn kinematic_form(
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // The row and the column of each jump (gap or slip), multiplied by Qᵀ, the transposed orthogonal factor of the trial state.
+    // The row and the column of each jump (gap or slip), multiplied by Qᵀ, with the orthogonal factor Q of the elastic trial, in which every
+    // contact sticks.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
@@ -85,8 +87,8 @@ pub(crate) fn kinematic_form(
     form(problem, state, rows, &jumps, &|i, j| transformed[i][0].dot(&transformed[j][1]))
 }
 
-/// Displacements of all coordinates under a unit of each jump (gap or slip) of a contact; `None` for contacts not yet computed. They are stored by
-/// contact, so that a later kinematic form of another set of contacts reuses them.
+/// Displacements of all coordinates of the grasp under a unit of each jump (gap or slip) of a contact; `None` for contacts not yet computed. The
+/// list is by contact, so that a later kinematic form of another set of contacts reuses it.
 #[derive(Debug, Default)]
 pub(crate) struct UnitDisplacements(Vec<Option<Vec<Vec<f64>>>>);
 
@@ -108,7 +110,8 @@ pub(crate) fn kinematic_form_among(
         if known[contact].is_none() {
             let mut displacements: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
             for (k, jump) in of_contact.iter().enumerate() {
-                // Facets come in pairs of opposite directions, whose displacements differ only in sign.
+                // Facets come in pairs of opposite normals; the displacements for a slip along one normal are those for the other with reversed
+                // sign.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
                 displacements.push(match opposite {
                     Some(other) => mapped(&displacements[other], &|x| -x),

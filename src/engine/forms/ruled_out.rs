@@ -1,5 +1,5 @@
-//! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. It evaluates only the pairs of the
-//! form. States that the test does not exclude may still break a condition: only a solution with all contacts shows whether they do.
+//! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. The pairs of the form need not
+//! include all contacts. Only a solution with all contacts shows whether the states that the test does not exclude satisfy every condition.
 
 use crate::numerics::{matrix_of, vector_of};
 
@@ -8,9 +8,9 @@ use crate::contact::{Mode, State};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// Whether these contact states clearly make an unknown or a slack of the form negative. `largest` is the largest force of the elastic trial state,
-/// in units of the slacks. Returns false if a contact slips across two facets, a case that the test does not cover. Also returns false if the
-/// equations are singular.
+/// Whether these contact states clearly make an unknown or a slack of the form negative. `largest` is the largest force of the elastic trial
+/// state (every contact sticks), in units of the slacks. Returns false if a contact slips across two facets, a case that the test does not
+/// cover, or if the equations are singular.
 pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {
@@ -33,14 +33,14 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
-    // Gaps or slips larger than this multiple of the forces show that the equations are linearly dependent; the test then excludes nothing. For NaN
-    // the comparison is false.
+    // Gaps or slips larger than this multiple of the forces show that the equations are linearly dependent; the test then excludes nothing. For
+    // NaN the comparison is false, so that the test excludes nothing either.
     let known = most <= 1e8 * largest;
     if !known {
         return false;
     }
-    // An unknown or slack is clearly negative if it is below minus this fraction of the largest force, gap or slip. The form is accurate to some
-    // 1e-14.
+    // An unknown or slack is clearly negative if it is below minus this fraction of the largest force, gap or slip. The kinematic form is
+    // accurate to some 1e-14.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)

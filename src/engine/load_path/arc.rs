@@ -1,5 +1,5 @@
-//! An arc: a piece (part of a leg with fixed contact states) of the load path on which directions of sliding turn. This file has the linear algebra
-//! at one point of an arc.
+//! An arc: a piece of the load path (part of a leg with fixed contact states) on which directions of sliding turn. This file has the linear
+//! algebra at one point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
 //! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
@@ -35,12 +35,13 @@ pub(super) struct Arc<'s, 'g> {
     pub(super) states: &'s [State],
     /// Indices of the contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The unit u of displacement in arclength, m: arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
+    /// The unit u of displacement in arclength, m. Arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
     unit: f64,
     /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand side.
-    /// They are computed on first use, because the rates at which friction forces turn can be computed without them.
+    /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand
+    /// side, q the twist and λ the load factor. The constant parts are computed on first use, because some questions (how fast friction forces
+    /// turn) do not need them.
     fixed: OnceCell<ConstantTerms>,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -49,10 +50,12 @@ pub(super) struct Arc<'s, 'g> {
 /// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
 /// λ the load factor.
 struct ConstantTerms {
-    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since T
-    /// would otherwise be singular. The object then moves along it with its velocity in `Arc::free_motions`, which may be zero.
+    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since
+    /// T would otherwise be singular. The object then moves along such a motion with the velocity given in `Arc::free_motions`, which may be
+    /// zero.
     stiffness: PathStiffness,
-    /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide, and from the velocities of free motions.
+    /// The terms of the right-hand side b of `T q' = b λ'` (twist q, load factor λ) from commands of contacts that do not slide, and from the
+    /// velocities of free motions.
     push: Vector,
 }
 
@@ -100,7 +103,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     fn fixed_anew(&self) -> ConstantTerms {
         let Self { segment, states, free_motions, .. } = self;
         let (sites, size) = (self.sites(), segment.grasp.size());
-        // The artificial stiffness against a free motion couples all coordinates that move in this motion, so that no order of coordinates gives a
+        // The artificial stiffness against a free motion couples all coordinates that move in this motion. No order of coordinates then gives a
         // narrow band matrix.
         let order = if free_motions.is_empty() { NarrowOrder::of(size, sites) } else { None };
         let (mut stiffness, mut push, mut stiffest) =
@@ -113,7 +116,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
                     stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
                 } else {
-                    // The entries of each contact's grasp map are read once, since reading an entry of the map of several bodies takes a search.
+                    // The entries of each contact's grasp map are copied first, since reading an entry of the map of several bodies takes a
+                    // search.
                     let rows = [a, b].each(|map| {
                         ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
                     });
@@ -142,14 +146,14 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load plus
-    /// `ConstantTerms::push`.
+    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts. It is the rate of the load plus
+    /// [`ConstantTerms::push`], the rate of the forces due to commands.
     fn push_at(&self, factor: f64) -> Vector {
         self.segment.trajectory.rate_at(factor) + &self.fixed().push
     }
 
-    /// Norm of [`Self::push_at`], N per unit of the load factor: the rate of the load plus the rate of the forces by which commands push contacts
-    /// that do not slide.
+    /// Norm of the rate of the load plus the rate of the forces by which commands push contacts that do not slide. The unit is N per unit of the
+    /// load factor.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -170,8 +174,8 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// LU factors of the bordered matrix at a load factor. Its columns are the tangent stiffness T times the unit u of displacement, then the
-    /// right-hand side -b. Its last row is `across`; corrections of the state are transverse to this direction. Also returns the largest entry of T u
-    /// and b. `None` if the matrix is singular, so that the path may continue in more than one direction.
+    /// right-hand side -b. Its last row is `across`, so that corrections of the state are transverse to this direction of the path. Also returns
+    /// the largest entry of T u and b. `None` if the matrix is singular, so that the path may continue in more than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
@@ -278,7 +282,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the root of the number of terms.
+        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the square root of the
+        // number of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
         // compared with the load at the start of the leg.
@@ -290,8 +295,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // At most six Newton corrections. A step leaves friction forces off their cones by the error of the step, and the first correction leaves
-            // only the square of this error.
+            // At most six Newton corrections. A step along the path leaves friction forces off their cones by the error of the step; the first
+            // correction leaves only the square of this error.
             for _ in 0..6 {
                 let load = self.segment.trajectory.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -301,7 +306,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // This correction leaves the load factor fixed, since a computed change of the load factor would be rounding.
+                    // In this direction the correction leaves the load factor fixed; a computed change of the load factor would be rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -311,7 +316,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Next to a fold each round leaves a quarter of the distance from the cones. More than four rounds are made only while they do.
+            // Next to a fold of the path each correction round leaves a quarter of the distance of friction forces from their cones. More than
+            // four rounds are made only while each leaves less than a third.
             if round > 3 && off > 0.3 * last {
                 break;
             }
@@ -325,8 +331,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
-            // then corrected again.
+            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces,
+            // and is corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -337,7 +343,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         balanced
     }
 
-    /// The largest difference, N, between the friction force of a sliding contact and its limit μ F_n. Contacts without friction force are left out.
+    /// The largest difference, N, between the size of the friction force of a sliding contact and its limit μ F_n. Contacts without friction
+    /// force are left out.
     fn off_the_cones(&self, forces: &[SVector<f64, 3>]) -> f64 {
         let mut most = 0.0_f64;
         for &i in &self.sliding {
@@ -349,8 +356,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Contact forces at a twist and a load factor: from the springs if a contact sticks, zero if it is open. The friction force of each sliding
-    /// contact is on its cone, in the direction given in `frictions`.
+    /// Contact forces at a twist and a load factor. A sticking contact has the force of its springs, an open contact none. The friction force of
+    /// each sliding contact is on its cone, in the direction given in `frictions`.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();
@@ -375,9 +382,10 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round cone.
-    /// The forces are the equilibrium near `at` with friction forces on their cones, or `at` itself if no such equilibrium is found. Rates are per
-    /// unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no spring resists.
+    /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round
+    /// cone. The forces are those of the equilibrium near `at` with friction forces on their cones, or of `at` itself if no such equilibrium is
+    /// found. Rates are per unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no
+    /// spring resists.
     pub(super) fn tangent(
         &self,
         states: &[State],
@@ -394,8 +402,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, linear_problem.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(ForcesAndTwist, f64)| {
-            // After an event only rounding is to be corrected. A correction by more than this fraction of the largest force has therefore led to
-            // another equilibrium.
+            // After an event only rounding errors are to be corrected. A correction by more than this fraction of the largest force has
+            // therefore led to another equilibrium.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

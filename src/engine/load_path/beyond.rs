@@ -82,7 +82,7 @@ pub struct Continuation<const C: usize> {
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the load factor.
     pub twist_rate: Motion<C>,
-    /// The rule that found the solution of the complementarity problem for the rates.
+    /// The method that found the solution of the complementarity problem for the rates.
     pub rule: FoundBy,
 }
 
@@ -109,7 +109,7 @@ pub(super) fn continuation(
     }))
 }
 
-/// The point at which a path of equilibria ends: the load factor, and the contact forces at this point.
+/// The point at which a load path ends: the load factor, and the contact forces there.
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
@@ -128,7 +128,7 @@ pub(super) fn beyond_end(
     settings: &Settings,
 ) -> Beyond<3> {
     let problem = segment.problem_at(end.factor);
-    // The static problem beyond the end, at a load factor larger by `part` times [`way_beyond`].
+    // The static equilibrium problem beyond the end, at a load factor larger by `part` times [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
     let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -145,7 +145,8 @@ pub(super) fn beyond_end(
             _ => beyond,
         };
     }
-    // With many contacts the search may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove that none exist.
+    // With many contacts the search for rates may end undecided although no rates of forces and motion exist. Farkas' lemma may then prove that
+    // none exist.
     let settled = match settled {
         SearchOutcome::Undecided(_) if effort.no_slips || no_rates(rates) => SearchOutcome::NoneOf(0),
         settled => settled,
@@ -156,8 +157,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. Over a shorter distance the loads would differ too
-        // little from the load at the end, and the proof could fail because of rounding.
+        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. Over a shorter distance the loads would hardly
+        // differ from the load at the end, and the proof could fail because of rounding.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -179,16 +180,16 @@ pub(super) fn no_rates(rates: &Problem) -> bool {
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
-/// Searches for an equilibrium slightly beyond the end of a path, where contact forces are `forces`. Contacts keep the slip so far, but their states
-/// need not continue the path. `past(part)` is the static problem at a load factor that exceeds the load factor at the end by `part` times
-/// [`way_beyond`].
+/// Searches for an equilibrium slightly beyond the end of a path, where contact forces are `forces`. Contacts keep their slip so far, but their
+/// states need not continue the path. `past(part)` is the static problem at a load factor that exceeds the load factor at the end by `part`
+/// times [`way_beyond`].
 fn from_scratch<'g>(
     past: impl Fn(f64) -> Problem<'g>,
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search at the distance `part` beyond the end finds another equilibrium. The forces of another equilibrium differ from the forces at
-    // the end by more than the forces of a continued path.
+    // Whether the search for an equilibrium at the distance `part` beyond the end of the path finds another equilibrium. Its forces differ from
+    // the forces at the end by more than the forces of a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -198,18 +199,17 @@ fn from_scratch<'g>(
     // undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance beyond the end the search would exceed the allowed number of pivots, too.
+            // At a larger distance beyond the end the search would exceed the allowed number of pivots of Lemke's method, too.
             SearchOutcome::Undecided(Doubt::OutOfPivots) => {
                 return Beyond::Undecided { doubt: Doubt::OutOfPivots };
             }
             SearchOutcome::Undecided(doubt) => why = doubt,
             SearchOutcome::Found(found, _) => {
-                // If the forces found are nearly the forces at the end, the search is repeated at load factors nearer to the end. Only the forces of
-                // another equilibrium stay different from the forces at the end.
+                // If the forces found are nearly the forces at the end of the path, the search is repeated at load factors nearer to the end.
+                // Only the forces of another equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // If the forces found do not differ from the forces at the end, the equilibrium found may be the equilibrium of the path, which
-                // rounding lets exist a little beyond its end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium
-                // found.
+                // Forces that do not differ from those at the end may belong to the equilibrium of the path, which rounding lets exist a little
+                // beyond its end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -222,23 +222,23 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether `found` could be the forces of a continued path at the distance `part` beyond the end. The force of each contact then differs from its
-/// force in `forces` by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
+/// Whether `found` could be the contact forces of a continued path at the distance `part` beyond its end, where they are `forces`. If so, the
+/// force of each contact has changed by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`]; or 1, the whole leg, if [`whole_way`] is nearly zero because
-/// there is no load yet.
+/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`]. If that is nearly zero because there is no load yet, the
+/// unit is 1, the whole leg.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load, or all present offsets of the contact springs, at their present rates:
-/// the smaller of the two changes. Zero if it is not finite.
+/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets of the contact springs
+/// at theirs: the smaller of the two. Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -248,8 +248,8 @@ fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
 }
 
 fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
-    // The problem with the present rates of the load and of the springs' offsets in place of load and offsets. Each contact has its complete law,
-    // since any contact states may occur.
+    // The problem for rates: the present rates of load and springs' offsets take the place of load and offsets. Each contact has its complete
+    // law, since any contact states may occur.
     let rates = &Problem {
         offsets: rates.offsets.clone(),
         wrench: rates.wrench.clone(),
@@ -278,9 +278,9 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, &mut |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition that is positive at the end is also taken as zero if, at its rate, it becomes zero within the fraction `NEGLIGIBLE` of
-            // `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this
-            // accuracy.
+            // A condition that is positive at the end of the path is also taken as zero if, at its rate, it becomes zero within the fraction
+            // `NEGLIGIBLE` of `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known
+            // only to about this accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

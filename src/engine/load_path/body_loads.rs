@@ -108,21 +108,21 @@ impl BodyLoads {
         self.0 = Some(Arc::new([from, to]));
     }
 
-    /// The generalised forces of the loads of all bodies on the coordinates of the grasp, at the beginning and at the end of the leg. `None` until a
-    /// leg changes a body load.
+    /// The generalised forces of all body loads on the coordinates of the grasp, at the beginning and at the end of the leg. `None` until a leg
+    /// changes a body load.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].each(|end| grasp.combine_wrenches(bodies, &loads[end])))
     }
 
-    /// The loads on all bodies, without their permanent loads: at the beginning of the leg if `end` is 0, at its end if `end` is 1. Empty until a leg
-    /// changes a body load.
+    /// The loads on all bodies, without their permanent loads: at the beginning of the present leg if `end` is 0, at its end if `end` is 1.
+    /// Empty until a leg changes a body load.
     pub(super) fn at_end(&self, end: usize) -> &[Wrench<3>] {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The grasp with its bodies under the loads that they have at a fraction of the leg. If no leg has changed a body load, `grasp` is returned
-    /// unchanged.
+    /// The grasp with its bodies under the loads that they have at a fraction of the present leg. If no leg has changed a body load, `grasp` is
+    /// returned unchanged.
     pub(super) fn apply<'g>(&self, grasp: &'g Engine, fraction: f64) -> Cow<'g, Engine> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<3>, &Wrench<3>)| *from + (*to - *from) * fraction;

@@ -1,9 +1,9 @@
 //! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
-//! If nothing resists the motion v with which the object leaves, forces stay constant along this motion: no spring is stretched further, and friction
-//! is exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement
-//! δ v, at which the first open contact closes. Let contact i have the normal n_i into the object, the grasp map G_i and the gap gap_i. The minimum
-//! is over the open contacts whose gap decreases along v:
+//! If nothing resists the motion v with which the object leaves, forces stay constant along v: no spring is stretched further, and friction is
+//! exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the
+//! displacement δ v, at which the first gap closes. With the normal n_i of contact i into the object, its grasp map G_i and its gap gap_i, the
+//! minimum over all open contacts whose gap decreases along v is
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
@@ -29,19 +29,19 @@ use crate::search::SearchSolution;
 
 use nalgebra::SVector;
 
-/// How far the object moves along a motion that nothing resists, up to the gap that closes first.
+/// The distance that the object moves along a motion that nothing resists, up to the gap that closes first.
 struct FreeTravel {
     /// Length of the motion, as a multiple of the motion vector.
     length: f64,
     /// Indices of the contacts and drives whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each contact or drive: true if the motion gives it no velocity. Such a contact sticks even if its force is on the edge of its friction
-    /// cone.
+    /// For each contact or drive: true if the motion gives it no velocity. Such a contact sticks even if its force is on the edge of its
+    /// friction cone.
     still: Vec<bool>,
 }
 
-/// Whether the object can move at this velocity (in the contact frame) without a change of this contact force. This requires that the motion
-/// stretches no spring, and that friction is at its limit against the slip. Velocities up to `none` are treated as zero.
+/// Whether the object can move past this contact at `velocity` (in the contact frame) without a change of the contact force. This requires that
+/// the motion stretches no spring, and that friction is at its limit against the slip. Velocities up to `none` are treated as zero.
 fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f64, 3>, none: f64) -> bool {
     match local.resistance(velocity) {
         Resistance::Unlimited => false,
@@ -51,9 +51,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present force. The force is taken to reach this
-            // resistance if the directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only rounding may
-            // reduce the resistance.
+            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present normal force. The contact force is taken
+            // to reach this resistance if the directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only
+            // rounding may reduce the resistance.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -61,15 +61,15 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The free motion from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or blocks the motion, if
-    /// no gap closes, or if rotations or slips exceed the limits of small motions.
+    /// The free motion of the object from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or
+    /// blocks the motion, if no gap closes, or if rotations or slips exceed the limits of small motions.
     fn free_travel(&self, motion: &Vector) -> Option<FreeTravel> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this fraction of the largest velocity that a motion of the same size could give the contact is rounding.
+            // A contact velocity below this fraction of the largest velocity that a motion of the same norm could give the contact is rounding.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
@@ -77,7 +77,7 @@ impl<'g> PiecewiseFollower<'g> {
                 let gap = -site.stretch(&offsets[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&offsets[i], &self.node.at.twist);
                 if velocity[0] < -none {
-                    // The object would move into a contact whose gap is closed already, so that this contact blocks the motion.
+                    // The gap of this contact is closed already, so that the contact blocks the motion.
                     if gap <= shut {
                         return None;
                     }
@@ -122,11 +122,11 @@ impl<'g> PiecewiseFollower<'g> {
         self.node.apply_rates(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Moves the object by `motion` times `travel.length`, until the gap closes, at the same load. `None` if the linear system for the forces of the
-    /// new states has no solution.
+    /// Moves the object by `motion` times `travel.length`, until the first gap closes, at the same load. `None` if the linear system for the
+    /// forces in the new contact states has no solution.
     fn move_to_gap(&mut self, motion: &Vector, travel: &FreeTravel) -> Option<()> {
         let point = self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        // Forces are solved for anew in the new states. Then the force of contacts that have opened is exactly zero, without a rounding error.
+        // Forces are solved for anew in the new contact states, so that the force of a contact that has opened is exactly zero.
         let forces = mapped(&point.lines, &|line| line.force);
         let twist = &self.node.at.twist + motion * travel.length;
         self.node.move_to_end(&mut self.segment, &point, self.factor, &ForcesAndTwist { forces, twist });
@@ -167,8 +167,8 @@ impl<'g> PiecewiseFollower<'g> {
         Some(Event { jump: Some(Box::new(jump)), ..self.caught(run, changes, state) })
     }
 
-    /// The event that replaces a loss from which the path continues. It has the changes of contact states `changes` at the loss, and the equilibrium
-    /// `state` before these changes. The caller adds the jump, a motion at constant load to another equilibrium.
+    /// The event that replaces a loss from which the path continues. It has the changes of contact states `changes` at the loss, and the
+    /// equilibrium `state` before these changes. The caller adds the jump, a motion at constant load to another equilibrium.
     pub(super) fn caught(
         &self,
         run: &ProgramRun<'g>,

@@ -53,7 +53,7 @@ impl Engine {
         (leaving, drives)
     }
 
-    /// The labels of the contacts among the indices `sites`, and of the joints and tendons of the drives among them.
+    /// Separates the indices `sites` of contacts and drives: the labels of the contacts, and the labels of the joints and tendons of the drives.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
@@ -84,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// The change of the drive with the index `site` among contacts and drives, which gives way if `frees`, else holds again.
+    /// The change of the drive with the index `site` among contacts and drives: it gives way if `frees`, else it holds again.
     pub(crate) fn part_change(&self, site: usize, frees: bool) -> Option<PartChange> {
         let linkage = self.linkage()?;
         let drive = &linkage.drives[site - self.len()];

@@ -1,7 +1,7 @@
-//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. Each step is shortened to end at the place where a
-//! condition of a contact state is just met (its value is zero).
+//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. Each step is shortened to end at the point of the
+//! path where a condition of a contact state is just met (its value is zero).
 //!
-//! To find this place, the last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a
+//! To find this point, the last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a
 //! bracket. States of the path are never interpolated.
 
 use super::flow::{Flow, FlowStep, Rule, StepGoal};
@@ -37,8 +37,8 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// A straight step `end` from `point`, shortened if it begins at an apex and clearly violates a condition. `None` if the end of the shortened step
-    /// is not found.
+    /// The straight step `end` from `point`, shortened if it begins with a contact at zero force (the apex of its cone) and clearly violates a
+    /// condition. `None` if the end of the shortened step is not found.
     pub(super) fn up_to_a_break(&self, point: &PathPoint, end: StepEnd) -> Option<StepEnd> {
         if !self.node.starts_at_apex || !end.watches.iter().any(ConditionValue::is_broken) {
             return Some(end);
@@ -60,7 +60,7 @@ impl PiecewiseFollower<'_> {
     }
 
     /// Shortens the step `end`, which violates condition `k`, until it ends where a watched condition is just met and no other is violated. The
-    /// condition met is `k`, or another condition that is violated earlier. `None` if no such step is found.
+    /// condition that is met is `k`, or another condition that is violated earlier. `None` if no such step is found.
     pub(super) fn locate(
         &self,
         point: &PathPoint,
@@ -70,12 +70,12 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The value of the condition is zero at the start of the step already, and negative right after the start.
+            // The condition is just met (its value is zero) at the start of the step already, and violated right after the start.
             low.1 = 0.0;
         }
-        // At most eighty steps are tried; bisection alone would need about fifty (the bits of a floating-point number).
+        // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.
         for trial in 0..80 {
-            // If Newton's method gives no length inside the bracket, a secant step is made, or every third time a bisection.
+            // If Newton's method gives no length inside the bracket, the length comes from a secant, or every third time from bisection.
             let part = low.1 / (low.1 - high.1);
             // A secant step keeps at least this fraction of the bracket away from both of its ends.
             let inside = 1e-3;
@@ -84,7 +84,8 @@ impl PiecewiseFollower<'_> {
                 end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
             if to <= low.0 || to >= high.0 {
-                // No floating-point number lies between both ends of the bracket: the step `end` is as near to the zero as possible.
+                // No floating-point number lies between both ends of the bracket, so the step `end` is as near to the zero of the condition as
+                // possible.
                 end.located = Some(k);
                 return Some(end);
             }

@@ -25,7 +25,8 @@ pub(crate) struct Cycles<'g> {
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
-    /// The first motion beyond its limit in the first cycle, a leak, or buckling in any cycle: there within the first, else at the end.
+    /// The first motion beyond its limit in the first cycle, or a leak or buckling in any cycle. In the first cycle it is found wherever it
+    /// occurs, in later cycles only at their ends.
     too_far: Option<TooFar>,
 }
 
@@ -37,8 +38,7 @@ pub(crate) struct CycleState {
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) twist: Vector,
-    /// For each contact and drive: true if its present friction is its lower kinetic friction, because it slides. Empty if no contact has kinetic
-    /// friction.
+    /// For each contact and drive: true if it slides with its lower kinetic friction. Empty if no contact has kinetic friction.
     pub(crate) has_kinetic_friction: Vec<bool>,
 }
 
@@ -50,19 +50,19 @@ pub(crate) struct CycleRecord {
     pub(crate) slid: Vec<f64>,
     /// Heat from friction during the cycle, J.
     pub(crate) dissipated: f64,
-    /// The largest contact force at the ends of the pieces of the path, N.
+    /// The largest contact force, N, at the ends of the pieces of the path (parts of legs with fixed contact states).
     pub(crate) largest: f64,
     /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` if it was closed at some time.
     pub(crate) open: Vec<Option<f64>>,
-    /// The largest gap of each contact or drive at the ends of the pieces on which it was open, m; zero if it was never open.
+    /// For each contact or drive, its largest gap, m, at the ends of the pieces of the path on which it was open; zero if it was never open.
     pub(crate) largest_gap: Vec<f64>,
     /// The number of jumps in the cycle: motions under constant load from one equilibrium to another.
     pub(crate) jumps: usize,
     /// The largest displacement at a contact point, m, in a jump (a motion under constant load) of the cycle.
     pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
-    /// Successive lists of the states of all contacts and drives in the cycle, each with the index (within the cycle) of the leg on which these
-    /// states occur.
+    /// Successive lists of the states of all contacts and drives in the cycle. Each list has the index, within the cycle, of the leg on which
+    /// these states occur.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -105,13 +105,13 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
+        // A cycle of legs is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
 
-    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp. This is so if a
-    /// contact would slide at once, or if the equilibrium with the slips of `from` has other forces.
+    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact
+    /// would slide at once, or the equilibrium with the slips of `from` has other forces.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -120,7 +120,7 @@ impl<'g> Cycles<'g> {
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // If a contact would have to slide at once, the state is no equilibrium with these slips, and no search is needed.
+            // If a contact would have to slide at once, `from` is no equilibrium with these slips, and no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
                 // A contact slides if a condition of sticking is violated by more than the fraction `NEGLIGIBLE` of the largest force.
                 slipped
@@ -141,12 +141,13 @@ impl<'g> Cycles<'g> {
         is_there.then_some(begun)
     }
 
-    /// Sets the number of integration steps along arcs, on which directions of sliding turn, that are allowed on each leg from now on.
+    /// Sets the limit on the number of integration steps on each leg from now on. Steps are counted along arcs, on which directions of sliding
+    /// turn.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
         self.path.run.settings.most_steps = most_steps;
     }
 
-    /// The end of the path, if it has ended before all legs so far were completed; else `None`.
+    /// The end of the path, unless all legs so far were completed; then `None`.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
@@ -156,14 +157,13 @@ impl<'g> Cycles<'g> {
         self.too_far.clone().or_else(|| Some(self.path.end_of_small_motions()?.what.clone()))
     }
 
-    /// The index of the present leg within the present cycle, from 0, and the fraction of this leg that is done, from 0 to 1. The path counts legs
-    /// from the first cycle on, and `completed` includes the present cycle.
+    /// The index of the present leg within the present cycle, from 0, and the fraction of this leg that is done, from 0 to 1.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
         (leg - self.completed.saturating_sub(1) * self.legs.len(), fraction)
     }
 
-    /// The equilibrium at the present place of the path; `None` if it cannot be computed.
+    /// The equilibrium at the present point of the path; `None` if it cannot be computed.
     pub(crate) fn state(&self) -> Option<Equilibrium<3>> {
         self.path.state()
     }
@@ -175,14 +175,14 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The last piece of the previous cycle is still stored, since the present state is computed from it. Its energies are not added to this
-        // cycle.
+        // The last piece of the previous cycle is still stored, since the present state is computed from it. The energies of that piece are not
+        // added to this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         if self.completed == 1 {
             self.too_far = end_of_theory(&self.path, self.path.end_of_small_motions()).map(|end| end.what);
         } else if self.too_far.is_none() {
-            // Slips change the forces from cycle to cycle.
+            // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle.
             let state = self.path.state();
             self.too_far = state.and_then(|state| state.too_far).filter(|far| *far == TooFar::Buckles);
         }
@@ -205,8 +205,8 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, piece) in behind.iter().enumerate().skip(before) {
-            // Slips at the end of the piece. If a jump follows, the slips before the jump are taken: the jump is a piece of its own, with its own
-            // slips.
+            // The slips at the end of the piece of the path. If a jump (motion at constant load) follows, the slips before the jump are taken:
+            // the jump is a piece of its own, with its own slips.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
@@ -218,13 +218,13 @@ impl<'g> Cycles<'g> {
                 record.jump_motion = record.jump_motion.max(displacement);
             }
         }
-        // The last piece is kept, since the state at the end of the cycle is computed from it.
+        // The last piece of the path is kept, since the state at the end of the cycle is computed from it.
         follower.behind.extend(behind.into_iter().last());
         Some(record)
     }
 
-    /// The state of the grasp at the present place, after the cycles so far. `None` if no equilibrium exists under the base load, so that there is no
-    /// path.
+    /// The state of the grasp at the present point of the path, after the cycles so far. `None` if no equilibrium exists under the base load, so
+    /// that there is no path.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
@@ -244,8 +244,8 @@ impl<'g> Cycles<'g> {
 }
 
 impl CycleState {
-    /// The friction cone of each contact or drive: kinetic if its entry in `has_kinetic_friction` is true, otherwise static. Empty if
-    /// `has_kinetic_friction` is empty.
+    /// The friction cone of each contact or drive: kinetic if its entry in `has_kinetic_friction` is true, otherwise static. Empty if that list
+    /// is empty.
     fn cones(&self, grasp: &Engine) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.has_kinetic_friction);
         sites.map(|(site, is_kinetic)| site.kinetic.filter(|_| *is_kinetic).unwrap_or(site.friction)).list()

@@ -29,8 +29,8 @@ pub(super) fn end_of_path(
     }
     let motions = leaving_motions(rates, &segment.trajectory.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
-    // If no contact carries a force, springs do not determine the motion with which the object leaves. This motion is then the motion of rigid
-    // bodies.
+    // If no contact carries a force, the springs do not determine the motion with which the object leaves. That motion is then the motion of
+    // rigid bodies.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let SearchOutcome::Separating(v) = &settled {
@@ -50,19 +50,19 @@ pub(super) fn end_of_path(
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }
 
-/// Two unit motions, computed with the contact states `states`: first the motion with which the object leaves, then the virtual motion that proves
-/// the loss. `None` if nothing moves or no motion can be determined.
+/// Two unit motions at a loss of equilibrium, computed with the contact states `states`. The first is the motion with which the object leaves,
+/// the second a virtual motion that proves the loss. `None` if nothing moves or no motion can be determined.
 ///
-/// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is one along which no contact
-/// force of these states does work. Because of friction the two motions differ. For a block that slides to the right on a floor, the virtual motion
-/// also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised twist rate. It is
-/// reversed if, summed over contacts, the slip would be opposite to the friction forces.
+/// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is a motion along which
+/// no contact force of these states does work. Because of friction the two motions differ: for a block that slides to the right on a floor, the
+/// virtual motion also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised
+/// twist rate. It is reversed if the slip, summed over contacts, would be opposite to the friction forces.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let linear_problem = LinearProblem::new(rates, states);
     let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // No spring resists a motion along which friction is exhausted everywhere. Of several such motions, the motion is taken along which the
-            // rate of the load does the most work. If only commands change, the load is used instead of its rate.
+            // If friction is exhausted everywhere along some motions, no spring resists them. Of several such motions, the one along which the
+            // rate of the load does the most work is taken. If only commands change, the load is used instead of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

@@ -1,5 +1,5 @@
-//! The place on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, or the grasp
-//! buckles.
+//! The point on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, or the
+//! grasp buckles.
 
 use super::event::Event;
 use super::following::AnyPath;
@@ -10,21 +10,21 @@ use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// The place, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small, a
-    /// suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is asked for at rest, at the end of each
-    /// leg and at the end of the path, if the points of action of the load are known; the place is then found to nine digits.
+    /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer
+    /// small, a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest, at the
+    /// end of each leg and at the end of the path, if the points of action of the load are known. Where it begins is then found to nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
     }
 
-    /// [`Self::end_of_theory`] if motions are small up to the place `far`.
+    /// [`Self::end_of_theory`] if motions are small up to the point `far` of the path.
     pub(crate) fn end_of_theory_before(&self, far: Option<&EndOfSmallMotions>) -> Option<EndOfSmallMotions> {
         end_of_theory(&*self.0, far)
     }
 }
 
-/// The place from which on the grasp buckles, if it comes before the place `far` at which motions cease to be small; else `far`.
+/// The point of the path from which on the grasp buckles, if it comes before the point `far` at which motions cease to be small; else `far`.
 pub(super) fn end_of_theory<const C: usize>(
     path: &dyn AnyPath<C, Event<C>>,
     far: Option<&EndOfSmallMotions>,
@@ -34,8 +34,9 @@ pub(super) fn end_of_theory<const C: usize>(
     buckling.or_else(|| far.cloned())
 }
 
-/// The place, to nine digits, from which on the grasp buckles. Buckling is asked for at rest, at the end of each leg and at the place `end`, and along
-/// a load that turns also between. `None` if the grasp buckles at none of these, or if the points of action of the load at `end` are not known.
+/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest, at the end of each leg and at the point
+/// `end`, and along a load that turns also between. `None` if the grasp buckles at none of these points, or if the points of action of the load
+/// at `end` are not known.
 fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     if load(end.0, end.1).is_some_and(|load| load.points_of_action().stiffness().is_none()) {
@@ -72,6 +73,6 @@ fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) 
     Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
 }
 
-/// Number of parts of a turning leg at whose ends buckling is asked for. If smaller, a range of angles in which the grasp buckles is missed; if larger,
-/// answers about turning loads take longer.
+/// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. If smaller, a range of angles
+/// in which the grasp buckles is missed; if larger, answers about turning loads take longer.
 const PARTS_OF_A_TURN: u32 = 36;

@@ -46,7 +46,7 @@ impl LegEnergy {
         if self.turnover > 0.0 { excess / self.turnover } else { 0.0 }
     }
 
-    /// Adds the energy that the springs take up between two states with the contact forces `from` and `to`.
+    /// Adds the energy that the springs take up while the contact forces change from `from` to `to`.
     pub(super) fn store(&mut self, sites: &[Site], from: &[SVector<f64, 3>], to: &[SVector<f64, 3>]) {
         for (site, (from, to)) in sites.iter().zip(from.iter().zip(to)) {
             self.stored += 0.5 * (to - from).dot(&site.springs.deflection(&(to + from)));
@@ -55,7 +55,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies `part` of another piece (with fixed contact states) of the same leg.
+    /// Adds the energies `part` of another part of the same leg, with other contact states.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -64,8 +64,8 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece of the path on which the load factor changes from `factor` by `step`. On this piece contacts keep their states,
-    /// and no contact slides on a round cone. `point` is the state at the beginning of the piece with its rates.
+    /// Adds the energies of a piece of the path on which the load factor changes from `factor` by `step`. On this piece contacts keep their
+    /// states, and no contact slides on a round cone. `point` is the state at the beginning of the piece, with its rates.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
@@ -90,7 +90,8 @@ impl LegEnergy {
                 if states[i].slides() { site.springs.slip(&moving, &line.rate) } else { SVector::zeros() };
             for axis in 0..site.springs.axes() {
                 let pushed = force[axis] * segment.change[i][axis] * step;
-                // The spring energy changes by `Δ(½F²/k) = F ΔF / k` with the force F at the middle of the piece and the stiffness k, which is exact.
+                // The spring energy changes by `Δ(½F²/k) = F ΔF / k`, which is exact with the force F at the middle of the piece and the
+                // stiffness k.
                 let stored = force[axis] * give[axis] * step;
                 let dissipated = force[axis] * slip[axis] * step;
                 self.finger_work += pushed;
@@ -101,8 +102,8 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece along which the load turns, so that forces and motions are harmonic functions of the load's angle. `step` is the
-    /// change of the load factor.
+    /// Adds the energies of a piece of the path along which the load turns, so that forces and motions are harmonic functions of the load's
+    /// angle. `step` is the change of the load factor.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

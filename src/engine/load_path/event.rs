@@ -21,8 +21,8 @@ use crate::serial::AsComputed;
 pub struct Event<const C: usize> {
     /// Index of the leg (section of the load program), from 0.
     pub leg: usize,
-    /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding or, if a contact slides on the round cone, up to the error of the
-    /// steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
+    /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding. If a contact slides on the round cone, it is exact up to the
+    /// error of the integration steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load at the event.
@@ -121,7 +121,8 @@ pub enum PathEnd<const C: usize> {
     Lost(Box<Loss<C>>),
     /// There is no equilibrium from which the path could start.
     NoStart(Box<Outcome<C>>),
-    /// The path could not be followed beyond this place, and it is not known whether an equilibrium continues it. Up to this place the path is valid.
+    /// The path could not be followed beyond this point, and it is not known whether an equilibrium continues it. Up to this point the path is
+    /// valid.
     Undecided {
         /// Index of the leg (section of the load program), from 0.
         leg: usize,
@@ -160,7 +161,7 @@ impl<const C: usize> PathEnd<C> {
     }
 }
 
-/// The place on a load path beyond which its equilibrium cannot be continued.
+/// The point of a load path beyond which its equilibrium cannot be continued.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -189,8 +190,8 @@ pub struct Loss<const C: usize> {
     /// equilibrium is lost. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// A virtual motion of the object, in the engine's coordinates, along which contact forces can do little or no negative work at the loss. It may
-    /// prove that no equilibrium exists beyond. `None` if no such motion is known.
+    /// A virtual motion of the object, in the engine's coordinates, along which contact forces can do little or no negative work at the loss.
+    /// This motion may prove that no equilibrium exists beyond the loss. `None` if no such motion is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
@@ -199,13 +200,13 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion that may prove the loss, about the centroid of the contacts: contact forces can do little or no negative work along this
-    /// motion. `None` if no such motion is known.
+    /// The virtual motion of the object, about the centroid of the contacts, that may prove the loss: contact forces can do little or no
+    /// negative work along it. `None` if no such motion is known.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }
 
-    /// This loss with `against` as the virtual motion that may prove it, which need not be the motion with which the object leaves.
+    /// This loss with `against` as the virtual motion that may prove it. That motion need not be the motion with which the object leaves.
     pub(super) fn and_virtually(mut self, against: Option<&Vector>) -> Self {
         self.against = against.map(Coordinates::of);
         self
@@ -213,7 +214,8 @@ impl<const C: usize> Loss<C> {
 }
 
 impl Loss<3> {
-    /// This loss with `motion`, the motion with which the object leaves, about the centroid of the contacts. It is also taken as the virtual motion.
+    /// This loss with `motion` as the motion with which the object leaves, about the centroid of the contacts. The same motion is also taken as
+    /// the virtual motion that may prove the loss.
     pub(super) fn leaving(mut self, grasp: &Engine, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);

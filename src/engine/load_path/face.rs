@@ -91,8 +91,8 @@ impl<T: Face> Face for LegGoal<T> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// Swaps the fields `local` and `drives` with the same fields of `inside`, an onset of the engine. These fields have the same type in the engine
-    /// and for the caller.
+    /// Swaps the fields `local` and `drives` with those of `inside`, an onset of the engine. These fields have the same type in the engine and
+    /// for the caller.
     pub(crate) fn exchange(&mut self, inside: &mut OnsetEvent<3>) {
         core::mem::swap(&mut self.local, &mut inside.local);
         core::mem::swap(&mut self.drives, &mut inside.drives);

@@ -13,8 +13,9 @@ use crate::prelude::*;
 
 impl<'g> PiecewiseFollower<'g> {
     /// Begins to store the present friction cone of every contact, if some contact has kinetic friction below its static friction. Contacts that
-    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then reports
-    /// as its first event. Changes nothing if the cones are stored already. The error is the end of the path in that jump.
+    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then
+    /// reports as its first event. Changes nothing if the cones are stored already. The error is the end of the path, if the jump leads to no
+    /// equilibrium.
     pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -49,8 +50,8 @@ impl<'g> PiecewiseFollower<'g> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the static cone, which is wider. Thus
-    /// their active sets (edges of the cone on which the force lies) become empty; a contact at the apex stays at the apex.
+    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the static cone, which is wider.
+    /// Thus their active sets (edges of the cone on which the force lies) become empty. A contact with zero force stays at the apex of its cone.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -64,17 +65,17 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether one of the contacts in `reached` (whose present states end here) has kinetic friction and has almost lost its contact force. As the
-    /// force of such a contact decreases to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
+    /// Whether one of the contacts in `reached`, whose present states end here, has kinetic friction and has almost lost its contact force. As
+    /// the force of such a contact decreases to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
-        // A force is taken as zero if it is at most the fraction `NEGLIGIBLE` of the largest force of the segment.
+        // A force is taken as zero if it is at most the fraction `NEGLIGIBLE` of the largest force on the path so far.
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Takes almost vanishing forces of the contacts in `reached` (whose present states end here) as zero, and puts these contacts at the apex of
-    /// their cones. Adds the ratio of each such force to the largest force to the step error.
+    /// Sets almost vanishing forces of the contacts in `reached`, whose present states end here, to zero (the apex of the cone). Adds the ratio
+    /// of each such force to the largest force to the step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {
@@ -87,7 +88,7 @@ impl<'g> PiecewiseFollower<'g> {
         self.stalls = 0;
     }
 
-    /// On a leg along which neither load nor commands change, which represents passing time, contacts that slide with kinetic friction come to rest.
+    /// A leg along which neither load nor commands change represents passing time: contacts that slide with kinetic friction come to rest.
     /// Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
@@ -104,8 +105,8 @@ impl<'g> PiecewiseFollower<'g> {
         moved(rest, &|i| (i, Change::Sticks))
     }
 
-    /// Sets the friction of contacts after the changes of state `changes`. If contacts begin to slide with kinetic friction, makes and returns the
-    /// jump that follows, else `None`. The error is the end of the path in that jump.
+    /// Sets the friction of contacts after the changes of state `changes`. If contacts begin to slide with kinetic friction, makes and returns
+    /// the jump (motion at constant load) that follows, else `None`. The error is the end of the path, if the jump leads to no equilibrium.
     pub(super) fn friction_after(
         &mut self,
         run: &ProgramRun<'g>,

@@ -4,11 +4,12 @@
 use crate::contact::Exit;
 use crate::prelude::*;
 
-/// Indices of contacts whose present state ends, each with its exits: edges of its cone that the force reaches, the apex, or a closing gap.
+/// Contacts whose present state ends, by index. Each has its exits: an edge of its cone that the force reaches, the apex (zero force), or a
+/// closing gap.
 pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
-/// The first place along a piece of the path at which the present state of a contact ends, and the edges of cones that forces touch before this
-/// place.
+/// The first point along a piece of the path at which the present state of a contact ends, and the edges of cones that forces touch before this
+/// point.
 pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
     /// no state ends.
@@ -19,8 +20,8 @@ pub(super) struct FirstExits {
 }
 
 /// The smallest step (change of the load factor) to an exit in `ways`, and all contacts with an exit at this step; `None` if `ways` has no exit.
-/// `ways` lists the exits of each contact, each with the step at which it occurs. In symmetric grasps several contacts reach an edge at once: steps
-/// that are equal up to the sum of their uncertainties are taken as equal.
+/// `ways` lists the exits of each contact, i.e. the ends of its state, with the step at which each occurs. In symmetric grasps several contacts
+/// reach an edge at once: steps that are equal up to the sum of their uncertainties are taken as equal.
 pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached)> {
     let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
     for (_, exits) in &ways {

@@ -21,7 +21,7 @@ use crate::object::{ForcesAndTwist, Imbalance};
 use crate::search::{FoundBy, SearchSolution};
 
 /// The contact that stops sticking first, and forces and twist at this onset. It may also be a drive of a joint or tendon that reaches its force
-/// limit: its index follows the indices of the contacts. `factor` is the load factor or, while a load turns, the angle in rad.
+/// limit; drives are counted after the contacts. `factor` is the load factor or, while a load turns, the angle in rad.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
@@ -42,8 +42,8 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     linear_problem.solve_roughly_into(&segment.change, &direction, (solution, rate));
     linear_problem.solve_roughly_into(&problem.offsets, &problem.wrench, (solution, base));
     let FirstContact { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // The state is solved again at the onset, because a load factor extrapolated from the base load has the rounding errors of the forces under the
-    // base load.
+    // The equilibrium is solved again at the onset. A load factor extrapolated from the base load has the rounding errors of the forces under
+    // the base load.
     let mut factor = exit.step;
     let load = segment.trajectory.at(factor);
     segment.offsets_into(factor, offsets);
@@ -58,7 +58,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// The first contact that stops sticking while a load turns, if one does, in the simple case of this file.
+/// While a load turns: the first contact that stops sticking, if any, provided that it does so clearly before all others.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
@@ -92,8 +92,8 @@ pub(super) fn first_to_leave_on_turn(
         return None;
     }
     let mut turned = segment.harmonics(inside, 1.0, &parts);
-    // The solutions under the constant, cosine and sine terms of the load are not refined, so each force has a rounding error in proportion to the
-    // largest force. Cases that such an error could change are left to `sticking_path`.
+    // The solutions under the constant, cosine and sine terms of the load are not refined by iteration. Each force thus has a rounding error in
+    // proportion to the largest force. Cases that such an error could change are left to `sticking_path`.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {
@@ -160,17 +160,17 @@ impl FirstToLeave {
     }
 }
 
-/// Whether the value of every condition of sticking, positive inside the friction cone, is more than the fraction `NEGLIGIBLE` of the size of its
-/// terms. For an absent contact, the conditions of an open contact are tested instead.
+/// Whether a contact clearly sticks: the value of every condition of sticking, positive inside the friction cone, is more than the fraction
+/// `NEGLIGIBLE` of the size of its terms. For an absent contact, the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // If the value of a condition is a smaller fraction, the contact may be on the edge of its cone. Such a case is left to `StickingPath`.
+    // A condition with a smaller value may be on the edge of the friction cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with the exit (edge and step), and its force as an affine function of the load
-/// factor.
+/// The contact that reaches the edge of its cone before all others, the edge and the step at which it reaches it, and the contact's force as an
+/// affine function of the load factor.
 struct FirstContact {
     contact: usize,
     exit: Exit,
@@ -212,11 +212,11 @@ fn first_exit(
         }
     }
     first.filter(|FirstContact { exit, .. }| {
-        // The next exit of a force from its cone must come later than the first, by more than the fraction `NEGLIGIBLE` of the load factor of the
-        // first.
+        // The next exit of a force from its friction cone must come later than the first exit, by more than the fraction `NEGLIGIBLE` of the
+        // load factor of the first.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
-        // Forces may grow by at most this factor up to the onset: if they would grow more, their rates may be rounding.
+        // Forces may grow by at most this factor up to the onset. If they would grow more, their computed rates may be only rounding.
         alone && exit.step * fastest <= 1e6 * largest
     })
 }

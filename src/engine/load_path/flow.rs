@@ -1,4 +1,5 @@
-//! Steps along an arc, a piece on which contacts keep their states and directions of sliding turn. The lengths of steps are arclengths.
+//! Steps along an arc, a piece of the load path on which contacts keep their states and directions of sliding turn. The lengths of steps are
+//! arclengths.
 //!
 //! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
 //! sliding alone,
@@ -37,7 +38,6 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// This rule; the allowed error of an implicit rule is multiplied by `times`.
     fn with_larger_error(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -56,8 +56,8 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal at the load factor `factor`, after `trials` steps that missed this goal. Implicit steps have large rounding errors and may miss a
-    /// goal again and again.
+    /// The goal at the load factor `factor`, after `trials` steps that missed this load factor. Implicit steps have large rounding errors and
+    /// may miss it again and again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         // The distance `near` grows after sixteen and after thirty-two trials. Even the largest distance is no larger than the usual error of steps.
         let near = match trials / 16 {
@@ -69,18 +69,19 @@ impl StepGoal {
     }
 }
 
-/// The differential equation of an arc in fixed contact states, from one point of the path, at which the load factor is `from`.
+/// The differential equation of an arc, on which contacts keep their states. It starts at the point `point` of the path, with the load factor
+/// `from`.
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
-    /// The state at the start of a step, with rates per unit of arclength.
+    /// The point of the path at the start of the step, with rates per unit of arclength.
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start of the step, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
-    /// For each sliding contact: true if its normal force has almost vanished and still decreases. Its friction force must then be computed with a
-    /// smaller error, so that its direction stays accurate.
+    /// For each sliding contact: true if its normal force has almost vanished and still decreases. Its friction force must then be computed with
+    /// a smaller error, so that the direction of this force stays accurate.
     vanishing: Vec<bool>,
-    /// The largest force, N, and the largest displacement, m, at the start, to which errors are compared.
+    /// The largest force, N, and the largest displacement, m, at the start of the step, with which errors are compared.
     sizes: [f64; 2],
 }
 
@@ -128,14 +129,14 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // Along motions that no spring resists the object keeps its present velocity, because no force changes this velocity.
+        // The object keeps its present velocity along motions that no spring resists, because no force changes this velocity.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
-            // A free motion slower than this fraction of the twist rate is rounding.
+            // A velocity of the object along a free motion is rounding below this fraction of the norm of the twist rate.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
         let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
-        // The friction force of a contact that has just closed is mere rounding, so its direction is taken from the contact state.
+        // The friction force of a contact that has just closed is mere rounding, so the direction of this force is taken from the contact state.
         let friction = |&i: &usize| {
             let size = tangential_norm(&point.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
@@ -171,8 +172,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there. `None` if
-    /// the rule or the correction onto the cones does not converge, or if the path has no unique direction.
+    /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there.
+    /// `None` if the integration, or the correction that puts friction forces back onto their cones, does not converge, or if the path has no
+    /// unique direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
@@ -200,7 +202,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let direction = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // The integrated step may end outside the distance `near` of its goal, while the correction onto the cones still brings it inside.
+        // The integrated step may end farther than the distance `near` from its goal, while the correction of friction forces onto their cones
+        // still brings it inside.
         let arrived = if stays(factor) {
             None
         } else {
@@ -210,7 +213,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let (at, to) = match arrived {
             Some(arrived) if !stays(factor) => arrived,
             _ => {
-                // The rest of the step follows the tangent, and friction forces change along it.
+                // The rest of the step, up to the goal, follows the tangent of the path, and friction forces change along it.
                 let rest = (goal.factor - factor) / direction.factor;
                 for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                     *friction += tangential(&self.arc.rates(i, tangent, &direction)[1]) * rest;
@@ -234,8 +237,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices, from 0 in the list of integrated variables, of the load factor and of the first of four works. The list has two friction components
-    /// for each sliding contact, then the twist, the load factor, the works of fingers, friction and load, and the sum of their absolute values.
+    /// Indices, from 0 in the list of integrated variables, of the load factor and of the first of four works. The list has two friction
+    /// components for each sliding contact, then the twist, the load factor, the works of fingers, friction and load, and the sum of the works'
+    /// absolute values.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
@@ -251,8 +255,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Writes the rates of all variables, per unit of arclength, to `out`; `y` are their changes since the start of the step. Returns whether a
-    /// contact slips against its friction force or, unless the load turns, the load factor decreases. `None` if the path has no unique direction.
+    /// Writes the rates of all integrated variables, per unit of arclength, to `out`; `y` are their changes since the start of the step. Returns
+    /// whether a contact slips against its friction force or, unless the load turns, the load factor decreases. `None` if the path has no unique
+    /// direction.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -283,8 +288,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this fraction of the arclength does not count. Near a maximum the load factor itself then
-        // changes by less than the square of this fraction, in units of the leg.
+        // A decrease of the load factor by less than this fraction of the arclength does not count. Near a maximum of the load factor, the load
+        // factor then changes by less than the square of this fraction of a leg.
         Some(backwards > 0.0 || is_straight && direction.factor < -1e-8)
     }
 
@@ -297,8 +302,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with force F and rate a' of the offset of the springs. `y`
-    /// are the changes of all variables since the start.
+    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with the contact force F and the rate a' of the
+    /// offset of the contact's springs. `y` are the changes of all integrated variables since the start of the step.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -320,8 +325,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         sum
     }
 
-    /// Relative size of the error `error` of all variables in a step of arclength `length`: the largest of several ratios. Each friction force and
-    /// the load are compared with the largest force, the twist with the largest displacement.
+    /// Relative size of the integration error `error` of all variables in a step of arclength `length`: the largest of several ratios. Errors of
+    /// friction forces and of the load are compared with the largest force, the error of the twist with the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.point.rate_sizes[k];
@@ -331,16 +336,16 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        // The error of a friction force is compared with the largest force. The error of a vanishing friction force is also compared with this force
-        // itself, which keeps its direction accurate. This ratio is multiplied by 1e-6.
+        // An error of a friction force is compared with the largest force. For a vanishing friction force, 1e-6 times its error is also compared
+        // with the force itself, which keeps the direction of the force accurate.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the starting point of this flow to the load factor `goal`, if its arclength is less than `most`. `None` if sixty trials do not
-    /// find it or a trial fails.
+    /// The step from the starting point of this arc to the load factor `goal`, if its arclength is less than `most`. `None` if sixty trials do
+    /// not find it or a trial fails.
     pub(super) fn step_to_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<FlowStep> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.point.factor_rate;
@@ -348,9 +353,9 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // After many trials a step may end at a larger distance from the goal and still be extended to it.
+            // After many trials a step may end farther from the goal and still be extended to it.
             let goal_here = StepGoal::after(goal, trial);
-            // The allowed error of an implicit rule is multiplied by these factors, tried in turn: rounding may prevent smaller errors.
+            // The allowed error of an implicit rule is multiplied by these factors in turn, since rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.with_larger_error(times));
             let reached = rules.find_map(|rule| self.step(length, goal_here, rule))?;
             if reached.to == goal {

@@ -16,19 +16,18 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Result of one call of [`Follower::advance`]. `T` is the type of an event (piece by piece) or of a step.
 #[derive(Debug)]
 pub(crate) enum Advance<T> {
     /// The follower has reached an event or the end of a step, which the path returns to the caller.
     Reached(T),
     /// The follower has advanced, or has computed how the path continues, but has nothing yet to return to the caller.
     OnTheWay,
-    /// The leg (section of the load program) is complete, and all its events or steps have been returned.
+    /// The leg (section of the load program) is complete, and all its events or steps have been returned to the caller.
     EndOfLeg,
 }
 
-/// The contact forces at the present place of a path, and `rates`, the complementarity problem for the rates of forces and motion there (rate
-/// problem). The solution of this problem decides whether contacts on the edge of their cones stick, slide or open.
+/// The contact forces at the present point of a path, and `rates`, the complementarity problem for the rates of forces and motion there (rate
+/// problem). The solution of the rate problem decides whether contacts on the edge of their cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -36,8 +35,8 @@ pub(crate) struct StateAtEdge<'g> {
     pub(super) forces: Vec<SVector<f64, 3>>,
 }
 
-/// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores its place (the fraction of
-/// the present leg) and the accumulated slips; the [`ProgramRun`] stores the legs.
+/// A method of following a load program: piece by piece for a few contacts, or in steps for thousands. The follower stores the fraction of the
+/// present leg that is done, and the accumulated slips; the [`ProgramRun`] stores the legs.
 pub(crate) trait Follower<'g>: Debug {
     /// The type of the items that the path returns to its caller: events, or steps.
     type Report;
@@ -48,7 +47,7 @@ pub(crate) trait Follower<'g>: Debug {
     /// The end of the path, if the leg cannot start.
     fn start_leg(&mut self, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>>;
 
-    /// Advances to the next event or by one step, or only computes how the path continues from the present place.
+    /// Advances to the next event or by one step, or only computes how the path continues from its present point.
     ///
     /// # Errors
     /// The end of the path, if it ends here.
@@ -57,13 +56,14 @@ pub(crate) trait Follower<'g>: Debug {
     /// The fraction of the present leg that is done, from 0 to 1.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium at the present place of the path; `None` if it cannot be computed because of rounding.
+    /// The equilibrium at the present point of the path; `None` if it cannot be computed because of rounding.
     fn state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>>;
 
-    /// Forces of all contacts and drives at the present place, N, in the contact frames.
+    /// Forces of all contacts and drives at the present point of the path, N, in the contact frames.
     fn forces(&self, run: &ProgramRun<'g>) -> Vec<SVector<f64, 3>>;
 
-    /// The forces and the rate problem at the present place. In the rate problem, contacts on the edge of their cones may slide or open.
+    /// The contact forces, and the complementarity problem for the rates of forces and motion, at the present point of the path. In this problem
+    /// contacts on the edge of their cones may slide or open.
     fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond the end of the path, if the path ended in a jump: friction fell to its kinetic value at constant load, and no equilibrium
@@ -77,25 +77,25 @@ pub(crate) trait Follower<'g>: Debug {
         0.0
     }
 
-    /// Energies of each leg so far, the present one included; empty from a follower that does not add them up.
+    /// Energies of each leg so far, including the present leg; empty from a follower that does not add them up.
     fn energies(&self) -> &[LegEnergy] {
         &[]
     }
 
-    /// The equilibrium at the fraction `_fraction` of the leg `_leg`. `None` if the path has not passed this place, or if rounding prevents its
-    /// computation, and always from a follower that does not store its past.
+    /// The equilibrium at the fraction `_fraction` of the leg `_leg`. `None` if the path has not passed this fraction, if rounding prevents the
+    /// computation, or from a follower that does not store its past.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<3>> {
         None
     }
 
-    /// Suction cups whose lips are open all around at the present place, so that their vacuum is gone. Empty from a follower that does not check
-    /// them.
+    /// Suction cups whose lips are open all around at the present point of the path, so that their vacuum is gone. Empty from a follower that
+    /// does not check suction cups.
     fn cups_open(&self, _journey: &ProgramRun<'g>) -> Vec<WholeContact> {
         Vec::new()
     }
 
-    /// The place on the path at which a motion exceeded its limit of small motions. `None` if no motion has exceeded it, or from a follower that does
-    /// not check the limits.
+    /// The point of the path at which a motion exceeded its limit of small motions. `None` if no motion has exceeded it, or from a follower that
+    /// does not check the limits.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }
@@ -106,8 +106,8 @@ pub(crate) trait Follower<'g>: Debug {
         0.0
     }
 
-    /// The index of the leg and the fraction of it from which on, up to the place `until`, every contact with friction and a normal force slides.
-    /// `None` if there is no such place, or from a follower that does not store its past.
+    /// The index of a leg and the fraction of it from which on, up to the leg and fraction `until`, every contact with friction and a normal
+    /// force slides. `None` if there is no such fraction, or from a follower that does not store its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }

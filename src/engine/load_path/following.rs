@@ -22,7 +22,7 @@ use crate::search::{Settings, settle};
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) run: ProgramRun<'g>,
-    /// `None` if no equilibrium was found from which the path could start.
+    /// The method in progress; `None` if no equilibrium was found from which the path could start.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }
@@ -75,8 +75,8 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         }
     }
 
-    /// Calls `advance` on the follower and returns the event or step that it reaches. `None` if it reaches neither: then the path has moved on, a new
-    /// leg has begun, or the path has ended.
+    /// Calls `advance` on the follower and returns the event or step that it reaches. `None` if there is neither: the path has moved on without
+    /// an event, a new leg has begun, or the path has ended.
     pub(super) fn advance_with(
         &mut self,
         advance: impl FnOnce(&mut F, &ProgramRun<'g>) -> Result<Advance<F::Report>, PathEnd<3>>,

@@ -45,11 +45,10 @@ pub(crate) struct InSlips {
     pub(crate) end: SlipEnd,
     /// The contact forces under the base load and at the end of the path, N, in the contact frames.
     pub(crate) forces: [Vec<SVector<f64, 3>>; 2],
-    /// The largest ratio of a rotation or slip to its limit of small motions, at the ends of all steps.
+    /// The largest ratio of a rotation or slip to its limit of small motions, over the ends of all integration steps.
     pub(crate) farthest: f64,
 }
 
-/// The end of a path along which a load grows.
 pub(crate) enum SlipEnd {
     /// The grasp holds up to the load factor `most`, the upper limit given by the caller.
     Held,
@@ -111,10 +110,10 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. `at` lists the
-    /// factors of the forces F⁰, F¹ and R: the number 1, the load factor, and two slip components of each sliding contact, m. At first no contact
-    /// slides, and the load factor is the factor at which the contact `first` begins to slide. Returns the state at the end of the path, or `None` in
-    /// cases that are left to a `LoadPath`.
+    /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. `at`
+    /// lists the factors of the forces F⁰, F¹ and R of the head of this file: the number 1, the load factor, and two slip components of each
+    /// sliding contact, m. At first no contact slides, and the load factor is the factor at which the contact `first` begins to slide. Returns
+    /// the state at the end of the path, or `None` in cases that are left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -171,9 +170,9 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
-    /// if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if `MOST_SLIDING`
-    /// contacts slide already.
+    /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns
+    /// `Held` if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if
+    /// `MOST_SLIDING` contacts slide already.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -211,16 +210,16 @@ impl Slips<'_> {
             rates.extend_from_slice(&[p[1] * slip, p[2] * slip]);
         }
         if slips.iter().all(|slip| *slip > 0.0) {
-            // The unit of slip is chosen so that slips and load factor have equal weight in the arclength at the beginning.
+            // The unit of slip is chosen so that slips and load factor have equal weight in the arclength at the start of sliding.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
             for rate in rates.iter_mut() {
                 *rate *= core::f64::consts::FRAC_1_SQRT_2;
             }
             return Some(SlipEnd::Held);
         }
-        // The path may instead continue with only some of these contacts slipping. Bit i of `combination`, from 0, is set if the contact `sliding[i]`
-        // slips; otherwise this contact sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n - |F_t|` decreases.
-        // If a combination may continue the path, `None` is returned, and the caller follows a load path.
+        // The path may instead continue with only some of the sliding contacts slipping. Bit i of `combination`, from 0, is set if the contact
+        // `sliding[i]` slips; otherwise this contact sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n -
+        // |F_t|` decreases. If some combination may continue the path, `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
             let slips = slid(margins, &|i| combination >> i & 1 == 1)?;
             let mut holds = slips.iter().all(|slip| *slip >= -clear);
@@ -239,15 +238,15 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With these rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids. The object
-        // leaves with the reversed motion, in which the slips have the directions of the friction forces.
+        // With the computed rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids.
+        // The object leaves with the reversed motion, in which the slips have the directions of the friction forces.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.loss_of_kind(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. The object leaves with the motion `motion`. `None` if
-    /// the object then snaps over to another equilibrium, or for a malformed ramp.
+    /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. The object leaves with the motion `motion`.
+    /// `None` if the object would snap over to another equilibrium, or for a malformed ramp.
     fn loss_of_kind(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;
@@ -269,8 +268,8 @@ impl Slips<'_> {
         Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
     }
 
-    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than at `at`. It moves in the artificial model of
-    /// `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
+    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the state `at`. It moves in the
+    /// artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
     fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;
@@ -298,7 +297,7 @@ impl Slips<'_> {
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {
-        // For a contact that is not chosen, the equation only makes its own slip zero.
+        // If contact i is not chosen, its equation only makes its own slip zero.
         equation[i] = rates[i + 1];
         if is_chosen(i) {
             (0..margins.len()).filter(|j| is_chosen(*j)).for_each(|j| equation[j] = rates[j + 1]);

@@ -1,5 +1,5 @@
-//! Jumps at constant load: friction falls as a contact begins to slide, nothing resists the object, or the object snaps over to another equilibrium.
-//! A jump ends when contacts stop the object.
+//! Jumps at constant load: friction falls as a contact begins to slide, nothing resists the object any more, or the object snaps over to another
+//! equilibrium. A jump ends when contacts stop the object.
 
 use core::fmt;
 
@@ -81,7 +81,7 @@ impl<const C: usize> fmt::Display for Jump<C> {
             reached.dedup();
             let (moved, words) = (all_inside(&self.moved), words.in_space(words.space::<C>()));
             let farthest = largest(&moved, &BodyMotion::speed);
-            // A body that moves by less than this fraction of the largest motion is not named in the sentence.
+            // A body is not named in the sentence if it moves by less than this fraction of the largest motion.
             let moved =
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));

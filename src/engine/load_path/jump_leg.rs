@@ -33,7 +33,7 @@ use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 
 /// A jump at constant load in progress.
 pub(super) struct JumpInProgress<'g> {
-    /// The leg along which the external force in place of the lost friction is removed.
+    /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
     /// Three lists over all contacts and drives: slips before the jump; flags, true if the contact has slid in the jump so far; and the successive
     /// contact states.
@@ -59,7 +59,7 @@ impl<'g> JumpInProgress<'g> {
     /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or contacts lose friction
     /// force too often.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
-        // A lost friction force is removed at most sixteen times for each contact or drive. Each such removal loses energy, so that still more of
+        // A lost friction force is removed at most sixteen times for each contact or drive. Each removal loses energy, so that still more of
         // them could only result from rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
@@ -82,8 +82,8 @@ impl<'g> JumpInProgress<'g> {
         }
     }
 
-    /// Advances along the leg towards its next event and returns an empty list; `None` at the end of the leg. At an event it computes instead how the
-    /// leg continues, and returns the contacts that begin to slide with lower kinetic friction.
+    /// Advances along the leg of the jump towards its next event and returns an empty list; `None` at the end of the leg. At an event it
+    /// computes instead how the leg continues, and returns the contacts that begin to slide with lower kinetic friction.
     fn advance_to_node(&mut self, run: &ProgramRun<'g>) -> Result<Option<Vec<usize>>, PathEnd<3>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -115,9 +115,9 @@ impl<'g> JumpInProgress<'g> {
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The leg along which the friction forces lost by the contacts `begin`, which begin to slide, are removed as an external force. At its end the
-    /// load is `goal`. `None` if these contacts are at the apex of their cones, with no force to lose. The caller then computes again how the path
-    /// continues, now with kinetic friction.
+    /// The leg along which friction forces are removed as an external force: the forces that the contacts `begin` lose as they begin to slide.
+    /// At the end of the leg the load is `goal`. `None` if these contacts have no force to lose (the apex of their cones). The caller then
+    /// computes again how the path continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
@@ -170,8 +170,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(Some(leg))
     }
 
-    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list is empty, or if these contacts
-    /// have no force to lose. The error is the end of the path, if no equilibrium is reached.
+    /// Makes the jump (motion at constant load) that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list
+    /// is empty, or if these contacts have no force to lose. The error is the end of the path, if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
         run: &ProgramRun<'g>,
@@ -228,8 +228,8 @@ impl<'g> PiecewiseFollower<'g> {
         let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the leg is
-            // kept, as along an arc.
+            // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the
+            // jump's leg is kept, as along an arc.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
@@ -265,8 +265,8 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// Whether any equilibrium exists at a load at which a jump found none; contacts that slide have kinetic friction. `problem` is the static problem at
-/// this load. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
+/// Whether any equilibrium exists at a load at which a jump found none. Contacts that slide have kinetic friction. `problem` is the static
+/// problem at this load. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         SearchOutcome::Found(..) => Beyond::Snap,

@@ -52,8 +52,7 @@ pub struct Leg<const C: usize> {
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
     pub(super) torques: LegGoal<Vec<f64>>,
-    /// The names of the bodies whose own loads change along the leg. With each name stands the change of this load, or the load at the end of the
-    /// leg.
+    /// The bodies whose own loads change along the leg, by name, each with the change of its load or with its load at the end of the leg.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
@@ -289,8 +288,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Replaces `commands`, the commands (or torques) at the beginning and end of the previous leg, by the commands at the beginning and end of the
-    /// next leg. This goal is the goal of the next leg.
+    /// Moves `commands`, the commands (or torques) at the beginning and end of a leg, on to the next leg, whose goal for them is this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -1,5 +1,6 @@
-//! A node of the load path is the place between two pieces: an event, or the start of a leg. For each contact it stores the edges of its cone on
-//! which its force lies (its active set). At a node the rates of forces and motion determine how the path continues.
+//! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For
+//! each contact it stores the edges of its cone on which its force lies (its active set). At a node the rates of forces and motion determine how
+//! the path continues.
 
 use nalgebra::{Matrix, SVector};
 
@@ -42,8 +43,8 @@ pub(super) struct Node {
     /// For each contact the unit direction in which it slides, in coordinate axes; `None` if it does not slide.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) active_sets: Vec<ActiveSet>,
-    /// For each contact: true if it has infinite friction and carries a tangential force. Such a contact loses this force at once when its normal
-    /// force vanishes.
+    /// For each contact: true if it has infinite friction and carries a tangential force. Such a contact loses its tangential force at once when
+    /// its normal force vanishes.
     pub(super) holds: Vec<bool>,
     /// Whether some contact starts to slide from the apex of its cone, so that it has a direction of sliding, but no friction force yet.
     pub(super) starts_at_apex: bool,
@@ -63,8 +64,8 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Solves the rate problem at the load factor `factor`. The solution decides the states of all contacts on the edge of their cones, and so how
-    /// the path continues. If there is no solution, the error is the end of the path.
+    /// Solves the complementarity problem for the rates of forces and motion at the load factor `factor`. The solution decides the states of all
+    /// contacts on the edge of their cones, and so how the path continues. If there is no solution, the error is the end of the path.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -88,8 +89,8 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. Of all admissible motions the path
-        // takes the shortest, and not a motion at one end of their range.
+        // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. Of all admissible motions the
+        // path takes the shortest, and not a motion at an end of their range.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -119,7 +120,8 @@ impl Node {
         Ok(NextPiece { point, changes, other_continuations })
     }
 
-    /// Solves the rate problem at the node, with rates of load and commands at the node or, while the load turns, slightly ahead.
+    /// Solves the rate problem at the node, the complementarity problem for the rates of forces and motion. The rates of load and commands are
+    /// those at the node or, while the load turns, slightly ahead.
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
@@ -138,8 +140,8 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.trajectory else { return at(factor) };
         let mut last = None;
-        // The continuation is taken from the rate problem with the rate of the load at this angle (rad) beyond the node. Smaller angles are tried in
-        // turn, because another event may occur before the larger angle.
+        // While the load turns, the rates of the load at this angle (rad) beyond the node determine how the path continues. Smaller angles are
+        // tried in turn, because another event may occur before the larger angle.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let SearchOutcome::Found(found, _) = &decided.settled else {
@@ -159,7 +161,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The load factor of a node at the end of an arc has the error of the arc's steps. Rates at this load factor are as good as rates ahead.
+            // Otherwise the node is at the end of an arc, and its load factor has the error of the arc's steps. Rates there are as good as rates
+            // ahead.
             _ => at(factor),
         }
     }
@@ -167,15 +170,16 @@ impl Node {
     /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
     /// [`CandidateOutcome::Holds`] with the first solution that meets all conditions.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> CandidateOutcome {
-        // Only at the start of a leg may all states stay as they are: within a leg the present state of some contact has just stopped being valid.
+        // All contact states may stay as they are only at the start of a leg: within a leg the present state of some contact has just stopped
+        // being valid.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ CandidateOutcome::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact at the apex of its cone no state is more likely than another. On the round cone such a contact is first tried open. Then
-        // Newton's method starts with the contact sticking, and with the contact sliding.
+        // For a contact with zero force (the apex of its cone) no state is more likely than another. On the round cone such a contact is first
+        // tried open. Then Newton's method starts with the contact sticking, and with the contact sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if any_index(rates.len(), &at_the_apex) {
             if !rates.round {
@@ -193,12 +197,12 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem, so that they do not drag the object along. They are
-    /// opened if a solution exists in which they are open and the object moves less. If no contact gains a force, and a contact would slide on the
-    /// round cone, all contacts that may open are opened.
+    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem, so that they do not drag the object along.
+    /// These contacts are opened only if the rate problem still has a solution, and the object moves less in it. If no contact gains a force,
+    /// and a contact would slide on the round cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // On the round cone a contact slides along its friction force, and a zero force has no direction.
+        // On the round cone a contact slides along its friction force. If that force is zero, it has no direction.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -218,8 +222,8 @@ impl Node {
         if nothing && every_index(states.len(), &comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than the fraction `NEGLIGIBLE` count as equal. Of equal motions, the motion is chosen in which
-        // contacts without force are open, since the direction in which they slide would be rounding.
+        // Motions whose lengths differ by less than the fraction `NEGLIGIBLE` count as equal. Of equal motions, the one in which contacts
+        // without force are open is taken, since the direction in which such contacts slide would be rounding.
         let rubs =
             rates.round && any_index(states.len(), &|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
@@ -247,8 +251,8 @@ impl Node {
             let is = is.unwrap_or(Mode::Open);
             self.starts_at_apex |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
-                // The contact closes at the present place of its finger, and its friction starts from zero: the displacement of the surfaces so far
-                // becomes slip memory.
+                // The contact closes at the present position of its finger, and its friction starts from zero. The displacement of the surfaces
+                // past each other so far is therefore stored as slip.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {
@@ -261,8 +265,8 @@ impl Node {
     }
 }
 
-/// Changes contacts of `found` from sticking to sliding if their force, with the contact sticking, would leave the round cone along a tangent, see
-/// [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// Changes contacts of `found` from sticking to sliding if their force would graze the round cone: if the contact stuck, its force would leave
+/// the cone along a tangent, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {

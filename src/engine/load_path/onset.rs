@@ -83,8 +83,8 @@ pub struct OnsetEvent<const C: usize> {
     pub(super) local: StickingState,
 }
 
-/// The state at an onset, in which everything that touches sticks and some contacts are on the edge of their cones. The rates of the load and of the
-/// springs' offsets are per unit of the load factor. Moments are about the centroid of the contacts.
+/// The state at an onset, in which everything that touches sticks and some contacts are on the edge of their cones. The rates of the load and of
+/// the offsets of the contacts' springs are per unit of the load factor. Moments are about the centroid of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: StoredSolution,
@@ -97,13 +97,14 @@ pub(super) struct StickingState {
     pub(super) wrench_rate: Coordinates,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) offset_rates: Vec<SVector<f64, 3>>,
-    /// For each contact its slip memory, m: nonzero only for contacts that have closed before the onset.
+    /// For each contact its slip so far, m: nonzero only for contacts that have closed before the onset.
     pub(super) slips: Vec<SVector<f64, 3>>,
 }
 
 impl OnsetEvent<3> {
-    /// The onset at the load factor `factor`, from the caller's load, the solution `found` and the active sets at this load factor. `leaving` and
-    /// `sites` are the contacts and drives that stop sticking. `lists` are emptied lists whose memory is reused.
+    /// The onset at the load factor `factor`, from the caller's load, the solution `found` and the active sets there, the edges of friction
+    /// cones that forces have reached. `leaving` and `sites` are the contacts and drives that stop sticking. `lists` are emptied lists whose
+    /// memory is reused.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
@@ -139,8 +140,9 @@ impl DepartingContact<3> {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// As [`Self::new`], with the way of leaving derived from the edges of the cone that the force has reached. The contact slides along the sum of
-    /// their outward normals. At the apex it opens, or would have to pull. Used if no continuation determines the direction of its slip.
+    /// As [`Self::new`], with the way in which the contact stops sticking derived from the edges of the cone that its force has reached. The
+    /// contact slides along the sum of the outward normals of these edges. At the apex (zero force) it opens, or would have to pull. Used if no
+    /// continuation determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,

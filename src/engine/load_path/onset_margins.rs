@@ -40,8 +40,8 @@ pub struct OnsetMargins<'g> {
     margins: Vec<Margin>,
 }
 
-/// The margin of a contact or drive that stops sticking, linearised in its force F: `row·F` is `μ F_n - h·F_t` with a facet normal h (on the round
-/// cone along F_t), or F_n alone if friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F: `μ F_n - h·F_t` with a facet normal h (on
+/// the round cone along F_t), or F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: DepartingPart,
     site: usize,
@@ -60,7 +60,8 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // If a contact slides as soon as it touches, no margin vanishes at the onset: a gap closes, and the load factor has no such derivative.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset. Instead a gap closes, and the load factor at which it
+        // closes has no such derivative.
         let opens = |site: &usize| found.states[*site].is_open();
         if any_index(grasp.len(), &has_slipped) || leaving.iter().any(opens) {
             return None;

@@ -48,8 +48,8 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// As [`Self::onset`], but also returns the result of the search for the equilibrium under the base load, if this search was made. A load path
-    /// can start from this equilibrium.
+    /// As [`Self::onset`], but also returns the result of the search for the equilibrium under the base load, if that search was made. A load
+    /// path can start from this equilibrium.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -82,8 +82,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along the `trajectory` of the load up to the load factor `end`; contacts may close before the onset. `rest` is the result of
-    /// the search for the equilibrium at load factor 0, if that search was made.
+    /// The onset along the `trajectory` of the load up to the load factor `end`. Contacts may close before the onset. `rest` is the result of
+    /// the search for the equilibrium at load factor 0.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,

@@ -45,8 +45,8 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The ramp or turn of the load along `trajectory` as a [`Segment`]. The rates of the offsets are taken from the field `change`, and no contact
-    /// has slipped yet.
+    /// The load along `trajectory` as a [`Segment`]. The rates of the offsets of the contacts' springs are taken from the field `change`, and no
+    /// contact has slipped yet.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
@@ -80,7 +80,8 @@ impl OnsetMemory {
         }
     }
 
-    /// Puts an event into the box that [`Self::reclaim`] last took back, so that its memory is reused. Without such a box it makes a new one.
+    /// Puts an event into the box that [`Self::reclaim`] last took back, so that the memory of the box is reused. Without such a box it makes a
+    /// new one.
     pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {

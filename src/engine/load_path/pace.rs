@@ -5,13 +5,14 @@ use crate::prelude::*;
 
 /// The estimated error of a step is proportional to this power of the arclength of the step.
 const ERROR_ORDER: f64 = 8.0;
-/// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, the expected error of the
-/// next step is then a sixth of the allowed error. So few steps are refused, and the sum of the errors of many steps stays small.
+/// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, the expected error of
+/// the next step is then a sixth of the allowed error. So few steps are refused, and the sum of the errors of many steps stays small.
 const CAUTION: f64 = 0.8;
 /// A step is at least this fraction as long as the step before it. The error estimate is only valid for small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
-/// The data of the step control along an arc that pass from step to step: the length of the next step, its kind (explicit or implicit), and counters.
+/// The data of the step control along an arc that pass from step to step: the length of the next step, its kind (explicit or implicit), and
+/// counters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
     /// Arclength of the next step. `None` right after a node (an event or the start of a leg): the rates at the node then determine the length.
@@ -26,7 +27,7 @@ pub(super) struct Pace {
     /// Number of explicit steps still to be made before implicit steps are considered.
     explicit_steps_left: u8,
     pub(super) steps: usize,
-    /// Number of times that the allowed error of a step was raised since the last node.
+    /// Number of times that the allowed error of a step was raised since the last node (event or start of a leg).
     times_raised: u8,
     /// The allowed error of a step divided by the error that the caller's settings allow; 1 until it is raised because steps are too short.
     pub(super) error_factor: f64,
@@ -52,13 +53,13 @@ impl Pace {
         Self { steps: self.steps, ..Self::new() }
     }
 
-    /// Called when steps have become too short to advance. Raises the allowed error of a step, at most twice between two nodes, and returns whether
-    /// it did so. `rest` is the part of the leg that is still to be followed, as a fraction of the leg.
+    /// Called when steps have become too short to advance. Raises the allowed error of a step, at most twice between two nodes, and returns
+    /// whether it did so. `rest` is the part of the leg that is still to be followed, as a fraction of the leg.
     pub(super) fn allow_larger_error(&mut self, rest: f64) -> bool {
         let may = self.times_raised < 2;
         if may {
-            // Rounding may be the reason why steps are refused. Therefore the allowed error grows by this factor, at most twice. The estimated error
-            // of the path includes the errors actually made.
+            // Rounding may be the reason why steps are refused. Therefore the allowed error of a step grows by this factor, at most twice. The
+            // estimated error of the path includes the errors actually made.
             (self.times_raised, self.error_factor) = (self.times_raised + 1, self.error_factor * 30.0);
             // First step after the allowed error has been raised, as a fraction of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
@@ -66,10 +67,10 @@ impl Pace {
         may
     }
 
-    /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the next length. A step
-    /// that was shortened (`cut`) to end at an event does not reduce the next length.
+    /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the length of the
+    /// next step. A step that was shortened (`cut`) to end at an event does not reduce this length.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of the length of a step to the length of the step before. After a refused step no growth is allowed.
+        // Largest ratio of the length of the next step to the length of this step. After a refused step no growth is allowed.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -78,10 +79,11 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether explicit steps are so short that implicit steps should be made. This requires that the explicit steps counted by `explicit_steps_left`
-    /// have been made. Also, the arclength `rest` up to the end of the leg must be more than fifty times `stable`, the longest stable explicit step.
+    /// Whether explicit steps are so short that implicit steps should be made. This requires that no more explicit steps are due
+    /// (`explicit_steps_left`), and that the arclength `rest` up to the end of the leg is more than fifty times `stable`, the longest stable
+    /// explicit step.
     pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step costs as much as a few explicit steps, and may be as long as hundreds of them.
+        // An implicit step takes as long as a few explicit steps, and may be as long as hundreds of explicit steps.
         self.explicit_steps_left == 0 && stable * 50.0 < rest
     }
 

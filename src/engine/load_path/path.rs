@@ -243,9 +243,9 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.step_error()
     }
 
-    /// The first place, on the part of the path followed so far, at which a rotation, slip or opening exceeds its limit in
-    /// [`Settings::small_motions`], or a suction cup [leaks](crate::equilibrium::TooFar::Leaks). Beyond it the answers are computed for the undeformed geometry and say little about the object. `None` if all
-    /// motions are small.
+    /// The first point, on the part of the path followed so far, at which a rotation, slip or opening exceeds its limit in
+    /// [`Settings::small_motions`], or a suction cup [leaks](crate::equilibrium::TooFar::Leaks). Beyond it the answers are computed for the
+    /// undeformed geometry and say little about the object. `None` if all motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()

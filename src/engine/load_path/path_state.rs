@@ -1,5 +1,5 @@
-//! Active sets and slip memory at a node of the path (the place of an event, or the start of a leg). Slip memory is the accumulated slip of each
-//! contact. The active set of a contact consists of the edges of its cone on which its force lies.
+//! The state of contacts at a node of the load path (an event, or the start of a leg): active sets and slip memory. The active set of a contact
+//! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};
@@ -17,18 +17,18 @@ use crate::object::{ForcesAndTwist, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::SearchSolution;
 
-/// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring. Rounding
-/// alone would then determine which contacts press, so no contact is treated as pressing. If `problem` is a problem for rates, load, forces and
+/// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring.
+/// Rounding alone would then determine which contacts press, so no contact is treated as pressing. In a problem for rates, load, forces and
 /// motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
-    // About sixteen roundings may add up, so forces are rounding below the fraction `ROUNDED_SUM` of the force that the displacements cause in the
-    // softest spring.
+    // Forces are rounding below the fraction `ROUNDED_SUM` of the force that the displacements cause in the softest spring, since about sixteen
+    // rounding errors may add up.
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
-/// The least force, N, that the displacements in the equilibrium would cause in a contact's softest spring. Rounding errors of contact forces are
-/// proportional to this force, however small the contact forces are.
+/// The least force, N, that the displacements in the equilibrium would cause in the softest spring of a contact. Rounding errors of contact
+/// forces are proportional to this force, however small the contact forces are.
 pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64 {
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     least_spring_force(problem.sites, spans)
@@ -56,7 +56,7 @@ impl Node {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on how fast these change.
+        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on their rates.
         if let Ok(point) = node.point_at(&segment.at_rest(0.0), 0.0, None) {
             node.set_active_sets(segment, &point);
         }
@@ -84,8 +84,8 @@ impl Node {
         }
     }
 
-    /// Adds the slip of sliding contacts up to the load factor `factor` to their slip memory. On the round cone the direction of the present friction
-    /// force is stored in the state and the active set of each sliding contact.
+    /// Adds the slip of sliding contacts up to the load factor `factor` to their accumulated slip. On the round cone the direction of the
+    /// present friction force is stored in the state and the active set of each sliding contact.
     fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -113,15 +113,16 @@ impl Node {
         }
     }
 
-    /// Adds the exits in `reached` (edges and apexes of cones that forces reach, and gaps that close) to the active sets of their contacts.
+    /// Adds exits in `reached` to the active sets of their contacts: edges and apexes of cones that forces have reached, and gaps that have
+    /// closed.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
         }
     }
 
-    /// Moves the node to the end of a piece of the path, at the load factor `factor`. `point` is the beginning of the piece and `end` its end. The
-    /// slip on the piece becomes slip memory.
+    /// Moves the node to the end of a piece of the path, at the load factor `factor`. `point` is the beginning of the piece and `end` its end.
+    /// The slip on the piece is added to the accumulated slip.
     pub(super) fn move_to_end(
         &mut self,
         segment: &mut Segment<'_>,
@@ -136,8 +137,8 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact that began the piece without force has not come to the apex of its cone on this piece. A contact that slides from
-            // the apex, still without force, is at the apex.
+            // A sticking contact without force at the beginning of the piece was at the apex of its cone already, and has not come to it on this
+            // piece. A contact that slides from the apex, still without force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.active_sets[i].apex = true;
@@ -148,8 +149,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes from active sets the edges from which contact forces have moved away since the last event. The rates at the last
-    /// event did not show that these forces would move away.
+    /// While the load turns, removes from active sets the edges from which contact forces have moved away since the last event. The rates at
+    /// that event did not show that these forces would move away.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {
@@ -163,7 +164,7 @@ impl Node {
         }
     }
 
-    /// Treats each sliding contact whose normal force at `point` has almost vanished as at the apex of its cone, i.e. without force. The direction of
+    /// Treats each sliding contact whose normal force at `point` has almost vanished as without force (the apex of its cone). The direction of
     /// its friction can no longer be computed. Returns whether there is such a contact.
     pub(super) fn release_vanishing(&mut self, point: &PathPoint) -> bool {
         let mut any = false;
@@ -176,7 +177,7 @@ impl Node {
         any
     }
 
-    /// Records that a contact has stopped sliding. Its active set becomes empty, so that the contact sticks as if its force were inside its cone.
+    /// Records that a contact has stopped sliding. Its active set becomes empty, so that it sticks as if its force were inside its cone.
     pub(super) fn stick(&mut self, contact: usize) {
         self.active_sets[contact] = ActiveSet::EMPTY;
         self.stopped.push(contact);
@@ -198,10 +199,10 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a gap that is nearly
-    /// closed as closed. All events within the error of steps then happen at one place. Each gap so neglected, and each distance of a force from the
-    /// edge of its cone, is compared with the size of its terms. Returns the largest of these ratios. If no contact is so treated, returns zero if
-    /// contacts slide on the round cone and the load does not turn, else `None`.
+    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a nearly closed
+    /// gap as closed. All events within the error of steps then happen at one point of the path. Each gap so neglected, and each distance of a
+    /// force from the edge of its cone, is compared with the size of its terms. Returns the largest of these ratios. If no contact is so
+    /// treated, returns zero if contacts slide on the round cone and the load does not turn, else `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

@@ -12,7 +12,7 @@ use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::object::uses_band;
 use crate::prelude::*;
 
-/// An order of the coordinates that makes the band of the tangent stiffness narrow: coordinates coupled by a contact are near each other.
+/// An order of the coordinates in which the tangent stiffness is a narrow band: coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
     /// The position of each coordinate in this order, from 0.
@@ -22,7 +22,7 @@ pub(super) struct NarrowOrder {
 }
 
 impl NarrowOrder {
-    /// The order of the coordinates that makes the band of the stiffness matrix narrow. `None` for few coordinates, for which a full matrix is used.
+    /// The order of the coordinates in which the stiffness matrix is a narrow band. `None` for few coordinates, for which a full matrix is used.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !uses_band(size) {
             return None;
@@ -34,8 +34,8 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order that makes the
-/// band narrow.
+/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order in which
+/// the stiffness matrix is a narrow band.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
@@ -60,8 +60,8 @@ impl PathStiffness {
         }
     }
 
-    /// Adds a stiffness matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`. An example is the term of one
-    /// contact.
+    /// Adds to the tangent stiffness a matrix with the entries `entry(row, column)`, nonzero only for coordinates in `ranges`, such as the term
+    /// of one contact.
     #[inline(always)]
     pub(super) fn add(&mut self, ranges: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {
@@ -86,7 +86,6 @@ impl PathStiffness {
         }
     }
 
-    /// Multiplies all entries of the matrix by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         let entries = match self {
             Self::Whole(square) => square.as_mut_slice(),
@@ -97,7 +96,6 @@ impl PathStiffness {
         }
     }
 
-    /// The largest absolute value of an entry of the matrix.
     pub(super) fn amax(&self) -> f64 {
         match self {
             Self::Whole(square) => square.amax(),
@@ -145,7 +143,7 @@ impl PathStiffness {
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }
-                // The band matrix alone may be singular, as at a maximum of the load. The whole bordered matrix is then factorised as a full matrix.
+                // The band matrix alone may be singular, as at a maximum of the load. The bordered matrix is then factorised as a full matrix.
                 let mut square = Square::zeros(size);
                 let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
                 let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));
@@ -154,7 +152,7 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // A pivot below this fraction of the largest means that the path may continue in more than one direction.
+        // If a pivot of the bordered matrix is below this fraction of the largest, the path may continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

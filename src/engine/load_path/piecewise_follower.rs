@@ -1,13 +1,13 @@
 //! Follows a load program piece by piece, from event to event, and finds the exact load of each event. With up to some hundreds of contacts this
-//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of a leg
-//! on which all contacts keep their states; a node is the place between two pieces.
+//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of
+//! a leg on which all contacts keep their states; a node is the point between two pieces.
 //!
-//! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event, the first place
-//! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's
-//! angle, and the next event is a root of a trigonometric polynomial (see [`super::straight`], [`super::turning_load`]). If a contact slides on a
-//! round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contact forces
-//! are on an edge or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a complementarity problem
-//! for these contacts. Its solution determines the next piece; without a solution the path ends.
+//! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event: the first
+//! point at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of
+//! the load's angle, and the next event is a root of a trigonometric polynomial (see [`super::straight`], [`super::turning_load`]). If a contact
+//! slides on a round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event
+//! some contact forces are on an edge or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a
+//! complementarity problem for these contacts. Its solution determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -38,8 +38,8 @@ use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The follower of a [`LoadPath`], which advances piece by piece. It stores its place on the present leg (the load factor `factor`) and all pieces
-/// that the path has passed.
+/// The follower of a [`LoadPath`], which advances piece by piece. It stores the fraction of the present leg that is done (the load factor
+/// `factor`) and all pieces that the path has passed.
 #[derive(Debug)]
 pub(crate) struct PiecewiseFollower<'g> {
     pub(super) factor: f64,
@@ -51,13 +51,13 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// All pieces that the path has passed so far, the first one first, jumps included.
     pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of successive pieces, up to the present place, whose lengths do not exceed the rounding errors of these lengths, see `straight`.
+    /// Number of successive pieces, up to the present point of the path, that are no longer than the rounding error of their lengths, see
+    /// `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The load factor at which the path last treated events that follow each other ever more closely as one event; NaN if it has not done so on this
-    /// leg.
+    /// The load factor at which the path last treated a close sequence of events as one event; NaN if it has not done so on this leg.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended at this factor.
+    /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended there.
     pub(super) stopped: (f64, Vec<usize>),
     /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which it last came to rest.
     pub(super) snapped: SnapCount,
@@ -66,10 +66,10 @@ pub(crate) struct PiecewiseFollower<'g> {
     pub(super) step_error: f64,
     /// An event to return before all others, if a contact slides at the start of the path: its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The static problem at the load of a jump that found no equilibrium, with slips and friction at the end of the jump. A jump is a motion at
-    /// constant load to another equilibrium. `None` if no jump has failed.
+    /// The static problem at the load of a jump (motion at constant load) that led to no equilibrium, with slips and friction at the end of the
+    /// jump. `None` if no jump has failed.
     pub(super) failed_jump: Option<Problem<'g>>,
-    /// The place on the path at which a motion first exceeded its limit of small motions; `None` if no motion has exceeded its limit so far.
+    /// The point of the path at which a motion first exceeded its limit of small motions; `None` if no motion has exceeded its limit so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
     /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces so far.
     pub(super) farthest: f64,
@@ -181,7 +181,8 @@ impl<'g> Follower<'g> for PiecewiseFollower<'g> {
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The follower at the start of its path, at an equilibrium that solves `problem`. If no equilibrium is found, the error is the end of the path.
+    /// The follower at the start of its path, at an equilibrium that solves `problem`. If no equilibrium is found, the error is the end of the
+    /// path.
     pub(super) fn at_start(run: &ProgramRun<'g>, problem: &Problem<'g>) -> Result<Self, PathEnd<3>> {
         let found = run.start(problem)?;
         // The path has not begun, so load and commands have no rates yet.
@@ -195,7 +196,7 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(path)
     }
 
-    /// A follower at load factor 0 of a segment (a leg or a part of it), at a node, without pieces behind it.
+    /// A follower at load factor 0 of a segment (a leg or a part of it), before any piece of the path.
     pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
@@ -227,8 +228,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The first stored piece that contains the fraction `fraction` of the leg `leg`. `None` if the path has not passed this place. Also `None`
-    /// between the load factor at which the object snaps over and the slightly larger load factor at which it rests again.
+    /// The first stored piece that contains the fraction `fraction` of the leg `leg`. `None` if the path has not passed this fraction. Also
+    /// `None` between the load factor at which the object snaps over and the slightly larger load factor at which it rests again.
     pub(super) fn piece_behind(&self, leg: usize, fraction: f64) -> Option<&StoredPiece<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -237,8 +238,8 @@ impl<'g> PiecewiseFollower<'g> {
         piece.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
-    /// The equilibrium at the present place with the contact states of the last piece, before the event. `None` at the start, or if it cannot be
-    /// computed.
+    /// The equilibrium at the present event with the contact states of the last piece, before the event. `None` at the start of the path, or if
+    /// it cannot be computed.
     pub(super) fn state_before_event(&self) -> Option<Equilibrium<3>> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
@@ -284,21 +285,22 @@ impl<'g> PiecewiseFollower<'g> {
         }))
     }
 
-    /// Whether the residuals of an equilibrium at the present place are small, or no larger than the forces that rounding of displacements causes. If
-    /// all forces vanish together, the computed forces are only rounding, and residuals relative to these forces mean nothing.
+    /// Whether the residuals of an equilibrium at the present point of the path are small, or no larger than rounding of displacements explains.
+    /// If all forces vanish together, the computed forces are only rounding, and residuals relative to these forces mean nothing.
     pub(super) fn is_accurate(&self, state: &Equilibrium<3>) -> bool {
         let worst = state.residuals.worst();
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         worst <= ACCURATE || largest * worst.min(1.0) <= self.rounding_of_forces()
     }
 
-    /// The size up to which contact forces at the present place are taken as rounding errors, N.
+    /// The size, N, up to which contact forces at the present point of the path are taken as rounding errors.
     fn rounding_of_forces(&self) -> f64 {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         WEIGHTLESS * self.segment.largest.max(springs)
     }
 
-    /// If all contact forces at the present place are rounding, sets them to zero. Without this, rounding would decide which contacts press.
+    /// If all contact forces at the present point of the path are rounding, sets them to zero. Otherwise rounding would decide which contacts
+    /// press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
             largest(&self.node.at.forces, &SVector::norm).max(self.segment.trajectory.at(self.factor).norm());
@@ -310,13 +312,13 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// The equilibrium at the present place with the present contact states; at an event these are the states after the event. `None` if the
-    /// equilibrium cannot be computed because of rounding.
+    /// The equilibrium at the present point of the path with the present contact states; at an event these are the states after the event.
+    /// `None` if the equilibrium cannot be computed because of rounding.
     pub(super) fn present_state(&self, run: &ProgramRun<'g>) -> Option<Equilibrium<3>> {
         self.state_on(&self.present_piece(run)?, self.factor)
     }
 
-    /// The present place as a piece of the path with zero length; `None` if forces and motion there cannot be computed because of rounding.
+    /// The present point of the path as a piece of zero length; `None` if forces and motion there cannot be computed because of rounding.
     pub(super) fn present_piece(&self, run: &ProgramRun<'g>) -> Option<StoredPiece<'g>> {
         let point =
             match &self.point {

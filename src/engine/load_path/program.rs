@@ -78,8 +78,8 @@ impl Program {
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        // The legs with a command for each contact point are made a second time here, since a list of them from the check above would need memory of
-        // its own.
+        // The legs with a command for each contact point, which the check above has made too, are made a second time: keeping them would need a
+        // list of its own.
         for leg in legs {
             self.legs.push(leg.of_points(grasp)?);
         }
@@ -130,7 +130,7 @@ impl Program {
             size(&(after.goal - load)),
             largest_of(&paired(&after.commands[1], &commands, &|(end, start)| (end - start).amax())),
             largest_of(&paired(&after.joints[1], &joints, &|(end, start)| end - start)),
-            // A program begins without loads on single bodies, so they must be zero at the end.
+            // A program begins without loads on single bodies, so such loads must be zero at its end.
             on_bodies(&after.bodies, 1),
             largest_of(&paired(after.torques.at_end(1), &self.held, &|(end, start)| end - start)),
         ];
@@ -142,8 +142,8 @@ impl Program {
         }
     }
 
-    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and sets commands, body loads and joint torques to their
-    /// values before the program, which removes rounding.
+    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and commands, body loads and joint torques to their
+    /// values before the program. This removes rounding errors.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);
@@ -152,7 +152,6 @@ impl Program {
         self.torques = HeldTorques::default();
     }
 
-    /// Whether a leg with the index `leg` exists. If not, all legs are complete.
     pub(super) fn has_leg(&self) -> bool {
         self.leg - self.done < self.legs.len()
     }
@@ -179,8 +178,8 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of the program's load, the loads on bodies and the torques that hold joints, as a function of the load factor along the present leg.
-    /// Moments are about the centroid of the contacts.
+    /// The sum of the program's load, the loads on bodies and the torques that hold joints, as a function of the load factor along the present
+    /// leg. Moments are about the centroid of the contacts.
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {
             Trajectory::Straight { from, .. } => {

@@ -66,8 +66,8 @@ impl<'g> ProgramRun<'g> {
         }
     }
 
-    /// The present leg as a segment (loads and offsets along a leg, see `segment`), with the accumulated slips `slips` at its beginning. Loads and
-    /// commands are computed from their values at the ends of legs, so that rounding errors do not add up over many legs.
+    /// The present leg as a [`Segment`]: its loads and spring offsets as functions of the load factor, with the accumulated slips `slips` at its
+    /// beginning. Loads and commands are computed from their values at the ends of legs, so that rounding errors do not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let trajectory = self.program.inside_trajectory(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
@@ -89,7 +89,7 @@ impl<'g> ProgramRun<'g> {
         AnswerFor::of(self.grasp.space(), &self.settings)
     }
 
-    /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium for the caller: in the caller's frames, with residuals.
+    /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium in the caller's frames, with residuals.
     pub(super) fn equilibrium(
         &self,
         problem: &Problem<'g>,

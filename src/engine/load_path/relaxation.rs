@@ -1,5 +1,5 @@
-//! The derivative J of the rates of a [`Flow`](super::flow::Flow) along an arc with respect to the friction forces of sliding contacts. Implicit
-//! steps need J, because friction forces often turn fast towards the directions of slip.
+//! The derivative J of the rates along an arc (see [`Flow`](super::flow::Flow)) with respect to the friction forces of sliding contacts.
+//! Implicit steps need J, because friction forces often turn fast towards the directions of slip.
 //!
 //! T and b are the tangent stiffness and right-hand side of the arc, q is the twist and λ the load factor. Contact i has the grasp map G_i, the
 //! tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (command minus clearance and slip) is a_i'
@@ -41,9 +41,10 @@ struct SlidingContact {
     change: SVector<f64, 3>,
     /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
-    /// The derivative c = Cᵀd of the force component along d = `across` with respect to the stretch of the contact along each axis, N/m.
+    /// The derivative c = Cᵀd of the force component along d = `across` with respect to the stretch of the contact along each axis, N/m. C is
+    /// the tangent stiffness of the contact.
     gradient: SVector<f64, 3>,
-    /// The wrench `G c` on the object for the vector c = `gradient` in place of a contact force.
+    /// The wrench `G c` on the object, with the grasp map G, for the vector c = `gradient` in place of a contact force.
     pull: Vector,
 }
 
@@ -89,7 +90,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
             // Angle, rad, by which the friction force is turned to both sides. A central difference then gives the derivative of the rate of the
-            // contact force with respect to this angle, with two thirds of its digits correct.
+            // contact force with respect to this angle, correct to two thirds of the digits.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &direction));
@@ -131,8 +132,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     }
 
     /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds the right-hand side g before, and Δ after. Its entries are
-    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The last entries are works of the step; they stay
-    /// unchanged, because no rate depends on them.
+    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The last entries are works of the step. They
+    /// stay unchanged, because no rate depends on works.
     pub(super) fn solve(&self, damped: &ImplicitFactors, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

@@ -20,8 +20,8 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Upper limit of the number of coordinates of the bodies, and of touching contacts, for which the motion of rigid bodies is computed. With more, the
-/// computation would take too long.
+/// Upper limit of the number of coordinates of the bodies, and of the number of touching contacts. Beyond it the motion of rigid bodies is not
+/// computed, since the computation would take too long.
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
@@ -59,8 +59,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    // In the plane nothing moves along the second tangent. An entry of one on the diagonal makes friction along this tangent zero, without coupling
-    // to the motion of the object.
+    // In the plane nothing moves along the second tangent. An entry of one on the diagonal makes friction along this tangent zero, without
+    // coupling it to the motion of the object.
     let is_absent = |a: usize| a % 3 >= rates.space().axes();
     let products = matrix_of(columns.len(), columns.len(), &|a, b| {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
@@ -73,13 +73,13 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if motion.norm() > NO_RIGID_MOTION * load.norm() {
         return Some(motion.normalize());
     }
-    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the component of
-    // the load along the motions that the pressing contacts allow. In these motions, contacts at their friction limit slide without a normal
-    // velocity, and other pressing contacts stick.
+    // Near a limit load, contact forces almost balance the load, and the motion computed above is only rounding. The motion is then the
+    // component of the load along the motions that the pressing contacts allow. In such a motion, contacts at their friction limit slide without
+    // a normal velocity, and other pressing contacts stick.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // A contact whose friction is within this fraction of its limit μ r_n is taken as sliding.
+        // A contact whose friction is within this fraction of its limit (friction coefficient times normal force) is taken as sliding.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;
@@ -94,7 +94,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     (free.norm() > LINEARLY_DEPENDENT * load.norm()).then(|| free.normalize())
 }
 
-/// Adds the direction of `motion` to `basis`, an orthonormal basis of resisted motions, unless it depends linearly on the basis.
+/// Adds the direction of `motion` to `basis`, an orthonormal basis of the motions that contacts resist, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
     // A motion depends linearly on the basis if less than this fraction of its norm remains after its components along the basis are removed.

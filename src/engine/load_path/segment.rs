@@ -1,5 +1,5 @@
-//! A segment gives the load and the spring offsets of contacts (command minus clearance and slip) as functions of the load factor. It describes one
-//! leg of a load program, a ramp or a turn. The load changes linearly or turns, and commands change linearly. While contacts keep their states,
+//! A segment describes one leg of a load program, a ramp or a turn: the load and the spring offsets of contacts (command minus clearance and
+//! slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep their states,
 //! forces and motions are linear functions, too, or harmonics of the load's angle.
 
 use nalgebra::{Matrix, SVector};
@@ -26,7 +26,7 @@ pub(super) struct Segment<'g> {
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) trajectory: Trajectory<Vector>,
-    /// The largest contact force or load on the path so far, N, to which rounding errors are proportional if all forces vanish together.
+    /// The largest contact force or load on the path so far, N. If all forces vanish together, rounding errors are proportional to it.
     pub(super) largest: f64,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct PathPoint {
     pub(super) factor_rate: f64,
     /// Orthonormal motions that stretch no spring in the present contact states.
     pub(super) free_motions: Vec<Vector>,
-    /// Orthonormal motions along which forces change but stay in balance.
+    /// Orthonormal motions along which contact forces change but stay in balance.
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
@@ -139,8 +139,9 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor` with its rates. Rounding errors are proportional to sizes of terms: the terms of the state `base`
-    /// at the load factor `since`, plus the terms of the change from `since` to `factor`. The state itself may be a small difference of these terms.
+    /// The state `at` at the load factor `factor`, with its rates. The sizes of terms, to which rounding errors are proportional, are those of
+    /// the state `base` at the load factor `since`, plus those of the change from `since` to `factor`. The state itself may be a small
+    /// difference of these terms.
     pub(super) fn point_with_rates(
         &self,
         linear_problem: alloc::sync::Arc<LinearProblem>,
@@ -172,7 +173,7 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Accumulated slips are subtracted from the commands. If slip and command cancel, the rounding error of the slip remains.
+            // Accumulated slips are subtracted from the commands. If a slip and its command cancel, the rounding error of the slip remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -201,8 +202,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor. They are solved for anew, since extrapolation from another load factor would add the rounding of larger
-    /// terms. If no spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
+    /// Forces and twist at a load factor. They are solved for anew, since extrapolation from another load factor would add the rounding errors
+    /// of larger terms. If no spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(
         &self,
         linear_problem: &LinearProblem,
@@ -214,8 +215,8 @@ impl<'g> Segment<'g> {
         Some(if let Some(near) = near { self.nearest(linear_problem, at, near) } else { at })
     }
 
-    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. An exit is a place
-    /// where the state of the contact ends, as where its force reaches an edge of its cone. Rates are taken from `point`.
+    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. An exit is an end
+    /// of the contact's state, such as the point at which its force reaches an edge of its cone. Rates are taken from `point`.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -283,8 +284,8 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may end, each with the step from `point` to this exit. Steps are changes of the load factor, or
-    /// arclengths along an arc. An exit is an edge of the cone, the apex, a closing gap, or a reversal of slip.
+    /// The exits at which a contact's present state may end, each with the step from `point` to it. An exit is an edge of the cone, the apex, a
+    /// closing gap, or a reversal of slip. Steps are changes of the load factor, or arclengths along an arc.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }

@@ -10,8 +10,9 @@ use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// Upper limit of the number of sliding contacts whose slips the module `in_slips` takes as unknowns along a growing load. With more, following an
-/// [arc](super::arc) takes less time: each stage of its integration solves one equation for each coordinate, rather than for each sliding contact.
+/// Upper limit of the number of sliding contacts whose slips `in_slips` takes as unknowns along a growing load. With more, following an
+/// [arc](super::arc) takes less time: each stage of the integration along an arc solves one equation for each coordinate, rather than for each
+/// sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
@@ -26,7 +27,7 @@ pub(super) struct Slips<'g> {
     /// Contact forces of all terms, one term after the other. The first two terms are the state at load factor 0 and the rate with respect to the
     /// load factor. Then follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Twists of the object in the terms, in the same order as `forces`.
+    /// Twists of the object in all terms, in the order of `forces`.
     pub(super) twists: Vec<Vector>,
     /// Indices of the sliding contacts, in the order in which they began to slide.
     pub(super) sliding: Vec<usize>,
@@ -43,7 +44,8 @@ pub(super) struct Slips<'g> {
 }
 
 impl Slips<'_> {
-    /// Adds a term: the contact forces and twist at load factor 0, their rates with respect to the load factor, or their responses to a unit slip.
+    /// Adds a term to the sum of forces and twists: their values at load factor 0, their rates with respect to the load factor, or their
+    /// responses to a unit slip.
     pub(super) fn push(&mut self, ForcesAndTwist { forces, twist }: &ForcesAndTwist) {
         self.forces.extend_from_slice(forces);
         self.twists.push(twist.clone());
@@ -54,7 +56,6 @@ impl Slips<'_> {
         self.problem.len()
     }
 
-    /// Indices of the contacts that do not slide.
     pub(super) fn sticking(&self) -> impl Iterator<Item = usize> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
@@ -106,7 +107,7 @@ impl Slips<'_> {
         rates
     }
 
-    /// The force of a contact in the state `at`, N; if `at` are rates of a state, the rate of the force.
+    /// The force of a contact in the state `at`, N. If `at` are the rates of a state, the rate of the force.
     pub(super) fn force(&self, contact: usize, at: &[f64]) -> SVector<f64, 3> {
         let mut force = SVector::zeros();
         for (part, weight) in self.forces.chunks_exact(self.contacts()).zip(at) {
@@ -115,7 +116,7 @@ impl Slips<'_> {
         force
     }
 
-    /// The twist of the object in the state `at`; if `at` are rates of a state, the rate of the twist.
+    /// The twist of the object in the state `at`. If `at` are the rates of a state, the rate of the twist.
     pub(super) fn twist(&self, at: &[f64]) -> Vector {
         let mut twist = Vector::zeros();
         self.twists.iter().zip(at).for_each(|(part, weight)| twist.add_times(part, *weight));
@@ -130,7 +131,7 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips are known already. If every contact is treated as sticking, no further slip is derived from its springs.
+        // The slips are given by the state `at`. With every contact treated as sticking, no further slip is derived from its springs.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = MotionData { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)

@@ -21,9 +21,9 @@ pub(super) struct SlipStep {
     /// The values at the end of the step of the conditions that must stay positive, in the order described at [`GROWS`].
     pub(super) values: Vec<f64>,
 }
-/// Index, from 0, of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value that
-/// must stay positive. After the first three conditions come the slip rates of sliding contacts along their friction forces, and then their normal
-/// forces. Last come the margins of sticking contacts, `μ F_n - |F_t|`.
+/// Index, from 0, of the condition that the load factor grows, in the list of conditions that must hold along a step. Each condition is a value
+/// that must stay positive. After the conditions [`GROWS`], [`GOES_ON`] and [`SMALL`] come the slip rates of sliding contacts along their
+/// friction forces, and then their normal forces. Last come the margins of sticking contacts, `μ F_n - |F_t|`.
 pub(super) const GROWS: usize = 0;
 /// Index, in the list described at [`GROWS`], of the condition that the load factor is below [`Slips::most`], up to which the load is followed.
 pub(super) const GOES_ON: usize = 1;
@@ -67,7 +67,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // A step within which a sticking contact leaves its cone is shortened at most twenty times.
+        // A step within which a sticking contact leaves its cone and returns is shortened at most twenty times.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -83,9 +83,10 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of this condition.
-    /// `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of
-    /// condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close enough.
+    /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of the condition
+    /// that is zero. `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has
+    /// the values of condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close
+    /// enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -97,8 +98,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the change of the arclength is below this fraction of the step, Heun's method is more accurate than repeating the step, since its
-            // error is of third order in this change.
+            // If the end of the step is nearer to the root of the condition than this fraction of the step, Heun's method is more accurate than
+            // repeating the step, since its error is of third order in the distance.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -118,7 +119,7 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by Heun's method to where condition `k` becomes zero, about the short arclength `rest` away. `None` if the iteration
+    /// The end of a step, moved by Heun's method to where condition `k` becomes zero, an arclength of about `rest` away. `None` if the iteration
     /// does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
@@ -137,15 +138,16 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The remaining distance `rest` is then below the error of the step. At a maximum of the load factor, an error of arclength changes the load
-        // factor only by the square of the error.
+        // The remaining arclength `rest` is then below the error of the step. At a maximum of the load factor, an error of arclength changes the
+        // load factor only by the square of the error.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference is taken. The derivative is then accurate enough that each Newton iteration gains six digits.
+        // The arclength over which the difference quotient is taken. The derivative is accurate enough for each Newton iteration to gain six
+        // digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -153,9 +155,9 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// The least fraction of the step `end`, over the sticking contacts, at which a contact force is clearly outside its cone; it may be inside again
-    /// at the end of the step. If it is not decided whether a force leaves its cone, the fraction for this contact is one half. `None` if all forces
-    /// stay inside their cones.
+    /// The least fraction of the step `end`, over the sticking contacts, at which a contact force is clearly outside its cone; the force may be
+    /// inside again at the end of the step. If it is not decided whether a force leaves its cone, the fraction for its contact is one half.
+    /// `None` if all forces stay inside their cones.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {

@@ -1,9 +1,9 @@
-//! The place on a load path where a motion exceeds its limit of small motions, and the place from which all contacts slide.
+//! The point of a load path where a motion exceeds its limit of small motions, and the point from which on all contacts slide.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
-//! piece. While the load turns, they are harmonics of its angle, and the first place beyond a limit is a root of a trigonometric polynomial.
-//! Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the place within the piece
-//! or step.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end
+//! of the piece. While the load turns, they are harmonics of its angle, and the first point beyond a limit is a root of a trigonometric
+//! polynomial. Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the point
+//! within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,8 +19,8 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The place where the motions of a path cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles. Beyond it,
-/// answers are those for the undeformed geometry and kept vacuums, and say little about the object.
+/// The point of a load path where motions cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles. Beyond
+/// it, answers are those for the undeformed geometry and kept vacuums, and say little about the object.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -39,8 +39,8 @@ pub struct EndOfSmallMotions {
 type Place = (f64, CountedMotion);
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Updates the largest ratio of a rotation, slip or opening to its limit of small motions. Records the first place where such a motion exceeds
-    /// its limit. Must be called at the start and after each piece of the path.
+    /// Updates the largest ratio of a rotation, slip or opening to its limit of small motions. Records the first point of the path where such a
+    /// motion exceeds its limit. Must be called at the start and after each piece of the path.
     pub(super) fn record_motion_ratio(&mut self, run: &ProgramRun<'g>) {
         let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
         let offsets = self.segment.offsets(self.factor);
@@ -77,8 +77,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The place (index of the leg from 0, fraction of the leg) from which on, without interruption up to the place `until`, every contact with
-    /// friction that presses slides. It is the beginning of a stored piece. `None` if such a contact sticks just before `until`.
+    /// The leg (index from 0) and the fraction of it from which on, up to the leg and fraction `until`, every contact with friction that presses
+    /// slides. It is the beginning of a stored piece of the path. `None` if such a contact sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {
@@ -95,8 +95,8 @@ impl<'g> PiecewiseFollower<'g> {
 }
 
 impl<'g> StoredPiece<'g> {
-    /// The first place on a piece of the path where a rotation, slip or opening exceeds its limit. `at_the_end` is the motion that exceeds its limit
-    /// most at the end of the piece.
+    /// The first point of a piece of the path where a rotation, slip or opening exceeds its limit. `at_the_end` is the motion that exceeds its
+    /// limit most at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
         // If the state within a step cannot be computed because of rounding, the motion at the end of the step is taken.
         let farthest_at = |fraction: f64| {
@@ -113,7 +113,8 @@ impl<'g> StoredPiece<'g> {
         }
         let bracket = [(self.from, -excess(&start)), (self.to, -excess(&at_the_end))];
         let mut which = at_the_end;
-        // On an arc each evaluation repeats the step up to the trial place. At the place found the motion exceeds its limit only by rounding.
+        // On an arc each evaluation repeats the integration step up to the trial fraction. At the fraction found, the motion exceeds its limit
+        // only by rounding.
         let place = regula_falsi(bracket, ROUNDED_SUM, &mut |trial| {
             let motion = farthest_at(trial);
             if excess(&motion) >= 0.0 {
@@ -124,8 +125,8 @@ impl<'g> StoredPiece<'g> {
         (place.unwrap_or(self.to), which)
     }
 
-    /// The first place on a piece along which the load turns where a motion exceeds its limit. Each motion is a harmonic function of the angle, which
-    /// its values at three angles determine. `None` if no motion exceeds its limit, or if the load does not turn along the piece.
+    /// The first point of a piece along which the load turns where a motion exceeds its limit. Each motion is a harmonic function of the angle,
+    /// which its values at three angles determine. `None` if no motion exceeds its limit, or if the load does not turn along the piece.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {

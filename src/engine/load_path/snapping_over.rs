@@ -1,10 +1,10 @@
-//! Snapping over: the equilibrium of the path ends, and the object moves on under nearly the same load until it rests in another equilibrium. The
-//! path ends at a fold, a corner or an asymptote, see [`LossKind`].
+//! Snapping over: the equilibrium of a load path ends, and the object moves on under nearly the same load until it rests in another equilibrium.
+//! The path ends at a fold, a corner or an asymptote, see [`LossKind`].
 //!
-//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is computed
-//! in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is slightly beyond the
-//! end of the path, and q is the twist of the object. Contact i has the grasp map G_i, the spring offset a_i, the accumulated slip s_i, and the force
-//! F_i as a function of its stretch. R is the imbalance of forces:
+//! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is
+//! computed in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is
+//! slightly beyond the end of the path, and q is the twist of the object. Contact i has the grasp map G_i, the spring offset a_i, the
+//! accumulated slip s_i, and the force F_i as a function of its stretch. R is the imbalance of forces:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W
@@ -54,8 +54,9 @@ pub(super) struct StateAfterSnap<'g> {
 }
 
 impl<'g> StateAfterSnap<'g> {
-    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance. The motion is that of the
-    /// model with dampers, see the head of this file. `None` if it exceeds the limits `small` or does not end, or if there are very many coordinates.
+    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance. The motion is that of
+    /// the model with dampers, see the head of this file. `None` if the motion exceeds the limits `small` or does not end, or if there are very
+    /// many coordinates.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
@@ -75,8 +76,8 @@ impl<'g> StateAfterSnap<'g> {
         // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction.
         // Therefore the present friction cones are restored.
         let cones = problem.cones.clone();
-        // At the start, rounding alone would determine whether a contact on the edge of its cone sticks. Therefore all contacts are taken as open in
-        // the matrix of the first step, which has the dampers alone.
+        // Likewise rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step in time all
+        // contacts are therefore taken as open, so that this matrix has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -90,8 +91,8 @@ impl<'g> StateAfterSnap<'g> {
                 problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
             };
             let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, &both));
-            // The determinant is not positive if the step is too long near an unstable equilibrium. An implicit step would then go back to this
-            // equilibrium.
+            // The determinant of the matrix of a step in time is not positive if the step is too long near an unstable equilibrium. An implicit
+            // step would then go back to this equilibrium.
             let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
                 length *= SHORTER;
                 if length < SHORTEST_SNAPPING_STEP {
@@ -120,9 +121,9 @@ impl<'g> StateAfterSnap<'g> {
     }
 }
 
-/// The small step of the load factor beyond a loss of equilibrium, after which the object moves to another equilibrium. This step puts forces out of
-/// balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the rates of the contacts' spring offsets, and `rate` is
-/// the rate of the load.
+/// The small step of the load factor beyond a loss of equilibrium, after which the object moves to another equilibrium. This step puts forces
+/// out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the rates of the contacts' spring offsets, and
+/// `rate` is the rate of the load.
 ///
 /// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the step would be
 /// zero for a grasp without any force.
@@ -137,18 +138,18 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,
-    /// Load factor at which the object last came to rest after it had snapped over; NaN before it has snapped over.
+    /// Load factor at which the object last came to rest after it had snapped over; NaN if it has not snapped over yet.
     at: f64,
-    /// The load factor at which the object last came to rest again, minus the load factor of the loss from which it had snapped over.
+    /// The load factor at which the object last came to rest, minus the load factor of the loss from which it had snapped over.
     step: f64,
 }
 
 impl SnapCount {
-    /// The initial value on each leg, before the object has snapped over.
+    /// The value at the start of each leg, before the object has snapped over.
     pub(super) const NEVER: Self = Self { count: 0, at: f64::NAN, step: 0.0 };
 }
 
-/// Whether the motion `moved` is small. Then no body turns by more than the limit of small motions for rotations, and no contact point moves by more
+/// Whether the motion `moved` is small: no body turns by more than the limit of small motions for rotations, and no contact point moves by more
 /// than the limit for slips.
 fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     let turns_little =
@@ -172,12 +173,12 @@ impl MovingObject {
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if the object does not come to rest within small motions. `None` also, without a trial, for other kinds of loss, for suction
-    /// cups, at the end of a leg, after a failed jump, and after [`MOST_SNAPS`] snaps.
+    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the
+    /// path continues. `None` if the object does not come to rest within small motions. `None` also, without a trial, for other kinds of loss,
+    /// for suction cups, at the end of a leg, after a failed jump, and after [`MOST_SNAPS`] snaps.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
-        // The model keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
+        // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
         let has_cups = self.segment.grasp.vacuum().is_some();
         if !ends_in_balance
             || has_cups
@@ -194,7 +195,7 @@ impl<'g> PiecewiseFollower<'g> {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
-        // If an object sticks and snaps over again and again, the steps of the load factor grow each time.
+        // If an object sticks and snaps over again and again, the step of the load factor after which it moves grows each time.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
@@ -214,7 +215,8 @@ impl<'g> PiecewiseFollower<'g> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
         let goal = self.segment.trajectory.at(beyond);
-        // Just before the end of a leg the rest of it would move the object by rounding only, so the object moves under the larger load.
+        // Just before the end of a leg, the remaining change of the load would move the object by rounding only. The object therefore moves
+        // under the larger load.
         let rests = self.rests_again(self.factor + step)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
@@ -224,7 +226,7 @@ impl<'g> PiecewiseFollower<'g> {
         jump.changes.clear();
         jump.run(&goal, run).ok()?;
         let event = self.caught(run, changes, state);
-        // A leg that begins with a snap has no piece yet from which the state at its start can be computed.
+        // If the object snaps over at the very start of a leg, no piece is stored yet from which the state there can be computed.
         let is_first = self.piece_behind(run.program.leg, self.factor).is_none();
         let start = is_first.then(|| self.present_piece(run)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);
@@ -239,15 +241,15 @@ impl<'g> PiecewiseFollower<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// The state in which the object, moving from its present twist, comes to rest under the load at the factor `beyond`, slightly larger than at the
-    /// loss. `None` if it does not come to rest.
+    /// The state in which the object, moving from its present twist, comes to rest under the load at the load factor `beyond`, slightly larger
+    /// than at the loss. `None` if the object does not come to rest.
     fn rests_again(&self, beyond: f64) -> Option<StateAfterSnap<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         StateAfterSnap::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The follower of an additional leg, along which the remaining imbalance of `rests` is removed while the load factor stays at `factor`. The
-    /// second value lists the changes from the present contact states to those in `rests`.
+    /// The follower of an additional leg, along which the remaining imbalance of forces in `rests` is removed while the load factor stays at
+    /// `factor`. Also returns the changes from the present contact states to those in `rests`.
     fn back_to_balance(&self, rests: StateAfterSnap<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let StateAfterSnap { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);
@@ -269,8 +271,8 @@ impl<'g> PiecewiseFollower<'g> {
 }
 
 impl Problem<'_> {
-    /// Writes the response of each contact to a twist into `contacts`, and adds its slip to the slips in this problem. Returns the imbalance of
-    /// contact forces and load.
+    /// Writes the response of each contact to a twist into `contacts`, and adds the slip of each contact to the slips in this problem. Returns
+    /// the imbalance of contact forces and load.
     fn yield_to(&mut self, twist: &Vector, contacts: &mut [ContactResponse]) -> Vector {
         let mut left = self.wrench.clone();
         for i in 0..contacts.len() {

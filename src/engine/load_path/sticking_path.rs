@@ -20,7 +20,7 @@ pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
     /// The caller's load as a function of the load factor.
     pub(super) trajectory: Trajectory<Wrench<3>>,
-    /// The load factor up to which the onset is searched: infinite along a ramp, the last angle of a turn.
+    /// The load factor up to which an onset is searched for: infinite along a ramp, the last angle of a turn.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,
@@ -33,7 +33,8 @@ pub(super) struct StickingPath<'a> {
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
         let mut reached: Option<ExitsReached> = None;
-        // In every iteration an open contact closes and stays closed, or the path ends. In exact arithmetic there are fewer iterations than this.
+        // In every iteration an open contact closes and stays closed, or the path ends. Exact arithmetic would need fewer iterations than this
+        // limit.
         for _ in 0..2 * states.len() + 2 {
             let mut point = match self.segment.point_at(&states, self.factor, None, None) {
                 Ok(point) => point,
@@ -50,7 +51,7 @@ impl StickingPath<'_> {
                 let stays = |found: &SearchSolution| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // A contact that carries no force under the base load and opens at once is not listed as a contact that stops sticking.
+                        // A contact that carries no force under the base load and opens at once does not count as a contact that stops sticking.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
@@ -82,8 +83,9 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load, each with its exits. Either the step to an exit (edge, apex or closing gap) is zero
-    /// up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the forces leave their cones.
+    /// Contacts on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). Either the step to an exit is
+    /// zero up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the forces leave their
+    /// cones.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -153,8 +155,8 @@ impl StickingPath<'_> {
     }
 }
 
-/// For every contact its active set, the edges of its cone that its force has reached according to the exits in `at_edge`. Empty for contacts not
-/// listed in `at_edge`. A listed contact without exits touches without force, so its force is at the apex of its cone.
+/// For every contact its active set: the edges of its cone that its force has reached according to the exits in `at_edge`. Empty for contacts
+/// not listed in `at_edge`. A contact listed without exits touches without force, so its force is at the apex of its cone.
 fn active_sets_after(
     axes: usize,
     states: &[State],

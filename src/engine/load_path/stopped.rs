@@ -1,8 +1,8 @@
 //! The test whether a contact whose slip has ended on an arc can neither stick nor slide on.
 //!
-//! When the contact stops, sticking and sliding give the same rates of forces and motion, and differ only a little later. As a rule one of the two
-//! states is valid from then on. Near a maximum of the load neither may be. If the contact sticks, its force leaves the friction cone; if it slides,
-//! friction drives the slip instead of opposing it. In that case the path ends.
+//! When the contact stops, sticking and sliding give the same rates of forces and motion, and differ only a little later. As a rule one of the
+//! two states is valid from then on. Near a maximum of the load neither may be valid: if the contact sticks, its force leaves the friction cone;
+//! if it slides, friction drives the slip instead of opposing it. In that case the path ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::piecewise_follower::PiecewiseFollower;
@@ -10,17 +10,17 @@ use super::watched_condition::{ConditionValue, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 
 impl PiecewiseFollower<'_> {
-    /// Whether a contact whose slip has ended at the present place can neither stick nor slide on. This is so if both states fail in trial steps
-    /// along the path. Sticking fails if the force leaves the friction cone, and sliding fails if friction drives the slip. Only trial steps whose
-    /// estimated relative error is at most `tolerance` are used.
+    /// Whether a contact whose slip has ended at the present point of the path can neither stick nor slide on. This is so if both states fail in
+    /// trial steps along the path. Sticking fails if the force leaves the friction cone, and sliding fails if friction drives the slip. Only
+    /// trial steps whose estimated relative error is at most `tolerance` are used.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact that has the state `state` clearly violates the condition of this state after each of three trial steps, ever shorter. The
-    /// condition is a force inside the friction cone or, if the contact slides, a slip that friction opposes. Trial steps whose estimated relative
-    /// error exceeds `tolerance` are skipped. False if a step that is not skipped keeps the condition.
+    /// Whether a contact that has the state `state` clearly violates the condition of this state after each of three trial steps, ever shorter.
+    /// The condition is a force inside the friction cone or, if the contact slides, a slip that friction opposes. Trial steps whose estimated
+    /// relative error exceeds `tolerance` are skipped. False if the condition holds after any other trial step.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;
@@ -44,7 +44,7 @@ impl PiecewiseFollower<'_> {
                 return false;
             }
             failures += 1;
-            // Three accurate trial steps must clearly violate the condition of the state.
+            // Three accurate trial steps must clearly violate the condition of the contact's state.
             if failures == 3 {
                 return true;
             }

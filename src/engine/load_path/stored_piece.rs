@@ -1,6 +1,6 @@
-//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions
-//! are affine in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc. To compute
-//! a state within it, this step is repeated up to the requested fraction.
+//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine
+//! in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc. To compute a
+//! state within the piece, this step is repeated up to the requested fraction.
 
 use nalgebra::SVector;
 
@@ -43,7 +43,7 @@ pub(super) struct StoredPiece<'g> {
     pub(super) there: ForcesAndTwist,
     /// The integration step that made this piece; `None` unless a contact slides on the round cone.
     pub(super) arc_step: Option<ArcStep>,
-    /// The jump after which this piece, of zero length, was stored; `None` for all other pieces.
+    /// The jump (motion at constant load) after which this piece, of zero length, was stored; `None` for all other pieces.
     pub(super) jump: Option<Box<JumpRecord>>,
 }
 
@@ -69,8 +69,8 @@ pub(super) struct ArcStep {
 }
 
 impl<'g> StoredPiece<'g> {
-    /// The equilibrium at a fraction of the leg within this piece, in which contacts without force are reported as open, unless all forces are
-    /// rounding. `None` if it cannot be computed because of rounding.
+    /// The equilibrium at a fraction of the leg within this piece. Contacts without force are reported as open, unless all forces are rounding.
+    /// `None` if the equilibrium cannot be computed because of rounding.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -78,13 +78,13 @@ impl<'g> StoredPiece<'g> {
         fraction: f64,
     ) -> Option<Equilibrium<3>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
-        // Without any force there is nothing with which a small force could be compared, so contacts keep their states.
+        // If all forces are rounding, there is nothing with which a small force could be compared, so contacts keep their states.
         let nothing = forces_are_rounding(&problem, &found.forces, &found.twist);
         let found = if nothing { found } else { reported_at_rest(&problem, found) };
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at this end lists the changes of these states.
+    /// The equilibrium at the end of this piece, with the contact states along the piece. The event there lists the changes of these states.
     /// `None` if the equilibrium cannot be computed.
     pub(super) fn state_before_event(
         &self,
@@ -120,7 +120,7 @@ impl<'g> StoredPiece<'g> {
             return self.found_on_arc(arc_step, &segment, fraction);
         }
         let step = fraction - self.from;
-        // Interpolation between both ends of the piece, each of which was solved directly.
+        // The forces are interpolated between both ends of the piece, each of which was solved for directly.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
         let between = |line: &Line, there: &SVector<f64, 3>| line.force * (1.0 - part) + there * part;
         let (forces, twist) = match &self.here.turned {
@@ -180,8 +180,8 @@ impl<'g> StoredPiece<'g> {
         Some((problem, found))
     }
 
-    /// Forces and twist at a fraction of the leg within the integration step. If a single step to this fraction fails because of rounding, several
-    /// shorter steps lead to it. `None` if these fail, too.
+    /// Forces and twist at a fraction of the leg within the integration step `arc_step`. If a single step to this fraction fails because of
+    /// rounding, several shorter steps lead to it. `None` if these fail, too.
     fn part_of_a_step(
         &self,
         arc_step: &ArcStep,
@@ -190,7 +190,7 @@ impl<'g> StoredPiece<'g> {
     ) -> Option<ForcesAndTwist> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
-        // A step that cannot be made as a whole is divided into at most sixty parts, each half as long as the part before.
+        // A step to this fraction that fails is made in at most sixty parts, each half as long as the part before.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
             if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {
@@ -209,10 +209,10 @@ impl<'g> StoredPiece<'g> {
                 }
             }
         }
-        // If the object moves under a load that is constant up to rounding, no fraction can be located within the step, and every state of the step
-        // is valid.
+        // If the object moves under a load that is constant up to rounding, a load factor cannot be located within the step, and every state of
+        // the step is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        // Loads closer to each other than this fraction of the leg are equal up to the rounding with which forces balance them.
+        // Fractions of the leg closer to each other than this have equal loads up to the rounding with which forces balance them.
         let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }

@@ -1,6 +1,6 @@
-//! Advance along a piece on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg. A ratio test gives the
-//! next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces and motions are harmonics of
-//! its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]).
+//! Advance along a piece of the load path on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg.
+//! A ratio test gives the next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces
+//! and motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;
@@ -22,14 +22,14 @@ impl<'g> PiecewiseFollower<'g> {
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
-        // If a contact reaches an edge of its cone together with the end of the leg, up to rounding, the step ends with the leg. The edge then enters
-        // the active set of the contact when the next leg begins.
+        // If a contact reaches an edge of its cone at the end of the leg, up to rounding, the step ends with the leg. The edge then enters the
+        // active set of the contact when the next leg begins.
         let at_the_end = |reached: &ExitsReached| {
             reached.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
         let (step, reached, leg_done) = match exits {
             Some((_, reached)) if at_the_end(&reached) => (rest, reached, true),
-            // While the load turns, the step is a root that is refined already, and needs no correction.
+            // While the load turns, the step is a refined root of a trigonometric polynomial already, and needs no correction.
             Some((step, reached)) if point.turned.is_some() && self.factor + step < 1.0 => {
                 (step, reached, false)
             }
@@ -41,12 +41,12 @@ impl<'g> PiecewiseFollower<'g> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        // A step that is no longer than its own rounding error may be zero. If rounding chooses between two continuations, each of which leads back
-        // to the other, the path would make such steps for ever.
+        // A step along the path that is no longer than its own rounding error may be zero. If rounding chooses between two continuations of the
+        // path, each of which leads back to the other, the path would make such steps for ever.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        // Up to this many steps in a row, each no longer than its own rounding error, may be events at one place. More such steps mean that rounding
-        // makes the path cycle.
+        // Up to this many steps in a row, each no longer than its own rounding error, may be events at one load. More such steps mean that
+        // rounding makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
             // The path alternates between continuations, and only rounding would determine which one it finally takes.
@@ -75,9 +75,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.segment.state(&point.linear_problem, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step `step` (change of the load factor) to the exits `reached`, corrected with the state at its end, which is solved for directly. Without
-    /// the correction the step has the rounding error of the present state, from which it is extrapolated. A correction that is too large is not
-    /// made.
+    /// The step `step` (change of the load factor) to the exits `reached`, corrected with the state at its end, which is solved for directly.
+    /// Without the correction the step has the rounding error of the present state, from which it is extrapolated. A correction that is too
+    /// large is not made.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

@@ -1,12 +1,13 @@
-//! Tolerances of load paths: a value below one of them is taken as zero, as rounding, or as equal to another. Other constants limit the numbers and
-//! lengths of steps.
+//! Tolerances of load paths: a value below a tolerance is taken as zero, as rounding, or as equal to another. Other constants limit the numbers
+//! and lengths of steps.
 //!
-//! They are pure numbers, or angles in rad. Unless its comment says otherwise, each number is a fraction of the leg, of the largest force, or of the
-//! quantity that is compared.
+//! Tolerances are pure numbers, or angles in rad. Unless its comment says otherwise, each number is a fraction of the leg, of the largest force,
+//! or of the quantity that is compared.
 
 use crate::contact::ZERO_SLACK;
 
-/// A turn begins with the load before its leg if no component differs by more than this fraction of its largest component.
+/// A turn of the load begins with the load before its leg if no component differs by more than this fraction of the largest component of the
+/// turn's first load.
 ///
 /// If smaller, loads that people write with six digits are refused; if larger, loads jump where a leg begins.
 pub(super) const AS_WRITTEN: f64 = 1e-6;
@@ -17,10 +18,10 @@ pub(super) const AS_WRITTEN: f64 = 1e-6;
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// An object that snaps over is tried at a distance beyond the end of its path that is proportional to the largest force. In this rule the largest
-/// force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
+/// After a loss of equilibrium the object moves under a load slightly beyond the end of its path; the distance beyond is proportional to the
+/// largest force. In this rule the largest force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
 ///
-/// If smaller, an object without force at the end of its path is tried under the same load again and again. If larger, the object may be tried at a
+/// If smaller, an object without force at the end of its path is moved under the same load again and again. If larger, it may be moved under a
 /// load beyond a later event.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
@@ -41,13 +42,13 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 /// load, since the search for rates of forces and motion must fail first.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance after it differs from the imbalance expected from the dampers by up to
-/// this fraction of the imbalance before the step.
+/// While an object snaps over, a step in time is accepted if the imbalance of forces after it differs from the imbalance expected from the
+/// dampers by up to this fraction of the imbalance before the step.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
 
-/// While an object snaps over, the upper limit of the ratio of the norms of the imbalances after and before a step in time.
+/// While an object snaps over, the upper limit of the ratio of the norm of the force imbalance after a step in time to that before.
 ///
 /// If smaller, steps are many when the motion becomes faster; if larger, an implicit step goes back to an equilibrium that is not stable.
 pub(super) const FASTEST_GROWTH: f64 = 4.0;
@@ -64,8 +65,8 @@ pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// If close events make steps too short to advance, gaps and margins up to this fraction of the terms whose difference they are, are set to zero. A
-/// margin is the distance of a contact force from the edge of its cone.
+/// If close events make steps too short to advance, small gaps and margins are set to zero: up to this fraction of the terms whose difference
+/// they are. A margin is the distance of a contact force from the edge of its cone.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
@@ -83,8 +84,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// A decreasing normal force, at most this fraction of the terms whose sum it is, no longer determines the direction of friction of its contact. The
-/// error of that direction is the error of the steps divided by this fraction.
+/// If a sliding contact's decreasing normal force is at most this fraction of the terms whose sum it is, it no longer determines the direction
+/// of friction. The error of that direction is the error of the steps divided by this fraction.
 ///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.

@@ -21,7 +21,6 @@ pub(super) enum Trajectory<X> {
 }
 
 impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Trajectory<X> {
-    /// The load at the load factor `factor`.
     pub(super) fn at(&self, factor: f64) -> X {
         match self {
             Self::Straight { from, rate } => from.clone() + rate.clone() * factor,
@@ -29,7 +28,6 @@ impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Trajec
         }
     }
 
-    /// The rate of the load at the load factor `factor`, per unit of the load factor.
     pub(super) fn rate_at(&self, factor: f64) -> X {
         match self {
             Self::Straight { rate, .. } => rate.clone(),

@@ -1,5 +1,5 @@
-//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes, the
-//! list of changes of states, and the number of other continuations.
+//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes,
+//! the list of changes of states, and the number of other continuations of the path.
 
 use nalgebra::SVector;
 
@@ -13,8 +13,8 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, combinations, search_among};
 
-/// The guess that every contact keeps its state, expressed by states in `rates`, the problem for the rates of forces and motion. `states` are the
-/// present contact states. `None` if the laws of the rates exclude that some contact keeps its state.
+/// The guess that every contact keeps its state, as contact states of `rates`, the complementarity problem for the rates of forces and motion.
+/// `states` are the present contact states. `None` if the laws of the rates exclude that some contact keeps its state.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     all_some(locals.map(|((local, law), state)| local.in_the_rates(law, *state)))
@@ -40,9 +40,9 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of the rate problem `rates` that differ from `found` in rates of forces, or in twist rates apart from free motions. Zero if
-/// the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all combinations of contact states are tried. `None`
-/// if there are too many combinations, or with a contact at the apex of a round cone.
+/// Number of solutions of the rate problem `rates` (for the rates of forces and motion) that differ from `found` in rates of forces, or in twist
+/// rates apart from free motions. Zero if the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all
+/// combinations of contact states are tried. `None` if there are too many combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
     // With a contact at the apex of a round cone the number of solutions is not known, since it may differ from the number with a polygonal cone.
     if rates.round {
@@ -59,8 +59,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<SearchSolution> = vec![found.clone()];
-    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form, which has few complementary pairs, first
-    // excludes most combinations.
+    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form, which has few complementary pairs,
+    // first excludes most combinations.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -93,8 +93,8 @@ struct FewRows {
     many: bool,
 }
 
-/// The kinematic form of the rate problem `rates`, which has `rows` complementary pairs. `None` if there are no pairs or more than 64, or if the form
-/// cannot be computed.
+/// The kinematic form of `rates`, the problem for the rates of forces and motion; the form has `rows` complementary pairs. `None` if there are
+/// no pairs or more than 64, or if the form cannot be computed.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     // With more complementary pairs than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {

@@ -35,8 +35,8 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// Last angle of the turn, at which it ends, rad.
     pub(super) angle: f64,
-    /// The axis about which the bodies of a scene are tilted under their own weights. These weights then take the place of `load`. Only the scene
-    /// knows these weights. `None` if `load` itself turns.
+    /// The axis about which the bodies of a scene are tilted under their own weights, which then take the place of `load`. Only the scene knows
+    /// these weights. `None` if `load` itself turns.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
@@ -109,8 +109,8 @@ impl Turn<3> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// A load as a function of the load factor. It begins with `load`, and changes from there as the load of this turn changes from angle zero on.
-    /// One unit of the load factor is the whole turn.
+    /// The load of a leg with this turn, as a function of the load factor. It begins with `load`, and changes from there as the load of this
+    /// turn changes from angle zero on. One unit of the load factor is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }
@@ -144,8 +144,8 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// The turn of a force from three terms: its component along the axis, its component across the axis at θ = 0, and its component across the axis
-    /// a quarter revolution later. `wrench` makes the wrench of each of these forces.
+    /// The turn of a force from three forces: its component along the axis, its component across the axis at θ = 0, and its component across the
+    /// axis a quarter revolution later. `wrench` makes the wrench of each of these forces.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)

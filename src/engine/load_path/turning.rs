@@ -1,7 +1,7 @@
-//! Advances along an arc (a piece on which directions of sliding turn on the round cone), step by step to the next event.
+//! Advances along an arc (a piece of the load path on which directions of sliding turn on the round cone), step by step to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the place where one of these
-//! values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
+//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the point where one of
+//! these values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
@@ -32,10 +32,10 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Tries one step along the arc. The step ends early if an event comes first. If its error is too large, the step is refused: the path stays
-    /// where it is, and the next step is shorter. Returns whether the leg is complete. The error is the end of the path.
+    /// Tries one step along the arc. The step ends early if an event comes first. If its error is too large, the step is refused: the path does
+    /// not advance, and the next step is shorter. Returns whether the leg is complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
-        // An object that snaps over may come to rest under the load at the end of the leg.
+        // An object that snaps over to another equilibrium may come to rest under the load at the end of the leg.
         if self.factor >= 1.0 {
             return Ok(true);
         }
@@ -99,8 +99,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.finish_step(run, &point, &end)
     }
 
-    /// The step `end` from `point`, shortened to end where the value of the first violated condition is just zero. The head of this file lists the
-    /// conditions. The violated condition may hold again at the end of the step. `None` if the end of the shortened step is not found.
+    /// The step `end` from `point`, shortened to end where the first violated condition of the list at the head of this file is just met. The
+    /// violated condition may hold again at the end of the step. `None` if the end of the shortened step is not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -109,49 +109,49 @@ impl<'g> PiecewiseFollower<'g> {
                 end = self.locate(point, &start, end, condition)?;
             }
             let ends = [point, &end.reached.point];
-            // The bounds on margins within a step are used on a straight leg only. While the load turns, these bounds would shorten steps needlessly.
+            // The bounds on margins within a step (distances of forces from the edge of their cones) are used on a straight leg only. While the
+            // load turns, these bounds would shorten steps needlessly.
             let is_straight = matches!(self.segment.trajectory, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // A step within which a condition may be violated is shortened at most twenty times.
+            // A step within which a condition of a contact state may be violated is shortened at most twenty times.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
         }
     }
 
-    /// Whether some contact whose slip has ended at the present place can neither stick nor slide on.
+    /// Whether some contact whose slip has ended at the present point of the path can neither stick nor slide on.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        // Places closer to each other than this fraction of the leg are taken as one place.
+        // Load factors that differ by less than this are taken as the same point of the path.
         let is_here = (self.factor - at).abs() <= NEGLIGIBLE;
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether close events may now be treated as one event. This requires that the path has advanced since events were last treated in this way, or
-    /// that none were on this leg.
+    /// Whether close events may now be treated as one event: not if they were treated so at this load factor already.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a contact could violate
-    /// the condition of its state, and yet satisfy it again at the end.
+    /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a contact could
+    /// violate the condition of its state, and yet satisfy it again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.trajectory {
-            // In one step the load turns by at most this angle, rad.
+            // In one integration step the load turns by at most this angle, rad.
             Trajectory::Turn { angle, .. } => 0.25 / (angle * point.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
         }
     }
 
-    /// Arclength, at most `length`, and integration rule of a step with which the integration is stable. Stability depends on how fast friction
+    /// Arclength, at most `length`, and integration rule of a step in which the integration is stable. Stability depends on how fast friction
     /// forces relax, i.e. turn towards the directions of slip.
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
-        // The longest explicit step is four times the length over which the fastest direction of friction relaxes. From six times this length on, the
-        // integration is unstable.
+        // The longest explicit step is four times the length over which the fastest direction of friction relaxes towards the slip. From six
+        // times this length on, the integration is unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.implicit |= self.pace.needs_implicit_steps(stable, rest);
@@ -162,10 +162,10 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then tends
-    /// to a limit that it never reaches (an asymptote). Rounding in the rate of a sliding contact's force is proportional to the rate at which its
-    /// friction turns towards its slip, and so is the tolerance for this force. Contacts that do not slide take up the rounding of all others, so
-    /// their tolerance is the largest one.
+    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then
+    /// tends to a limit that it never reaches (an asymptote). Rounding in the rate of a sliding contact's force is proportional to the rate at
+    /// which its friction turns towards its slip, and so is the tolerance for this force. Contacts that do not slide take up the rounding of all
+    /// others, so their tolerance is the largest.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -183,16 +183,16 @@ impl<'g> PiecewiseFollower<'g> {
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // If the force vanishes a little beyond the end of the leg, the step ends at that end. A shorter step could end where the force counts as
-        // zero already.
+        // If a normal force vanishes a little beyond the end of the leg, the step ends with the leg. A shorter step could end where the force
+        // counts as zero already.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // Forces that would double within this fraction of the rest of the leg are rounding of vanishing forces.
+        // If forces would double within this fraction of the rest of the leg, they vanish and are only rounding.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // The first step from an apex is this fraction of the length along which forces change by their own size. Within this step directions of
-        // friction turn by about the square of this fraction.
+        // The first step from the apex of a cone is this fraction of the length along which forces change by their own size. Within this step
+        // directions of friction turn by about the square of this fraction.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
 
@@ -200,7 +200,7 @@ impl<'g> PiecewiseFollower<'g> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         for (line, state) in point.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
-            // A contact that has just closed has no direction of friction yet.
+            // A contact that has just closed has no friction force yet, and so no direction of friction.
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
@@ -241,7 +241,7 @@ impl<'g> PiecewiseFollower<'g> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // Whether the load factor has a maximum at the end of the step, where the rate of the load factor is zero.
+        // Whether the load factor has a maximum at the end of the step: its rate is zero there.
         let grows = |watch: &ConditionValue| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();
@@ -260,16 +260,17 @@ impl<'g> PiecewiseFollower<'g> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     at_edge.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg it does not matter that a slip rate is zero, since the next leg has other rates.
+                // At the end of a leg, a slip rate of zero does not matter, since the next leg has other rates.
                 _ if leg_done => {}
-                // If the load itself turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
+                // If the load turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
         }
         for (i, state) in self.node.states.iter().enumerate() {
             let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
-            // After a straight step along the tangent the normal force may keep a remainder, too small to determine the direction of friction.
+            // After a straight step along the tangent, a remainder of the normal force may be left. It is too small to determine the direction
+            // of friction.
             let is_gone = end.rule == Rule::Straight
                 && way_to_nothing((&point.lines[i], state)).is_some_and(|way| way <= end.length);
             if state.slides() && (is_gone || ActiveSet::is_weightless(force, size)) {
@@ -283,7 +284,7 @@ impl<'g> PiecewiseFollower<'g> {
         }
         self.take_step(run, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
-        // If another event happens at the same place, contacts that have not slipped during the step get their states from the solution at that
+        // If another event happens at the same point, contacts that have not slipped during the step get their states from the solution at that
         // event.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
@@ -295,8 +296,8 @@ impl<'g> PiecewiseFollower<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// The contacts among `contacts` that do not slip at all in a step, because their slip rate is zero already at `point`, the beginning of the
-    /// step. `contacts` are the contacts whose slip rate is zero at the end of the step.
+    /// The contacts among `contacts` that do not slip at all in a step. `contacts` are those whose slip rate is zero at the end of the step; the
+    /// slip rate of the result is zero already at `point`, its beginning.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -308,7 +309,8 @@ impl<'g> PiecewiseFollower<'g> {
         contacts.iter().copied().filter(met).list()
     }
 
-    /// The loss of equilibrium of the kind `kind` at the present place, the end of an arc. The object leaves with the twist rate of `point`.
+    /// The loss of equilibrium of the kind `kind` at the present point of the path, the end of an arc. The object leaves with the twist rate of
+    /// `point`.
     fn loss_at_end(&self, run: &ProgramRun<'g>, kind: LossKind, point: &PathPoint) -> PathEnd<3> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = point.twist_rate.normalize();
@@ -316,16 +318,16 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// For a sliding contact whose normal force is almost zero and decreases, the arclength along the tangent to the place where this force vanishes.
-/// `None` for any other contact.
+/// For a sliding contact whose normal force is almost zero and decreases, the arclength along the tangent up to the point where this force
+/// vanishes. `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A falling normal force below this fraction of the terms whose sum it is, is followed to zero along the tangent.
+    // A decreasing normal force below this fraction of the terms whose sum it is, is followed to zero along the tangent.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }
 
-/// The exit of a contact, at the present place, at which its normal force or its gap vanishes.
+/// The exit of a contact whose normal force or gap vanishes at the present point of the path.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

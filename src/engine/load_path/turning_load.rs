@@ -1,5 +1,5 @@
-//! The state of a path under a load that turns, by three linear solves, one each for the constant, cosine and sine terms of the load. As long as
-//! contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
+//! The state of a load path under a load that turns, by three linear solves, one each for the constant, cosine and sine terms of the load. As
+//! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
 
 use alloc::sync::Arc;
 
@@ -18,13 +18,14 @@ impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
-        // A rate of the load below this fraction of its fastest rate is taken as zero, because rounding of the angle makes a rate of about this size.
+        // A rate of the load below this fraction of its fastest rate is taken as zero, because rounding of the angle causes a rate of about this
+        // size.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
-    /// Forces, twist, gaps and their rates at a load factor, and forces, stretches and twist from this load factor on as harmonic functions of the
-    /// load's angle. Returns an error if forces cannot balance the load. If no spring resists some motion, the twist is the solution nearest to
-    /// `near`.
+    /// Forces, twist, gaps and their rates at the load factor `factor`. From this load factor on, forces, stretches and twist are also given as
+    /// harmonic functions of the load's angle. Returns an error if forces cannot balance the load. If no spring resists some motion, the twist
+    /// is the solution nearest to `near`.
     pub(super) fn point_on_turn(
         &self,
         linear_problem: &Arc<LinearProblem>,
@@ -52,7 +53,7 @@ impl Segment<'_> {
         let mut point =
             self.point_with_rates(linear_problem.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
-        // A quantity that vanishes at some angle still has a rounding error in proportion to its size at other angles.
+        // A force or gap that vanishes at some angle still has a rounding error in proportion to its size at other angles.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
             line.force_size = line.force_size.max(force.size);
@@ -100,7 +101,7 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Accumulated slips are subtracted from the commands. If slip and command cancel, the rounding error of the slip remains.
+            // Accumulated slips are subtracted from the commands. If a slip and its command cancel, the rounding error of the slip remains.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

@@ -7,7 +7,8 @@ use crate::numerics::{Harmonic, Vector, mapped};
 use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 
-/// Forces, stretches and twist as harmonic functions of the angle by which the load has turned from a place on the path. Contacts keep their states.
+/// Forces, stretches and twist as harmonic functions of the angle by which the load has turned from a point of the path on. Contacts keep their
+/// states.
 #[derive(Debug)]
 pub(super) struct TurningState {
     /// For every contact and drive `[force, stretch]` as harmonic functions of the angle: its force, N, and the stretch of its springs, m.
@@ -19,15 +20,15 @@ pub(super) struct TurningState {
 }
 
 impl TurningState {
-    /// Contact forces after the change `step` of the load factor. The field of the twist holds the change of the twist in this step.
+    /// The contact forces after the change `step` of the load factor, and in the field `twist` the change of the twist in this step.
     pub(super) fn after(&self, step: f64) -> ForcesAndTwist {
         let angle = self.angle * step;
         let forces = mapped(&self.waves, &|[force, _]| force.of.at(angle));
         ForcesAndTwist { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first place, within the change `rest` of the load factor, at which one of the contact states `states` ends, and the edges of cones that
-    /// forces touch before this place.
+    /// The first point, within the change `rest` of the load factor, at which one of the contact states `states` ends, and the edges of cones
+    /// that forces touch before this point.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

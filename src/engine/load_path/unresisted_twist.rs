@@ -7,9 +7,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, in which the object moves at the twist rate `pushed` along all motions that leave forces in balance.
-    /// Returns `rate` unchanged if `pushed` is `None`. `pushed` comes from the solution of the rate problem, in which contacts that touch without
-    /// force may push.
+    /// The rates `rate` of forces and twist, changed so that the object moves at the twist rate `pushed` along all motions that leave forces in
+    /// balance. `pushed` comes from the solution of the rate problem, in which contacts that touch without force may push; if it is `None`,
+    /// `rate` is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,
@@ -18,7 +18,7 @@ impl Segment<'_> {
     ) -> ForcesAndTwist {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        // A velocity along a free motion below this fraction of the pushing velocity is rounding.
+        // A velocity along a free motion is rounding if it is below this fraction of the velocity `pushed`.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves = linear_problem.free_motions().iter().any(is_driven)
             || linear_problem.neutral_motions().iter().any(is_driven);

@@ -1,5 +1,5 @@
-//! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive, such
-//! as the gap of an open contact. Where such a value becomes zero, the piece ends.
+//! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive,
+//! such as the gap of an open contact. Where such a value becomes zero, the piece ends.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -19,7 +19,7 @@ pub(super) enum WatchedCondition {
     Leg,
 }
 
-/// The value `value` that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to `size`.
+/// The value that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to `size`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ConditionValue {
     pub(super) what: WatchedCondition,
@@ -31,17 +31,17 @@ pub(super) struct ConditionValue {
 }
 
 impl ConditionValue {
-    /// Whether the value is negative by more than rounding and the error of steps.
+    /// Whether the value is negative by more than rounding and the integration error of steps.
     pub(super) fn is_violated(&self) -> bool {
         self.value < -SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value is zero up to rounding and the error of steps.
+    /// Whether the value is zero up to rounding and the integration error of steps.
     pub(super) fn is_met(&self) -> bool {
         self.value.abs() <= SLACK_ON_AN_ARC * self.size
     }
 
-    /// Whether the value is certainly negative, i.e. by more than a thousand times rounding and the error of steps.
+    /// Whether the value is certainly negative, i.e. by more than a thousand times rounding and the integration error of steps.
     pub(super) fn is_broken(&self) -> bool {
         self.value < -1e3 * SLACK_ON_AN_ARC * self.size
     }
@@ -64,7 +64,7 @@ pub(super) fn is_vanishing(line: &Line) -> bool {
 }
 
 /// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the terms whose sum it is. If so, the
-/// direction of friction was not accurate enough to end the last step where the normal force vanishes.
+/// direction of friction was not accurate enough for the last step to end where the normal force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
@@ -92,10 +92,10 @@ pub(super) fn watch(
             size: 1.0,
         },
     ];
-    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate that is zero at this
-    // point may grow, so the value is not taken as constant.
+    // A value that changes by less than its rounding over the rest of a straight leg is taken as constant. While the load turns, a rate that is
+    // zero at this point may grow, so no value is taken as constant.
     let straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-    // The change of a value over the rest of the leg is compared with rounding. The rest is taken as at least a hundredth of the leg.
+    // The change of a value over the rest of the leg is compared with rounding. That rest is taken as at least a hundredth of the leg.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&point.lines[contact], segment.problem.local(contact));
@@ -124,8 +124,8 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // With almost no normal force, rounding alone would determine whether the contact stops sliding. Its condition is therefore taken as
-            // satisfied.
+            // With almost no normal force, rounding alone would determine whether the contact stops sliding. The condition of the contact is
+            // therefore taken as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

@@ -218,9 +218,9 @@ impl PointState {
         }
     }
 
-    /// The states of a point before and after `change`. `state` is the state of the point in the equilibrium that the event stores, which tells
-    /// whether a point that opens slid before. It is the state before the change. At the very start of a path there is no earlier equilibrium, so it
-    /// is the state after the change.
+    /// The states of a point of a fingertip before and after `change`. `state` is the state of the point in the equilibrium that the event
+    /// stores, which tells whether a point that opens slid before. It is the state before the change. At the very start of a path there is no
+    /// earlier equilibrium, so that `state` is the state after the change.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],

@@ -1,5 +1,5 @@
-//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The condition
-//! is a force inside the friction cone or, for an open contact, a gap that is not negative.
+//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The
+//! condition is a force inside the friction cone or, for an open contact, a gap that is not negative.
 //!
 //! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic polynomial through
 //! the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is estimated. A margin `μ F_n - |F_t|` is
@@ -16,25 +16,26 @@ use super::segment::{PathPoint, Segment};
 use crate::contact::{Coulomb, Mode, State};
 use crate::numerics::{Each, least};
 
-/// The four Bézier points of a piece of the cubic.
+/// The four Bézier points of a piece of a cubic polynomial.
 type BezierPoints = [SVector<f64, 3>; 4];
 
-/// A contact force or a gap as a cubic polynomial along a step. Its margin must stay positive. The margin is the gap itself, the normal force, or `μ
-/// F_n - |F_t|`.
+/// A contact force or a gap as a cubic polynomial along a step, with a margin that must stay positive. The margin is the gap itself, the normal
+/// force, or `μ F_n - |F_t|`.
 pub(super) struct BoundedCubic {
     points: BezierPoints,
     /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
     /// normal force or a gap.
     cone: Option<Coulomb>,
-    /// The factor g, N or m, of a bound on the error that the cubic makes in the margin: `s²(1 - s)² g` at the fraction s of the step.
+    /// The factor g, N or m, of a bound on the interpolation error: at the fraction s of the step, the margin from the cubic and the true margin
+    /// differ by at most `s²(1 - s)² g`.
     error_factor: f64,
-    /// The condition is taken as satisfied if its margin is at least minus this number, in N or m.
+    /// The condition counts as satisfied if its margin, the value that must not be negative, is at least minus this number, in N or m.
     allowed_violation: f64,
 }
 
-/// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates its condition; the condition may hold again
-/// at the end. If the step is too long for a decision about a contact, the fraction for this contact is one half. `None` if all conditions hold
-/// within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
+/// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates the condition of its state; the
+/// condition may hold again at the end. If the step is too long for a decision about a contact, the fraction for this contact is one half.
+/// `None` if all conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -79,15 +80,15 @@ impl BoundedCubic {
         (size, step_error): (f64, f64),
     ) -> Self {
         let weight = cone.map_or(1.0, Coulomb::round_weight);
-        // A margin is taken as violated if it is negative by more than this fraction of the allowed error of a step.
+        // The condition counts as violated if its margin is negative by more than this fraction of the allowed error of a step.
         let within_the_error = 0.02;
-        // The rounding error of a margin, relative to the terms whose difference it is. A smaller violation is ignored.
+        // The rounding error of a margin, relative to the terms whose difference the margin is. A smaller violation is ignored.
         let rounded = 2e-13;
         let allowed_violation = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The interpolating cubic neglects the term of fourth order. The neglected term is estimated from above by the larger of the term of third
-        // order and 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
+        // The interpolating cubic neglects the term of fourth order. An upper estimate of this term is the larger of the term of third order and
+        // 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
         let error_factor = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, error_factor, allowed_violation }
     }
@@ -96,11 +97,11 @@ impl BoundedCubic {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`, the error of margins; one half if this is
-    /// not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
+    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`, the error of margins. One half if this
+    /// is not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
     pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
-        // At most two hundred pieces of the cubic are examined; then the step is taken as too long.
+        // At most two hundred pieces of the cubic are examined; if that decides nothing, the step is taken as too long.
         for _ in 0..200 {
             let (from, to, points) = pieces.pop()?;
             let least = least(&points, &|point| self.margin(point));
@@ -116,11 +117,12 @@ impl BoundedCubic {
             pieces.push((middle, to, after));
             pieces.push((from, middle, before));
         }
-        // The step is too long for a decision, and the caller repeats it with half its length.
+        // The step is too long to decide whether the condition holds, and the caller repeats it with half its length.
         Some(0.5)
     }
 
-    /// Bound, N or m, on the error that the cubic makes in the margin at the fraction `part` of the step.
+    /// Bound, N or m, on the interpolation error at the fraction `part` of the step: the difference between the margin from the cubic and the
+    /// true margin.
     fn margin_error(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.error_factor * square * square

@@ -26,16 +26,16 @@ use crate::prelude::*;
 
 /// Whether the tangent stiffness is factorised as a band matrix, which is done from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
-    // With fewer coordinates orthogonal factors cost no more, and determine the rank. Measured: with orthogonal factors instead of a band, four
-    // bodies in space take a third less time, but nine bricks in the plane more than twice as much.
+    // With fewer coordinates orthogonal factors take no longer, and determine the rank. Measured: with orthogonal factors instead of a band
+    // matrix, four bodies in space take a third less time, but nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
-/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors. A has the stretches of springs per unit of each coordinate, B their push
-/// directions.
+/// The tangent stiffness `T = BᵀA` as a band matrix, with its LU factors. A has the stretches of springs per unit of each coordinate, B the
+/// directions in which springs push.
 #[derive(Debug, Clone)]
 pub(crate) struct BandedTangent {
-    /// Position of each coordinate in the order of coordinates that makes the band of T narrow.
+    /// Position of each coordinate in an order in which T is a narrow band.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// The matrix A of the tangent stiffness `BᵀA`: the scaled stretch of each spring per unit of each coordinate.
@@ -48,7 +48,8 @@ pub(crate) struct BandedTangent {
 /// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// For each contact in turn, the positions (in the order that makes the band narrow) of the coordinates with entries in its grasp map.
+    /// For each contact in turn, the positions (in the order in which the stiffness matrix is a narrow band) of the coordinates with entries in
+    /// its grasp map.
     coordinates: Vec<usize>,
     /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
@@ -64,8 +65,8 @@ pub(super) struct SpringRows {
     /// The entries of each row of the matrix, spring after spring, in the order of [`SpringLists`]: one for each coordinate in the contact's grasp
     /// map.
     rows: Vec<f64>,
-    /// For each coordinate, in the order that makes the band narrow, the factor that scales its column to length one. The factor of a zero column is
-    /// one.
+    /// For each coordinate, in the order in which the stiffness matrix is a narrow band, the factor that scales its column to length one. The
+    /// factor of a zero column is one.
     units: Vec<f64>,
     /// Euclidean length of the longest row: the largest scaled stretch of a spring under a unit motion.
     pub(super) longest: f64,
@@ -154,8 +155,8 @@ impl BandedTangent {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the order that makes the band narrow, if the springs of a contact push with the scaled `forces`
-    /// and no other load acts.
+    /// Displacements of the coordinates, in the order in which the stiffness matrix is a narrow band, if the springs of a contact push with the
+    /// scaled `forces` and no other load acts.
     pub(super) fn displacements_under(&self, contact: usize, forces: &[f64]) -> Vec<f64> {
         let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
@@ -168,8 +169,8 @@ impl BandedTangent {
         q
     }
 
-    /// The sum `Σ_k times_k (A u)_k` over the springs k of a contact. The displacements u = `displacements` of the coordinates are in the order that
-    /// makes the band narrow.
+    /// The sum of the scaled stretches of a contact's springs, each times its entry of `times`, under the displacements `displacements` of the
+    /// coordinates. These are in the order in which the stiffness matrix is a narrow band.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
@@ -180,8 +181,9 @@ impl BandedTangent {
         sum
     }
 
-    /// Factor by which relative rounding errors grow in a solution: the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with T = BᵀA. The
-    /// norm is estimated by four steps of the power method, and the estimate is doubled. The result is exactly 1 if no contact slides.
+    /// Factor by which relative rounding errors grow in a solution. It is the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with
+    /// the tangent stiffness T = BᵀA, the matrix A of stretches and B of push directions. Four steps of the power method estimate the norm, and
+    /// the estimate is doubled. The result is exactly 1 if no contact slides.
     pub(super) fn growth(&self) -> f64 {
         let Some(pushes) = &self.pushes else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
@@ -189,7 +191,7 @@ impl BandedTangent {
         let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
-        // Number of steps of the power method, which estimates the norm from below.
+        // Number of steps of the power method, which estimates the norm of the projection from below.
         for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);
@@ -224,7 +226,7 @@ impl BandedTangent {
 
 impl SpringLists {
     /// Calls `visit(spring, coordinates, range)` for every spring. `range` is the index range of the spring's row in [`SpringRows::rows`].
-    /// `coordinates` has the position of each entry of this row in the order that makes the band narrow.
+    /// `coordinates` has the position of each entry of this row in the order in which the stiffness matrix is a narrow band.
     fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
@@ -266,8 +268,8 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Multiplies each entry of the motion q by the factor that scales its column of the matrix to length one. Then calls `visit(spring, stretch)`
-    /// for every spring with its scaled stretch, an entry of A q or B q.
+    /// Multiplies each entry of the motion q by the factor that scales its column of the matrix A or B in `side` to length one. Then calls
+    /// `visit(spring, stretch)` for every spring with its scaled stretch, an entry of A q or B q.
     pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {

@@ -52,7 +52,7 @@ impl LinearProblem {
             let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.push_direction.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
-            // Stiff springs turn the rounding of the twist into forces of this size, N.
+            // Stiff springs turn rounding errors of the twist into forces of this size, N.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
@@ -80,8 +80,8 @@ impl LinearProblem {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves the friction forces of sliding contacts onto their cones and writes the residual `e_r = s_r · w_i` of each spring r to `e`. Returns
-    /// the imbalance `ρ = Σ G_i F_i + W` of contact forces and load.
+    /// Moves the friction forces of sliding contacts onto their cones and writes the residual e_r of each spring r (see the top of the file) to
+    /// `e`. Returns the imbalance `ρ = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     fn residual_of(
         &self,
         problem: &Problem,
@@ -123,8 +123,8 @@ impl LinearProblem {
     }
 }
 
-/// For a contact that slides on the round cone: the component of its residual displacement w in the tangential direction c perpendicular to the
-/// friction force F_t, `c·w` with `c = (-F_2, F_1) / |F_t|`. The direction is taken from the force, since w may have any direction before
+/// For a contact that slides on the round cone: the component `c·w` of its residual displacement w in the tangential direction c perpendicular
+/// to the friction force F_t, `c = (-F_2, F_1) / |F_t|`. The direction c is taken from the force, since w may have any direction before
 /// convergence.
 struct TransverseResidual {
     along: [DoubleDouble; 3],
@@ -163,7 +163,8 @@ fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3
     match state {
         Mode::Open | Mode::Sticking => {}
         Mode::Round(_) => {
-            // The distance of |F_t| from its limit follows from `limit² - |F_t|²`, computed in twice the working precision, without cancellation.
+            // The distance of the friction |F_t| from its limit follows from `limit² - |F_t|²`, which is computed in twice the working
+            // precision, so that no digits cancel.
             let length = force[1].high.hypot(force[2].high);
             let mut squares = DoubleDouble::default();
             squares.add_product_of_twice((limit.high, limit.low), limit);

@@ -1,4 +1,5 @@
-//! A contact with Tresca friction, whose limit, in N, is independent of the normal force: its force at a stretch, and its tangent stiffness.
+//! A contact with Tresca friction, whose limit, in N, is independent of the normal force: its force at a stretch of its springs, and its tangent
+//! stiffness.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,8 +14,8 @@ pub(super) struct Limited {
     opens: bool,
     slides: SlideDirections,
     cone: Coulomb,
-    /// Flag: true for a contact on the edge of its cone in a rate problem, whose unknowns are rates along a load path. Its friction limit is then the
-    /// rate of the actual limit, and may be negative.
+    /// Flag: true for a contact on the edge of its cone in a rate problem, whose unknowns are rates along a load path. The friction limit is
+    /// then the rate of the actual limit, and may be negative.
     is_rate: bool,
 }
 
@@ -42,7 +43,7 @@ struct AtLimit {
     state: Mode<u16>,
 }
 
-/// Response of a contact to a stretch, for a given friction limit: contact force, tangent stiffness and contact state.
+/// Response of a contact to a stretch of its springs, for a given friction limit: contact force, tangent stiffness and contact state.
 pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
@@ -53,9 +54,9 @@ pub(super) struct LimitedAnswer {
 }
 
 impl Limited {
-    /// The contact with its polygonal friction cone if `on_polygons` is true, otherwise with its round cone. `None` in two cases that Tresca friction
-    /// does not cover. The first is a contact that may open but never slides. The second is, in space, a contact on the edge of its cone in a rate
-    /// problem (for derivatives along a load path).
+    /// The contact with its polygonal friction cone if `on_polygons` is true, otherwise with its round cone. `None` in two cases that Tresca
+    /// friction does not cover. The first is a contact that may open but never slides. The second, in space, is a contact on the edge of its
+    /// cone in a rate problem (for derivatives along a load path).
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -76,8 +77,8 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, SlideDirections::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In space Tresca friction needs a whole polygon. In a rate problem the facets of a contact on the edge of its friction cone do not form a
-        // polygon.
+        // In space Tresca friction needs a complete friction polygon. In a rate problem the facets of a contact on the edge of its friction cone
+        // do not form a polygon.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,
@@ -117,8 +118,8 @@ impl Limited {
         answer
     }
 
-    /// The response if the tangential part of `force` exceeds the friction limit, otherwise `None`. `force` is the force that the springs would have
-    /// if the contact stuck.
+    /// The response at the friction limit `limit`, if the tangential part of `force` exceeds it, otherwise `None`. `force` is the force that the
+    /// springs would have if the contact stuck.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
         // Stiffness in the tangential directions perpendicular to `normal`, the outward normal of the limit curve of friction. In these directions
         // friction still changes with the stretch.
@@ -178,8 +179,8 @@ impl Limited {
         }
     }
 
-    /// The friction limit μ F_n of a normal force, N, at least zero. In a rate problem (for derivatives along a load path) the rate of the limit, of
-    /// either sign.
+    /// The friction limit μ F_n, N, at least zero, for the normal force F_n = `normal`. In a rate problem (for derivatives along a load path)
+    /// the rate of the limit, of either sign.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

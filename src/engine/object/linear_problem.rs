@@ -30,9 +30,10 @@ pub(crate) struct LinearProblem {
     pub(super) springs: Vec<Spring>,
     /// For each contact the index of its first spring in `springs`; a last entry is the number of springs.
     first: Vec<usize>,
-    /// An orthonormal basis of the motions that stretch no spring (A q = 0).
+    /// An orthonormal basis of the motions q that stretch no spring (A q = 0 with the matrix A of spring stretches).
     pub(super) free: Vec<Vector>,
-    /// An orthonormal basis of the motions along which no spring pushes (B q = 0). A load that does work along one of them cannot be balanced.
+    /// An orthonormal basis of the motions q along which no spring pushes (B q = 0 with the matrix B of push directions). A load that does work
+    /// along such a motion cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
     /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
     /// exactly, singular.
@@ -96,7 +97,8 @@ impl LinearProblem {
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
-    /// The orthogonal factors of A and B. If the band matrix is factorised already, they are computed on first use.
+    /// The orthogonal factors of the matrices A (spring stretches) and B (push directions). If the band matrix is factorised already, these
+    /// factors are computed on first use.
     pub(super) fn orthogonal(&self) -> &OrthogonalFactors {
         self.orthogonal.get_or_init(|| {
             let [stretches, pushes] =
@@ -116,7 +118,7 @@ impl LinearProblem {
         &self.orthogonal().stretches
     }
 
-    /// The rows of the springs of one contact, in the orthogonal factor Q of the stretch matrix A = Q R. The springs lie along the contact's axes.
+    /// The rows of a contact's springs in the orthogonal factor Q of the stretch matrix A = Q R. Each spring lies along an axis of the contact.
     /// Column a of the result is the row of the spring along axis a; it is zero without a spring.
     pub(crate) fn factor_rows(&self, contact: usize) -> Map {
         let mut rows = Map::zeros(self.size);
@@ -131,8 +133,8 @@ impl LinearProblem {
         self.band.is_some()
     }
 
-    /// The change of every coordinate, in the order of the band matrix, if a sticking contact pushes with given forces along its axes. The entries of
-    /// `pushes` are these forces divided by the square roots of the stiffnesses. `None` without a band matrix.
+    /// The change of every coordinate, in the order of the band matrix, if a sticking contact pushes with given forces along its axes. The
+    /// entries of `pushes` are these forces divided by the square roots of the stiffnesses. `None` without a band matrix.
     pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
@@ -168,8 +170,8 @@ impl LinearProblem {
         &self.free
     }
 
-    /// An orthonormal basis of the motions along which forces change but stay in balance, orthogonal to the free motions. If there is such a motion,
-    /// the forces in these contact states are not unique.
+    /// An orthonormal basis of the motions along which contact forces change but stay in balance, orthogonal to the free motions. If there is
+    /// such a motion, the forces in these contact states are not unique.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector> {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
@@ -186,10 +188,10 @@ impl LinearProblem {
         motions
     }
 
-    /// A virtual motion y along which no motion of the object changes the work of the springs: a left null vector of the tangent stiffness, `Σ G_i
-    /// C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. Of the left null vectors along which no spring pushes, it
-    /// is the one along which the load does the most work. If the load does no work along any of these, y is a left null vector along which springs
-    /// push, and along which offsets and load do work. `None` if offsets and load do no work along any left null vector.
+    /// A virtual motion y along which no motion of the object changes the work of the springs: a left null vector of the tangent stiffness, `Σ
+    /// G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. Of the left null vectors along which no spring
+    /// pushes, y is that along which the load does the most work. If the load does no work along any of these, y is a left null vector along
+    /// which springs push, and along which offsets and load do work. `None` if offsets and load do no work along any left null vector.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -223,7 +225,8 @@ impl LinearProblem {
         }
     }
 
-    /// Whether the springs can balance the load. They can if the load does no work, up to rounding, along any motion along which no spring pushes.
+    /// Whether the springs can balance the load. They can if the load does no work, up to rounding, along any motion along which no spring
+    /// pushes.
     pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         motion_of_work(&self.unbalanced, wrench).is_none()
     }
@@ -252,8 +255,8 @@ impl OrthogonalFactors {
         Self { stretches, pushes: Some((pushes, coupling)) }
     }
 
-    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance of forces `Bᵀx = -W`. If nothing slides, B = A, and the
-    /// factors of A are returned.
+    /// Orthogonal factors of the matrix B of push directions, which occurs in the balance `Bᵀx = -W` of spring forces x and load W. If nothing
+    /// slides, B equals the matrix A of stretches, and the factors of A are returned.
     pub(super) fn balance(&self) -> &Orthogonal {
         self.pushes.as_ref().map_or(&self.stretches, |(pushes, _)| pushes)
     }

@@ -1,4 +1,4 @@
-//! The load on the object, a wrench in twice the working precision.
+//! The load on the object in twice the working precision: a wrench and its rounding error.
 
 use crate::numerics::Vector;
 
@@ -24,7 +24,8 @@ impl Engine {
         Ok(Load { wrench: self.load_alone(load, what)?, rounding_error: self.inside_rounding_error(load) })
     }
 
-    /// The field `wrench` of [`Self::load`]: the sum of all loads in working precision, without its rounding error. Same errors.
+    /// The sum of all loads in working precision, without its rounding error: the field `wrench` of [`Self::load`]. The errors are those of
+    /// [`Self::load`].
     pub(crate) fn load_alone(&self, load: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         load.check_in(self.space(), what)?;
         Ok(self.load_unchecked(load))

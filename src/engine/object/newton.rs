@@ -1,4 +1,5 @@
-//! Newton's method for equilibrium. The force of each contact is a function of its own stretch alone, and so of the twist of the object.
+//! Newton's method for equilibrium. The force of each contact is a function of its own stretch alone, and the stretch follows from the twist of
+//! the object.
 //!
 //! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the offset a_i and the grasp map G_i. The stretch gives the contact force F_i and
 //! the contact state. Equilibrium under the load W is therefore a system of d piecewise smooth equations, one for each coordinate of the twist:
@@ -24,23 +25,22 @@ use crate::prelude::*;
 /// The imbalance of contact forces and load.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Imbalance {
-    /// The residual wrench `R = Σ G_i F_i + W`.
+    /// The residual wrench `R = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     pub(crate) left: Vector,
-    /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of R is proportional
-    /// to it.
+    /// Sum of the norms of the contact forces, N, and of other forces that the caller adds, such as the load. The rounding error of `left` is
+    /// proportional to it.
     pub(crate) size: f64,
 }
 
 impl Imbalance {
-    /// The imbalance of contact forces and a load. Its `size` is the sum of the norms of the contact forces plus `beside`, N, such as the norm of the
-    /// load, which is not included otherwise.
+    /// The imbalance of contact forces and a load. Its `size` is the sum of the norms of the contact forces plus `beside`, N. The caller may
+    /// pass the norm of the load as `beside`; it is not included otherwise.
     pub(crate) fn of(sites: &[Site], forces: &[SVector<f64, 3>], load: &Vector, beside: f64) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
         sites.iter().zip(forces).for_each(|(site, force)| sum.add(site, force));
         sum
     }
 
-    /// Adds the wrench of a contact force to `left`, and the norm of the force to `size`.
     fn add(&mut self, site: &Site, force: &SVector<f64, 3>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();
@@ -52,8 +52,8 @@ impl Imbalance {
     }
 }
 
-/// The law by which a contact responds: force and state from the contact's index, its stretch, and its last response. An iteration may start from the
-/// last response.
+/// The law by which a contact responds. It returns force and state from the contact's index, its stretch, and its last response, from which an
+/// iteration may start.
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
@@ -77,10 +77,10 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from the twist `twist`, until the imbalance is at most the fraction `settled` of the sum of the norms of contact forces and load
-/// and of `beside`, N. With `beside` the caller sets the imbalance `settled * beside` that is accepted even if all forces are zero, because it may be
-/// rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list `contacts` is
-/// overwritten: it finally holds the responses at the returned twist. Every contact starts open.
+/// Newton's method from the twist `twist`. It ends when the imbalance is at most the fraction `settled` of the sum of the norms of contact
+/// forces and load and of `beside`, N. The imbalance `settled * beside` is thus accepted even if all forces are zero, because it may be
+/// rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list `contacts`
+/// is overwritten: it finally holds the responses at the returned twist. Every contact starts open.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
 /// shorter step reduces it enough, the whole step is taken.
@@ -93,7 +93,7 @@ pub(crate) fn newton(
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     let mut response_at = respond(problem, (&twist, beside), contacts, response);
-    // Upper limit of the number of steps. As a rule Newton's method converges in a few steps, or not at all.
+    // Upper limit of the number of Newton steps. As a rule Newton's method converges in a few steps, or not at all.
     for steps in 0..20 {
         let norm = response_at.left.norm();
         if norm <= settled * response_at.size {
@@ -122,8 +122,8 @@ pub(crate) fn newton(
     None
 }
 
-/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its `size` is the sum of the
-/// norms of contact forces and load, plus `beside`, N (see [`newton`]).
+/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. The `size` of the imbalance
+/// is the sum of the norms of contact forces and load, plus `beside`, N (see [`newton`]).
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

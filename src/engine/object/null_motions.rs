@@ -22,14 +22,15 @@ use crate::prelude::*;
 /// All four lists are empty if T is regular.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
-    /// Null vectors n of T with A n = 0: motions that stretch no spring. Orthonormal.
+    /// Null vectors n of the tangent stiffness T that stretch no spring: A n = 0 with the matrix A of spring stretches. Orthonormal.
     pub(super) free: Vec<Vector>,
-    /// Null vectors n of T with A n ≠ 0: motions along which forces change but stay in balance. Orthonormal, and orthogonal to `free`.
+    /// Null vectors n of the tangent stiffness T that stretch springs (A n ≠ 0): forces change along n but stay in balance. Orthonormal, and
+    /// orthogonal to `free`.
     pub(super) neutral: Vec<Vector>,
-    /// Left null vectors z of T with B z = 0: virtual motions along which no spring pushes. Orthonormal.
+    /// Left null vectors z of the tangent stiffness T along which no spring pushes: B z = 0 with the matrix B of push directions. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,
-    /// Left null vectors z of T along which springs push (B z ≠ 0), each with its vector B z. These vectors, with an entry for each spring, are
-    /// orthonormal.
+    /// Left null vectors z of the tangent stiffness T along which springs push, each with its vector B z ≠ 0 for the matrix B of push
+    /// directions. The vectors B z have an entry for each spring and are orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
 
@@ -89,9 +90,9 @@ impl NullMotions {
     }
 
     /// Whether no spring forces can balance the load under the given contact offsets. `x` holds the scaled force of each spring that the offsets
-    /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces `x`. If
-    /// the load and these forces together do more work along z than rounding explains, they cannot be in balance. `growth` is the factor by which the
-    /// LU factors amplify rounding.
+    /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces
+    /// `x`. If the load and the forces `x` together do more work along z than rounding explains, they cannot be in balance. `growth` is the
+    /// factor by which the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: &dyn Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + (a * b).abs());
@@ -125,7 +126,7 @@ fn sorted_null_vectors(
             q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
         }
         let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);
-        // Gram–Schmidt orthogonalisation; the second pass removes the rounding of the first.
+        // Gram–Schmidt orthogonalisation against the null vectors found so far; the second pass removes the rounding of the first.
         for _ in 0..2 {
             for (known, of_known) in &found {
                 let along = v.dot(known);
@@ -151,8 +152,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if the norm of its stretches is at most this fraction of the largest stretch per unit motion of any spring. A motion
-        // that stretches even the softest springs exceeds the fraction 1e-6.
+        // A unit motion is free if the norm of the stretches that it causes is at most this fraction of the largest stretch of any spring under
+        // a unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;
@@ -160,8 +161,8 @@ fn sorted_null_vectors(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // The tangent stiffness T is singular along a motion if the spring forces of its stretches balance: their resultant wrench is at most this
-        // fraction of the norm of the stretches. The comparison is false for NaN.
+        // The tangent stiffness T is singular along a motion if the spring forces that it causes balance. Their resultant wrench is then at most
+        // this fraction of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

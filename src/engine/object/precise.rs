@@ -1,7 +1,7 @@
 //! Twist of the object and sum of forces and moments in twice the working precision.
 //!
 //! The residual of a stiff spring may be the difference of numbers 1e14 times as large. With grasp maps, load and twist in twice the working
-//! precision, solving again for the residual gives forces that are right to the last digit.
+//! precision, solving again for this residual gives forces that are correct to the last digit.
 
 use crate::numerics::{DoubleDouble, Size, Vector, WHOLE};
 
@@ -33,7 +33,7 @@ impl Precise {
         (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
-    /// The vectors `high` and `low` as arrays of fixed size; `None` if there are more coordinates than those of one object.
+    /// The parts `high` and `low` as arrays of fixed size; `None` if there are more coordinates than those of one object.
     #[inline(always)]
     fn arrays(&self) -> Option<DoublePrecisionPair<'_>> {
         Some([self.high.array()?, self.low.array()?])
@@ -98,7 +98,8 @@ impl PreciseTwist {
     }
 }
 
-/// The stretch `v - g·q` in twice the working precision; the scalar product has the first N components of the vectors `g` and `q`.
+/// The stretch `v - g·q` of a spring with offset v in twice the working precision, from the column g of a grasp map and the twist q. The scalar
+/// product has the first N components of `g` and `q`.
 #[inline(always)]
 fn less_products<const N: usize>(
     mut v: DoubleDouble,
@@ -122,7 +123,7 @@ impl PreciseBalance {
         Self(Precise::new(size, load.wrench.clone(), load.rounding_error.clone()))
     }
 
-    /// Adds the wrench of a contact's force component `force`, N, along its axis `axis`.
+    /// Adds the wrench of a contact whose force along its axis `axis` is `force`, N.
     pub(super) fn add(&mut self, site: &Site, axis: usize, force: DoubleDouble) {
         let (high, low) = (&mut self.0.high, &mut self.0.low);
         let of_one_object = site.whole_column_in_twice(axis);
@@ -149,7 +150,7 @@ impl PreciseBalance {
     }
 }
 
-/// Adds `times` times g to the first N components of the vector `high + low`.
+/// Adds `times · g` to the first N components of the vector `high + low`.
 #[inline(always)]
 fn add_multiple<const N: usize>(
     g: DoublePrecisionPair<'_>,
@@ -157,7 +158,7 @@ fn add_multiple<const N: usize>(
     high: &mut [f64; WHOLE],
     low: &mut [f64; WHOLE],
 ) {
-    // Copies cannot alias other data, so that the compiler adds several components at once.
+    // Copies cannot overlap other data in memory, so that the compiler adds several components at once.
     let (mut new_high, mut new_low) = (*high, *low);
     for k in 0..N {
         let mut sum = DoubleDouble { high: new_high[k], low: new_low[k] };

@@ -28,8 +28,8 @@ pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
     /// The friction polygon of every contact that has neither a polygon of its own nor an entry in `turned`.
     pub(crate) polygon: Arc<Polygon>,
-    /// For each contact its friction polygon, with a corner along the contact's friction force in the elastic trial, in which all contacts stick. If
-    /// the list is empty, contacts use their own polygon, or `polygon`.
+    /// For each contact its friction polygon, rotated until a corner lies along the contact's friction force in the elastic trial, in which all
+    /// contacts stick. If the list is empty, contacts use their own polygon, or `polygon`.
     pub(crate) turned: Vec<Polygon>,
     /// The present friction cone of each contact: the cone of the lower kinetic coefficient if the contact slides, else the cone of static friction.
     /// If the list is empty, every contact has static friction.
@@ -56,7 +56,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) near: &'g [State],
 }
 
-/// Three lists of a [`Problem`] with an entry for each contact. They are passed in so that a new problem reuses the memory of an earlier problem.
+/// Three lists of a [`Problem`] with an entry for each contact, passed in so that a new problem reuses the memory of an earlier problem.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ProblemLists {
     pub(crate) laws: Vec<Law>,
@@ -210,7 +210,7 @@ impl<'g> Problem<'g> {
         LocalLaws { problem: self, next: 0 }
     }
 
-    /// The values of the function `of` for the laws of all contacts, in the order of contacts.
+    /// The values of the function `of` for the laws of all contacts, in the order of the contacts.
     pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_>) -> T) -> Vec<T> {
         numbered(self.len(), &|contact| of(self.local(contact)))
     }
@@ -226,9 +226,9 @@ impl<'g> Problem<'g> {
         self.each(|local| local.trial_state())
     }
 
-    /// Contact states proposed for a rate problem, which determines derivatives of forces and twist along a load path. Contacts on the edge of their
-    /// cone slide, contacts at its apex open, and all others stick. This is the most common solution of a rate problem, and one linear solve checks
-    /// it.
+    /// Contact states proposed for a rate problem, which determines derivatives of forces and twist along a load path. Contacts on the edge of
+    /// their cone slide, contacts at the apex of their cone open, and all others stick. This is the most common solution of a rate problem, and
+    /// one linear solve checks it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }

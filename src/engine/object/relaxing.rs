@@ -1,5 +1,5 @@
-//! Relaxation of a stuck grasp: an artificial motion of the object, from the state in which every contact sticks towards a nearby equilibrium. It
-//! only selects the twist from which Newton's method starts.
+//! Relaxation of a stuck grasp: an artificial motion of the object, from the state in which every contact sticks towards a nearby equilibrium.
+//! Its only use is to select the twist from which Newton's method starts.
 //!
 //! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies next to the fingers. Newton's method from a distant
 //! start jumps from one equilibrium to another. Let R(q) be the imbalance of contact forces and load at the twist q, G_i the grasp map and K_i the
@@ -9,9 +9,10 @@
 //! q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
 //! ```
 //!
-//! At every twist the contact forces follow from the contact law, with slip where the spring force is beyond the friction cone. The object then moves
-//! as if every contact resisted its motion by a dashpot in proportion to its stiffness. Steps in nearly the same direction are made longer. The steps
-//! approach one equilibrium. It is stable, and as long as it remains stable, it varies continuously with loads, commands and friction.
+//! At every twist the contact forces follow from the contact law, with slip where the spring force is beyond the friction cone. The object then
+//! moves as if every contact resisted its motion by a dashpot in proportion to its stiffness. Steps in nearly the same direction are made
+//! longer. The steps approach one equilibrium. This equilibrium is stable, and as long as it remains stable, it varies continuously with loads,
+//! commands and friction.
 
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
@@ -23,10 +24,10 @@ use crate::prelude::*;
 
 /// The sequence of twists of the relaxation (see the top of the file), from the equilibrium in which everything sticks.
 ///
-/// It iterates over twists at which the object has nearly relaxed. At the first, the estimated remaining displacement is a hundredth of the
-/// displacement so far, at the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the imbalance R of
-/// forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's method finds no
-/// equilibrium from such a twist, the caller asks for the next twist.
+/// The iterator returns twists at which the object has nearly relaxed. At the first twist, the estimated remaining displacement is a hundredth
+/// of the displacement so far, at the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the
+/// imbalance R of forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's
+/// method finds no equilibrium from such a twist, the caller asks for the next twist.
 pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -74,8 +75,8 @@ impl Iterator for SpringDashpotRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // The estimated remaining displacement is `whole` times this step, if steps keep shrinking by the same ratio. Steps that grow, as past an
-            // unstable equilibrium, give no estimate.
+            // If steps keep shrinking by the same ratio, the estimated remaining displacement is `whole` times this step. Steps that grow, as
+            // past an unstable equilibrium, give no estimate.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {
                 let before = last.norm();

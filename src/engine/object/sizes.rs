@@ -28,8 +28,8 @@ pub(crate) fn largest_force(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The least spring force of all contacts is at most the spring force of the first contact. If the latter is below the largest force, the other
-    // contacts need not be evaluated.
+    // The least spring force of all contacts is at most that of the first contact. If the spring force of the first contact is below the largest
+    // force, the other contacts need not be evaluated.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm));
@@ -39,7 +39,7 @@ pub(crate) fn largest_force(
 }
 
 impl Problem<'_> {
-    /// The largest of the norms of the load of this problem and of the contact forces `forces`, N, but at least the lower bound of [`largest_force`].
+    /// The largest of the norms of the load of this problem and of the contact forces `forces`, N, with the lower bound of [`largest_force`].
     pub(crate) fn largest_force(&self, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
@@ -61,8 +61,8 @@ impl Problem<'_> {
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).list()
     }
 
-    /// Size, m, to which the rounding of a twist is proportional: the norm of the twist, plus the stretch of the stiffest spring under the force
-    /// `largest`, N. Opposite commands cancel, so that the norm alone may be zero.
+    /// Size, m, to which the rounding error of a twist is proportional: the norm of the twist, plus the stretch of the stiffest spring under the
+    /// force `largest`, N. Opposite commands cancel, so that the norm alone may be zero.
     pub(crate) fn size_of_motion(&self, twist: &Vector, largest: f64) -> f64 {
         twist.norm() + self.least_stretch(largest)
     }
@@ -105,7 +105,8 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, and the sum of the norms |F_i|, without the norm of the load.
+    /// The norm of the imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W, and the sum of the norms |F_i|,
+    /// without the norm of the load.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);
         (left.norm(), size)

@@ -84,8 +84,8 @@ impl LinearProblem {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is smaller than the correction before by a constant factor only. Refinement ends when a correction is
-            // at most this fraction of the largest force.
+            // With band factors each correction is smaller than the correction before only by a constant factor. Refinement ends when a
+            // correction is at most this fraction of the largest force.
             if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -101,8 +101,8 @@ impl LinearProblem {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // The forces `pushed` of the springs and `loaded` of the load may cancel. A remainder below the rounding of the larger of both is
-                // taken as zero.
+                // The generalised forces `pushed` of the springs and `loaded` of the load may cancel. A remainder below the rounding of the
+                // larger of both is taken as zero.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -190,8 +190,8 @@ impl LinearProblem {
         }
     }
 
-    /// Contact forces after the object has moved until they balance the load. `stretches` are the stretches of the contacts before this motion, m. A
-    /// component of the load that springs cannot balance is ignored.
+    /// Contact forces after the object has moved until they balance the load. `stretches` are the stretches of the contacts before the object
+    /// moves, m. A component of the load that springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
@@ -204,7 +204,8 @@ impl LinearProblem {
         self.forces(&x, problem.len())
     }
 
-    /// The scaled forces of all springs if the contacts have these stretches v: `x_r = s_r · v` for each spring r of a contact.
+    /// The scaled forces of all springs for given stretches v of the contacts: `x_r = s_r · v` for each spring r of a contact, along whose
+    /// vector s_r it is stretched.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);

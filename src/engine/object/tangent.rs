@@ -1,5 +1,6 @@
-//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of its force F_i with respect to
-//! its stretch in its present state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the imbalance R is
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of the contact force F_i
+//! with respect to the contact's stretch in its present state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the
+//! imbalance R is
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
@@ -108,9 +109,9 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects the forces and twist of `state` by at most three Newton steps. They end when the norm of the imbalance is at most the fraction `part` of
-/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the
-/// imbalance is still larger after these steps.
+/// Corrects the forces and twist of `state` by at most three Newton steps, which end when the norm of the imbalance is at most the fraction
+/// `part` of the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None`
+/// if the imbalance is still larger after these steps.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],
@@ -120,7 +121,7 @@ pub(crate) fn balance(
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;
-    // At most four imbalances are computed. One or two steps are enough if T is well conditioned.
+    // The imbalance is computed at most four times. One or two Newton steps are enough if T is well conditioned.
     for _ in 0..4 {
         let Imbalance { left, size } = Imbalance::of(sites, &state.forces, wrench, wrench.norm());
         if left.norm() <= part * size {

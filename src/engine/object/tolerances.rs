@@ -1,8 +1,8 @@
-//! Tolerances of `object`: a force, work or correction below one of them is taken as zero or as rounding. Also numbers of steps.
+//! Tolerances of `object`: a force, work or correction below a tolerance is taken as zero or as rounding. Also limits of numbers of steps.
 //!
-//! All of them are pure numbers. The tolerances are fractions of the forces, work or terms that are compared.
+//! All tolerances are pure numbers: fractions of the forces, work or terms that are compared.
 
-/// Along a unit motion along which no spring pushes, the work of a load is taken as zero up to this fraction of the load's norm. Loads that were
+/// The work of a load along a unit motion along which no spring pushes is taken as zero up to this fraction of the load's norm. Loads that were
 /// computed to balance carry rounding of about 1e-16.
 ///
 /// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance is
@@ -10,24 +10,24 @@
 pub(super) const NO_WORK: f64 = 1e-13;
 
 /// Forces below this fraction of the force that the displacements could cause in the springs are rounding. If commands alone move a statically
-/// determinate grasp, its exact forces are zero. The computed forces are then about 1e-45 of that spring force, after three projections. With this
-/// lower bound of the size of forces, such rounding errors are not compared with each other.
+/// determinate grasp, its exact contact forces are zero. The computed forces are then about 1e-45 of that spring force, after three projections.
+/// With this lower bound of the size of forces, such rounding errors are not compared with each other.
 ///
 /// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
-/// Iterative refinement ends once a correction changes no spring force by more than this fraction of the largest force: the next correction would be
-/// smaller by about the same factor. With factors of a band matrix only the first correction is compared with this fraction, later corrections with a
-/// smaller one.
+/// Iterative refinement ends once a correction changes no spring force by more than this fraction of the largest force: the next correction
+/// would be smaller by about the same factor. With factors of a band matrix only the first correction is compared with this fraction, later
+/// corrections with a smaller fraction.
 ///
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// Upper limit of the number of refinement steps. If the exact force is zero, each step leaves about 1e-16 of the force before it.
+/// Upper limit of the number of refinement steps. If the exact force is zero, each step reduces the computed force by a factor of about 1e-16.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Upper limit of the number of steps of the relaxation in `relaxing`, from the stuck grasp towards an equilibrium; as a rule ten to thirty steps are
-/// made. With fewer, Newton's method may return to an unstable equilibrium which the steps have passed.
+/// Upper limit of the number of steps of the relaxation in `relaxing`, from the stuck grasp towards an equilibrium; as a rule ten to thirty
+/// steps are made. With fewer steps, Newton's method may return to an unstable equilibrium that the relaxation has passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
 /// The object has nearly relaxed once its estimated remaining displacement is below this fraction of its displacement from the position at which
@@ -35,8 +35,8 @@ pub(super) const RELAXING_STEPS: usize = 300;
 /// one of 240 random scenes (test `needed_amounts`). With a smaller fraction there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// Two steps of the relaxation have nearly the same direction if the cosine of the angle between them is at least this number. The factor by which
-/// steps are made longer then doubles. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
+/// Two steps of the relaxation have nearly the same direction if the cosine of the angle between them is at least this number. The factor by
+/// which steps are made longer is then doubled. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
 /// Upper limit of the factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow

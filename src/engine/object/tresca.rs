@@ -9,10 +9,10 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      at the q for which  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that is
-//! lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces at the minimum follow new limits μ F_n, and the
-//! minimum is computed again. This is repeated until no contact changes its state and the limits hardly change, in at most 30 rounds. The states are
-//! a proposal: some may be wrong.
+//! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that
+//! is lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces F_n at the minimum follow new friction limits
+//! μ F_n, and the minimum is computed again. This is repeated until no contact changes its state and the limits hardly change, in at most 30
+//! rounds. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -29,14 +29,14 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// All contacts with given friction limits, N, and the twist's coordinates in an order that makes the band of the stiffness matrix narrow.
+/// All contacts with given friction limits, N, and the coordinates of the twist in an order in which the stiffness matrix is a narrow band.
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// List, contact after contact, of the coordinates that move a contact: the position of the coordinate in the narrow order, and the contact's
-    /// displacement per unit of the coordinate, in its contact frame.
+    /// List, contact after contact, of the coordinates that move a contact: the position of the coordinate in the order `numbers`, and the
+    /// contact's displacement per unit of the coordinate, in its contact frame.
     coupled: Vec<(usize, SVector<f64, 3>)>,
-    /// Position of each coordinate in the order that makes the band of the stiffness matrix narrow.
+    /// Position of each coordinate in an order in which the stiffness matrix is a narrow band.
     numbers: Vec<usize>,
     first: Vec<usize>,
     load: Vec<f64>,
@@ -46,7 +46,7 @@ struct GivenLimits {
 /// The forces and states of all contacts at a twist of the object, for given friction limits.
 struct ContactResponses {
     of: Vec<LimitedAnswer>,
-    /// The imbalance `Σ G_i F_i + W` of contact forces and load.
+    /// The imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     imbalance: Vec<f64>,
 }
 
@@ -177,18 +177,18 @@ impl GivenLimits {
         // 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
-        // Outer iterations, each with new friction limits.
+        // Rounds of the iteration, each with the friction limits from the normal forces of earlier rounds.
         for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = paired(&next, &self.limits, &|(next, last)| next - last);
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
             let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
-            // The iteration ends when friction limits change by less than this fraction and no contact changes its state.
+            // The rounds end when friction limits change by less than this fraction and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;
             }
-            // The first six iterations take the new limits; later iterations take the mean with the previous limits, which stops oscillation.
+            // The first six rounds take the new friction limits; later rounds take the mean with the previous limits, which stops oscillation.
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
@@ -203,8 +203,8 @@ impl GivenLimits {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).list()
     }
 
-    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends when the imbalance is at most `enough`, or
-    /// after ten steps. `None` if the stiffness matrix is not positive definite.
+    /// Newton's method from the twist `q` to the least energy with the given friction limits. It ends when the imbalance of forces is at most
+    /// `enough`, or after ten steps. `None` if the stiffness matrix is not positive definite.
     fn least_energy(
         &mut self,
         q: &mut Vec<f64>,
@@ -225,8 +225,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is shortened, at most eight times, while the energy of the file header still rises along it at its end. A
-                // rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
+                // Line search: the step is shortened, at most eight times, while the energy of the file header still rises along the step at its
+                // end. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;
@@ -234,7 +234,7 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // After a long step the regularisation is reduced, but not below this value.
+                // After a long step the fraction of the lost stiffness that the Newton matrix keeps is reduced, but not below this value.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

@@ -12,14 +12,15 @@ impl Problem<'_> {
     pub(crate) fn trial(&self) -> Arc<LinearProblem> {
         let make = || LinearProblem::new(self, &self.trial_states());
         match self.trial {
-            // Only grasps with few contacts and drives keep these factors, which take memory: searches are most often repeated for small grasps.
+            // Only grasps with few contacts and drives keep these factors, since they take memory, and searches are most often repeated for
+            // small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }
     }
 
-    /// The factorised linear problem with these contact states. For the states of the elastic trial it is the linear problem of `trial`, which the
-    /// grasp may have kept.
+    /// The factorised linear problem with these contact states. For the states of the elastic trial it is the linear problem of [`Self::trial`],
+    /// which the grasp may have kept.
     pub(crate) fn linear_problem(&self, states: &[State]) -> Arc<LinearProblem> {
         let trial_states = || self.locals().zip(states).all(|(local, state)| local.trial_state() == *state);
         if self.trial.is_some() && trial_states() {

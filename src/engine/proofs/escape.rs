@@ -1,5 +1,5 @@
-//! The safety factor against rounding of a linear contradiction, i.e. of a proof by Farkas' lemma that a load cannot be balanced. Rounding may hide
-//! from such a proof only an equilibrium whose forces are far larger than load and commands.
+//! The safety factor against rounding of a linear contradiction, i.e. of a proof by Farkas' lemma that a load cannot be balanced. Rounding may
+//! hide from such a proof only an equilibrium whose forces are far larger than load and commands.
 //!
 //! Let the generators g be vectors of length one. Contact forces and motions can produce exactly the sums `Σ s g` with coefficients s >= 0. Let a
 //! unit vector y have `y·g <= δ` for each generator, where δ is mere rounding. Then each of these sums has `y·Σ s g <= δ Σ s`. Hence a target t with
@@ -7,13 +7,13 @@
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
 
-/// Whether a unit vector y contradicts equilibrium under all loads on the line from one load to another, except very near its start. `value` is the
-/// work of the first load along y, `past` the work of the second load. `negative_work` is the largest magnitude of negative work that a generator
-/// does along y; in a proof it is mere rounding. `data` is the size of load and commands together, N. The load's work at the fraction t of the line
-/// is `(1 - t) value + t past`. A contradiction is accepted if an equilibrium that rounding hides from it would have forces larger than `data` by the
-/// factor [`ESCAPE`].
+/// Whether a unit vector y contradicts equilibrium under all loads on the line from one load to another, except very near its start. `value` is
+/// the work of the first load along y, `past` the work of the second load. `negative_work` is the largest magnitude of negative work that a
+/// generator does along y; in a proof it is mere rounding. `data` is the size of load and commands together, N. The load's work at the fraction
+/// t of the line is `(1 - t) value + t past`. A contradiction is accepted if an equilibrium that rounding hides from it would have forces larger
+/// than `data` by the factor [`ESCAPE`].
 pub(crate) fn counts_from_here_on(value: f64, past: f64, negative_work: f64, data: f64) -> bool {
-    // If this condition holds, loads at fractions t >= 1e-6 of the line are contradicted. Loads at a smaller t differ only by rounding from the load
-    // at which the path ended.
+    // If this condition holds, loads at fractions t >= 1e-6 of the line between the two loads are contradicted. Loads at a smaller t differ only
+    // by rounding from the load at which the path ended.
     ESCAPE * data * negative_work.max(LEAST_WORK) - value <= 1e-6 * (past - value)
 }

@@ -16,7 +16,8 @@
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; h then grows only once one of them opens.
+//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; the bound then grows only once one of
+//! these contacts opens.
 
 use crate::contact::Resistance;
 use crate::grasp::Space;
@@ -33,8 +34,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open, and the increase there of the derivative with respect to ρ of the
-    // bound h on the contacts' negative work.
+    // For each contact that may open: the radius ρ at which it may first open, and by how much the derivative with respect to ρ of the bound h
+    // on the contacts' negative work increases there.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -46,8 +47,9 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if largest_product > 0.0 {
                     openings.push((stretch[0].max(0.0) / largest_product, c * largest_product));
                 }
-                // The bound h (see the top of the file) has a negative term for a contact that is open at `at`. This term is cancelled here, since an
-                // open contact does no negative work at `at`. Elsewhere it does at most c times the distance by which it closes.
+                // The bound h (see the top of the file) has a negative term for a contact that is open at the motion `at`. This term is
+                // cancelled here, since an open contact does no negative work at `at`. Elsewhere it does at most c times the distance by which
+                // it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }
@@ -57,7 +59,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         site.map.push(&row, &mut slope);
         size += row.norm() * site.span(&problem.offsets[i], at);
     }
-    // Bound of the rounding of a sum, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
+    // Bound of the rounding error of a sum, relative to the sum of the sizes of its terms. It includes the rounding of products and grasp maps.
     let rounding = 64.0 * f64::EPSILON * (problem.len() as f64).max(8.0);
     let mut left = work - resisted - rounding * size;
     if left <= 0.0 {
@@ -72,7 +74,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         left -= growth * (from - rho);
         (rho, growth) = (from, growth + faster);
     }
-    // Rounding of the sums above reduces the radius, too.
+    // Rounding of the sums above reduces the radius of the proof, too.
     Some((rho + left / growth) * (1.0 - rounding))
 }
 

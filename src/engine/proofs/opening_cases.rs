@@ -1,5 +1,5 @@
-//! A proof that no equilibrium exists beyond a load, for contacts that are too many to try all their states. Each choice of open contacts leaves a
-//! convex problem.
+//! A proof that no equilibrium exists beyond a load, for contacts that have too many combinations of states to try them all. Each choice of open
+//! contacts leaves a convex problem.
 //!
 //! With the closed contacts chosen, contact forces F_i that balance the load W exist only if there are a motion q and friction forces with
 //!
@@ -39,8 +39,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact may open or has friction, and so has an inequality in the linear system. In this system the equations of equilibrium come first,
-/// then these inequalities in the order of contacts.
+/// Whether a contact may open or has friction, and so has an inequality in the linear system `Γ x + w = 0`. In this system the equations of
+/// equilibrium come first, then these inequalities in the order of contacts.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -55,9 +55,9 @@ fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// A vector with an entry for each equation and inequality of the linear system. First comes `wrench` plus the wrench that the springs of closed
-/// contacts exert at the stretches `stretch`, without friction. Then comes, for each contact with an inequality, its normal spring force at this
-/// stretch, with the opposite sign if the contact is open.
+/// A vector with an entry for each equation and inequality of the linear system `Γ x + w = 0`. First comes `wrench` plus the wrench that the
+/// springs of closed contacts exert at the stretches `stretch`, without friction. Then comes, for each contact with an inequality, its normal
+/// spring force at this stretch, with the opposite sign if the contact is open.
 fn response(
     problem: &Problem,
     open: &[bool],
@@ -83,7 +83,7 @@ fn response(
     w
 }
 
-/// The constant vector w of `Γ x + w = 0`, which results from offsets and load.
+/// The constant vector w of the linear system `Γ x + w = 0`, which results from offsets and load.
 fn constant(problem: &Problem, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.offsets[i], problem.wrench.clone())
 }

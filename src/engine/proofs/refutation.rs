@@ -20,8 +20,8 @@ use crate::grasp::Site;
 use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 
-/// A step of the proof, for the present case. Steps are in depth-first order: a division is followed by all steps of its second case, then by all
-/// steps of its first case.
+/// A step of the proof, for the present case of contact states. Steps are in depth-first order: a division is followed by all steps of its
+/// second case, then by all steps of its first case.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
     /// The present case is divided into two. In each case the label of this contact, which restricts its state, is one of the `halves`. Together the
@@ -64,11 +64,11 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the least factor by which an equilibrium that
-/// rounding hides is larger than the elastic trial state, as [`check`] does; `None` without a proof. In a rate problem (for derivatives along a load
-/// path) let every contact slide or open that may slide or open. With the tangent stiffness C_i and the grasp map G_i of contact i, the matrix Σ G_i
-/// C_i G_iᵀ may then have a left null vector. This is a virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other
-/// contact state, the contacts do no more negative work along y.
+/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the least factor by which an equilibrium
+/// that rounding hides is larger than the elastic trial state, as [`check`] does; `None` without a proof. In a rate problem (for derivatives
+/// along a load path) let every contact that may slide or open do so. With the tangent stiffness C_i and the grasp map G_i of contact i, the
+/// matrix Σ G_i C_i G_iᵀ may then have a left null vector. This is a virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one
+/// another. In any other contact state, the contacts do no more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion =
@@ -83,8 +83,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction. The size, in √J, is the norm of the
-/// stretches and forces of all contacts together. `None` if there is no contradiction.
+/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction of the case. The size, in √J, is the
+/// norm of the stretches and forces of all contacts together. `None` if there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
@@ -102,9 +102,9 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the balance of virtual forces. It is relative to the wrenches of these forces and of the spring forces that the virtual motion
-    // would cause. A smaller imbalance can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of this
-    // tolerance.
+    // Tolerance of the balance of virtual forces, relative to the wrenches of these forces and of the spring forces that the virtual motion
+    // would cause. A smaller imbalance can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of
+    // this tolerance.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

@@ -1,8 +1,8 @@
 //! A separating motion in many coordinates: the part of the load that no admissible contact forces balance.
 //!
-//! Some sum of admissible contact forces comes nearest to balancing the load, and leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian
-//! with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This force depends on a multiplier λ_i, which
-//! is the force of the contact in the last round of the method:
+//! Some sum of admissible contact forces f_i comes nearest to balancing the load W, and leaves the residual `v = Σ G_i f_i + W` with the grasp
+//! maps G_i. An augmented Lagrangian with penalty ρ finds this sum. Each contact responds to the motion v with a force f_i in its cone. This
+//! force depends on a multiplier λ_i, the force of the contact in the last round of the method:
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
@@ -25,15 +25,15 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The round friction cone of a contact, or one generator of a cone that is not round. In the augmented Lagrangian it responds to a motion with a
-/// force.
+/// The round friction cone of a contact, or one generator of a cone that is not round, as a part of the augmented Lagrangian. It responds to a
+/// motion with a force.
 struct PenalisedCone {
     /// The coordinates that the contact couples, each by its position in the order `numbers`, with its row of the contact's grasp map. The map is
     /// scaled so that a unit force along the first axis has a wrench of length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,
-    /// The multiplier λ_i: the force of this cone or generator in the last round.
+    /// The multiplier λ_i of the augmented Lagrangian: the force of this cone or generator in the last round.
     multiplier: SVector<f64, 3>,
 }
 
@@ -66,15 +66,15 @@ impl PenalisedCone {
     }
 }
 
-/// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) that makes the band of the Newton matrix
-/// narrow.
+/// The problem of the augmented Lagrangian: cones and load, with the coordinates in an order (`numbers`) in which the Newton matrix is a narrow
+/// band.
 struct AugmentedLagrangian {
     contacts: Vec<PenalisedCone>,
     numbers: Vec<usize>,
     /// The load, scaled to length one.
     load: Vec<f64>,
     band: PositiveBand,
-    /// The penalty ρ.
+    /// The penalty ρ of the augmented Lagrangian.
     penalty: f64,
 }
 
@@ -84,7 +84,7 @@ pub(super) enum Residual {
     Proof(Vector),
     /// There is a residual, but the rounds of the method did not make it a proof.
     Unclear,
-    /// There is no residual, since the load is balanced; or the method does not apply, since a law is not a cone.
+    /// There is no residual, since the load is balanced; or the method does not apply, since a contact law is not a cone.
     Nothing,
 }
 
@@ -96,15 +96,15 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow. They remove rounding from the
+    // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow, which remove rounding from the
     // separating motion, since users see it.
     while more < 6 && clearer < 4 {
-        // A round ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with the penalty ρ,
-        // afterwards the least value.
+        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with
+        // the penalty ρ, afterwards the least value.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A residual below this fraction of the load is taken as zero, and the load as balanced.
+        // A residual (the part of the load that no contact forces balance) below this fraction of the load is taken as zero.
         if left < 1e-5 {
             return Residual::Nothing;
         }
@@ -113,7 +113,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
-        // The penalty ρ grows tenfold in each round, up to this value. With a larger ρ the Newton steps would lose their digits.
+        // The penalty ρ grows tenfold in each round, up to this value. With a larger ρ the Newton steps would lose too many digits.
         if pushed.penalty < 1e8 {
             pushed.penalty *= 10.0;
         } else {
@@ -167,11 +167,11 @@ impl AugmentedLagrangian {
         Some(Self { contacts, numbers, load, band, penalty: 1e1 })
     }
 
-    /// One round: finds the residual v of `v - Σ G_i f_i = W` up to an error `enough`, and updates the multipliers. Returns the norm of the load that
-    /// contact forces do not balance; `None` if a factorisation fails.
+    /// One round: finds the residual v of `v - Σ G_i f_i = W` (contact forces f_i, grasp maps G_i, load W) up to an error `enough`, and updates
+    /// the multipliers. Returns the norm of the load that contact forces do not balance; `None` if a factorisation fails.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
-        // Upper limit of the number of Newton steps in a round.
+        // Upper limit of the number of Newton steps in a round of the method.
         for _ in 0..12 {
             if norm(&missing) <= enough {
                 break;
@@ -185,8 +185,8 @@ impl AugmentedLagrangian {
                 let next: Vec<f64> = paired(v, &step, &|(v, step)| v + step * part);
                 missing = self.missing(&next);
                 let rises = -dot(&missing, &step);
-                // Line search: the step is shortened, at most twelve times, while the convex function that the round minimises still rises at its
-                // end. A rate of rise along the step is accepted up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent.
+                // Line search: the step is shortened, at most twelve times, while the convex function that the round minimises still rises at
+                // the end of the step. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 12 {
                     *v = next;
                     break;
@@ -203,7 +203,7 @@ impl AugmentedLagrangian {
         Some(norm(&left))
     }
 
-    /// The imbalance `W + Σ G f - v` of the load W, the contact forces f with grasp maps G, and the residual v.
+    /// The imbalance `W + Σ G_i f_i - v` of the load W, the contact forces f_i with grasp maps G_i, and the residual v.
     fn missing(&self, v: &[f64]) -> Vec<f64> {
         let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).list();
         for contact in &self.contacts {

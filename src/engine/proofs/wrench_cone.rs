@@ -41,8 +41,8 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of its normal force to its force. With large friction this
-    /// ratio is small, so that a normal force as large as the load takes a large multiple of the generator.
+    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of the generator's normal force to its force. With
+    /// large friction this ratio is small, so that a normal force as large as the load takes a large multiple of the generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -59,8 +59,8 @@ pub(crate) struct NearestForces {
     pub(crate) coefficients: Vec<(Generator, f64)>,
 }
 
-/// The sum of generators nearest to a target. `straight` lists the generators of polygonal or one-dimensional cones. For a motion, `round` returns
-/// the generator of each round cone that does the most negative work along this motion.
+/// The sum of generators nearest to a target wrench. `straight` lists the generators of polygonal or one-dimensional cones. For a motion,
+/// `round` returns the generator of each round cone that does the most negative work along this motion.
 pub(crate) fn nearest_forces(
     size: Size,
     straight: &[Generator],
@@ -73,8 +73,8 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow the tags of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate. Above `MOST_COORDINATES` coordinates
-    // there are only the two hundred. Cones that are not round rarely need so many. If the target is near the boundary of the sum of round cones,
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES`
+    // coordinates only two hundred. Cones that are not round rarely need so many. If the target is near the boundary of the sum of round cones,
     // each new generator reduces the distance only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
@@ -90,7 +90,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator is not added if its negative work along the residual is below this fraction of the norm of the residual.
+        // A generator is added only if its negative work along the residual exceeds this fraction of the norm of the residual.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -114,8 +114,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// Size of the load and of the squeezing forces together, since fingers may squeeze with forces far larger than the load. A proof is accepted
-    /// only if an equilibrium that rounding hides would exceed this size by far.
+    /// Size of the load and of the squeezing forces together, since fingers may squeeze with forces far larger than the load. A proof is
+    /// accepted only if an equilibrium that rounding hides would exceed this size by far.
     data: f64,
 }
 
@@ -127,8 +127,8 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The residual of the load and the nearest admissible forces, as a unit motion; `None` unless it clearly separates the load from all admissible
-    /// forces.
+    /// The residual of the load after the nearest admissible contact forces, as a unit motion; `None` unless it clearly separates the load from
+    /// all admissible forces.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -137,7 +137,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion, however it was found, separates the load from all admissible forces, clearly beyond rounding.
+    /// Whether a motion from any source separates the load from all admissible contact forces, clearly beyond rounding.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));

@@ -75,7 +75,8 @@ pub(crate) struct SearchSolution {
 }
 
 impl SearchSolution {
-    /// A solution of a single search: no load path or polygonal cones led to it, and every motion of the object is resisted.
+    /// A solution of a single search: it was not reached along a load path or from polygonal cones, and springs resist every motion of the
+    /// object.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,

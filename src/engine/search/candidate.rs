@@ -11,12 +11,12 @@ use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
-/// Result of checking proposed contact states.
+/// Result of the check of proposed contact states.
 #[derive(Debug, Clone)]
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
     Violated {
-        /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
+        /// Whether the violation of a condition may be rounding. If so, the violation does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -42,7 +42,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: ForcesAndTwist,
-    /// Whether the violation of the condition may be rounding. It then does not prove that these states have no equilibrium.
+    /// Whether the violation of a condition may be rounding. If so, the violation does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
@@ -56,10 +56,10 @@ pub(super) fn admit(
 ) -> Result<SearchSolution, RejectedStates> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // To compute the factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this
-    // factor, so it is computed on demand.
+    // The factor by which the linear problem amplifies rounding errors costs as much as the factorisation. Most checks do not need this factor,
+    // so it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
-        // A violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
+        // A relative violation above `MOST_SLACK` exceeds every tolerance, however badly conditioned the linear problem is.
         worst > MOST_SLACK || worst > part && worst > part * growth.get_or_init(|| linear_problem.growth())
     };
     let mut shifted = None;
@@ -69,8 +69,8 @@ pub(super) fn admit(
     // times the factor by which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero
     // is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
-        // In these states the solution is not unique. The solution of least norm violates an inequality, but another solution may satisfy all
-        // inequalities.
+        // In these contact states the solution is not unique. The solution of least norm violates an inequality, but another solution may
+        // satisfy all inequalities.
         let mut motions = mapped(&free_motions, &|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         motions.extend(mapped(&neutral_motions, &|v| (v.clone(), linear_problem.forces_along(problem, v))));
         let (values, sizes) = slacks(problem, &states, &at);
@@ -82,18 +82,19 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // Violations are relative to the sizes before the shift: a shift is refused if it is so long that its rounding exceeds the tolerance.
+            // Violations of inequalities are relative to the sizes of terms before the shift. A shift is thus refused if it is so long that its
+            // rounding exceeds the tolerance.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a clear
-        // violation. The proposal is refused, but its failure proves nothing.
+        // A violation of up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a
+        // clear violation. The proposed states are refused, but this proves nothing.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
-    // Forces that leave an imbalance of more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
+    // Contact forces that leave an imbalance of more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(RejectedStates { states, at, doubtful: true });
     }
@@ -202,8 +203,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, &mut |rate, rate_size| {
-                // If the change of an inequality's value per unit motion is below this fraction of its size, it is rounding of zero. Otherwise a very
-                // long motion could seem to satisfy the inequality.
+                // If an inequality's value changes per unit motion by less than this fraction of its size, the change is rounding of zero.
+                // Otherwise a very long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

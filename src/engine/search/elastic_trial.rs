@@ -1,4 +1,4 @@
-//! Input and result of one method (rung) of the ladder, the sequence of methods that search for an equilibrium.
+//! Input and result of one method (rung) of the ladder. The ladder is the sequence of methods that search for an equilibrium.
 
 use alloc::sync::Arc;
 use core::cell::OnceCell;
@@ -12,8 +12,8 @@ use crate::numerics::mapped;
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every contact
-/// sticks. That solution breaks a condition.
+/// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every
+/// contact sticks. In that solution some contact breaks a condition.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
@@ -56,7 +56,7 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
     }
 }
 
-/// Result of one method (rung) of the ladder for one problem.
+/// Result of one method of the search (a rung of the ladder) for one problem.
 pub(super) enum Attempt {
     Found(SearchSolution),
     /// A proof that no equilibrium exists.
@@ -80,8 +80,8 @@ pub(super) struct SearchLog {
     pub(super) is_infeasible: bool,
 }
 
-/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps this
-/// direction, an inscribed polygon limits it exactly like the round cone.
+/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps
+/// this direction, an inscribed polygon limits it exactly like the round cone.
 pub(super) fn on_polygons<'g>(
     problem: &Problem<'g>,
     cone: PolygonCone,

@@ -1,4 +1,4 @@
-//! Trying every combination of contact states: a complete search, which takes acceptable time for a few contacts.
+//! The trial of every combination of contact states: a complete search, which takes acceptable time for a few contacts.
 
 use super::answer::SearchSolution;
 use super::candidate::CandidateOutcome;
@@ -22,14 +22,13 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
         if visit(states) {
             return;
         }
-        // Next combination: the first contact that has a state left takes it, and all contacts before it return to their first state.
+        // Next combination: the first contact that has another state left takes it, and all contacts before return to their first state.
         let Some(next) = (0..at.len()).find(|&i| at[i] + 1 < choices[i].len()) else { return };
         at[next] += 1;
         at[..next].fill(0);
     }
 }
 
-/// Result of trying combinations of contact states.
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
     pub(crate) found: Vec<SearchSolution>,
@@ -39,8 +38,8 @@ pub(crate) struct Enumerated {
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations of contact states or, if `first_only` is true, the combinations up to the first equilibrium. On the round cone Newton's
-/// method starts from the solution of each combination on polygonal cones, if that satisfies every condition.
+/// Tries all combinations of contact states or, if `first_only` is true, the combinations up to the first equilibrium. On the round cone
+/// Newton's method starts from the solution of each combination on polygonal cones, if that solution satisfies every condition.
 pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }

@@ -24,7 +24,8 @@ use crate::object::{Problem, SpringDashpotRelaxation, newton_on_cones, twist_by_
 use crate::prelude::*;
 use crate::{forms, proofs};
 
-/// A method of the ladder. `applies` is the condition under which the method is tried, and `climb` runs it.
+/// A method of the ladder, the sequence of methods of the search. `applies` is the condition under which the method is tried, and `climb` runs
+/// it.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
@@ -58,8 +59,8 @@ pub(super) const LADDER: [Rung; 9] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // With many contacts or coordinates the search for a separating motion costs less than any sequence of pivots, and ends early if no such
-        // motion exists.
+        // With many contacts or coordinates, the search for a separating motion costs less than any sequence of Lemke pivots, and ends early if
+        // no such motion exists.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -74,8 +75,8 @@ pub(super) const LADDER: [Rung; 9] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // This method also runs with few contacts and many coordinates. The augmented Lagrangian of `separating motion of many` then takes small
-        // residuals for zero. This method distinguishes them from zero.
+        // With few contacts and many coordinates, the augmented Lagrangian of `separating motion of many` takes small residuals for zero. This
+        // method distinguishes them from zero, so it runs there, too.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -148,8 +149,8 @@ fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
 
-/// Whether a complementarity problem may be solved with a dense matrix. With few contacts this is always allowed, with many only if the pivots take
-/// acceptable time.
+/// Whether a complementarity problem may be solved with a dense matrix. With few contacts this is always allowed, with many contacts only if the
+/// pivots take acceptable time.
 fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
@@ -185,9 +186,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium near which the relaxation ends, an artificial viscous motion of the object that starts at the elastic trial (`object/relaxing`).
-/// Newton's method starts from points of this motion. If it ends far from its start, the next point is tried, and the distant equilibrium is returned
-/// only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
+/// The equilibrium near which the relaxation ends, an artificial viscous motion of the object that starts at the elastic trial
+/// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried, and the
+/// distant equilibrium is returned only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -208,15 +209,15 @@ fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
-/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many coordinates
-/// it is found by an augmented Lagrangian, otherwise from the admissible forces nearest to the load.
+/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many
+/// coordinates an augmented Lagrangian finds it, otherwise it follows from the admissible forces nearest to the load.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
-/// Searches for a proof with few contacts: a motion that separates the load from all admissible contact forces. It is the residual wrench of the
-/// admissible forces nearest to the load.
+/// Searches for a proof with few contacts: a motion that separates the load from all admissible contact forces. This motion is the residual
+/// wrench of the admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
@@ -276,7 +277,7 @@ fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
             }
         };
     }
-    // A proof for the polygon would prove nothing for the round cone.
+    // On the round cone no combinations of states are tried, since a proof for the polygonal cone would prove nothing for the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }

@@ -1,5 +1,5 @@
-//! The position of the object in the solution if no spring resists some motions. The position q₀ closes, in the sense of least squares, the gaps of
-//! contacts that touched before anything moved. Of all admissible positions the nearest to q₀ is chosen.
+//! The position of the object in the solution if no spring resists some motions. The position q₀ closes, in the sense of least squares, the gaps
+//! of contacts that touched before anything moved. Of all admissible positions the nearest to q₀ is chosen.
 //!
 //! Forces do not depend on the motions that no spring resists (free motions), the columns of a matrix V. Any position `q = q₀ + V z` is a solution as
 //! long as gaps and slips keep their signs. These are conditions `c + g·z >= 0` on the coefficients z, with the value c of a gap or slip at q₀ and
@@ -42,7 +42,7 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
     for (i, (value, _)) in values.iter().enumerate() {
         let changes = changes.iter().map(|list| list[i]);
-        // A condition whose change along a unit motion is below this fraction of its size does not depend on that motion.
+        // A gap or slip whose change along a unit motion is below this fraction of its size does not depend on that motion.
         if changes.clone().any(|(change, size)| change.abs() > SOLVED_ROUNDING * size) {
             rows.push((*value, changes.map(|(change, _)| change).list()));
         }

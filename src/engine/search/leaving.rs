@@ -18,8 +18,8 @@ use crate::forms::{UnitDisplacements, kinematic_form_among, kinematic_states};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a run of Lemke's method: contact states, `linear_problem` in these states, and its solution `at`. The contacts that pivot
-/// stick.
+/// The start of a run of Lemke's method: contact states, `linear_problem` in these states, and its solution `at`. The contacts that pivot (may
+/// change their states) stick in it.
 struct PivotStart {
     states: Vec<State>,
     linear_problem: Arc<LinearProblem>,
@@ -34,8 +34,8 @@ impl PivotStart {
         Some(Self { states, linear_problem, at })
     }
 
-    /// This start with the contacts in `among` sticking; unchanged if they stick already. Otherwise `moved` is cleared: displacements per unit gap or
-    /// slip of a contact, which are no longer valid. `None` if the tangent stiffness is then singular.
+    /// This start with the contacts in `among` sticking; unchanged if they stick already. Otherwise the displacements per unit gap or slip of a
+    /// contact, `moved`, are no longer valid and are cleared. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -49,16 +49,16 @@ impl PivotStart {
     }
 }
 
-/// Contact states in which no contact breaks a condition, from Lemke's method on the contacts that break a condition in the elastic trial. `None` if
-/// it finds no such states.
+/// Contact states in which no contact breaks a condition, from Lemke's method on the contacts that break a condition in the elastic trial.
+/// `None` if the method finds no such states.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.trial_states, &scene.state);
-    // From this number of contacts that leave the elastic trial on, states from Tresca friction are computed first: a run of Lemke's method costs the
-    // cube of the number of contacts that pivot.
+    // From this number of contacts that leave the elastic trial on, states from Tresca friction are computed first, since the cost of a run of
+    // Lemke's method grows with the cube of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = PivotStart::of(problem, near)
@@ -67,7 +67,7 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // Starting from the states of Tresca friction, at most 400 contacts pivot, neighbours included.
+        // In a run that starts from the states of Tresca friction, at most 400 contacts pivot, neighbours included.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -76,8 +76,8 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (PivotStart { states, linear_problem, at }, leaving, 0), log)
 }
 
-/// Contact states in which no contact breaks a condition, from Lemke's method that starts at the states of a similar grasp. `None` if it finds no
-/// such states, or if many contacts leave the states of the similar grasp.
+/// Contact states in which no contact breaks a condition, from Lemke's method that starts at the states of a similar grasp. `None` if the method
+/// finds no such states, or if many contacts break a condition in the states of the similar grasp.
 pub(super) fn propose_near_a_similar_one(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -87,14 +87,14 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // With at most 24 leaving contacts the pivots from the states of the similar grasp take less time than pivots from the elastic trial.
+        // With at most 24 such contacts, pivots from the states of the similar grasp take less time than pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }
 }
 
-/// States from Lemke's method on the contacts `among`, by index. If it finds no solution, the neighbours of these contacts pivot as well, up to
-/// `most` contacts altogether.
+/// Contact states from Lemke's method on the contacts `among`, by index. If the method finds no solution, the neighbours of these contacts pivot
+/// as well, up to `most` contacts altogether.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -102,14 +102,14 @@ fn pivoted(
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let mut moved = UnitDisplacements::default();
-    // Upper limit of the number of rounds in which further contacts begin to pivot. A changed state disturbs neighbouring contacts, but less in each
-    // further round.
+    // Upper limit of the number of rounds in which further contacts begin to pivot (may change their states). A changed state disturbs
+    // neighbouring contacts, but less in each further round.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.linear_problem, &base.at, &among, &mut moved)?;
-        // Each run of Lemke's method may take 20 times the usual number of multiplications, if the caller sets no limit on pivots. That takes some
-        // seconds; every other method would then take minutes. A quick search may stay undecided and stops earlier.
+        // Each run of Lemke's method may take 20 times the usual number of multiplications, if the caller sets no limit on pivots. That takes
+        // some seconds, whereas every other method would take minutes. A quick search may stay undecided and stops earlier.
         let work = MOST_WORK.saturating_mul(if settings.is_quick { 5 } else { 20 });
         let proposed = propose_dense(problem, settings, (Some(form), work), kinematic_states, log);
         let Some(mut states) = proposed else {
@@ -147,10 +147,9 @@ fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &feels)
 }
 
-/// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most along it is
-/// made to stick; sticking contacts are left out. `None` if the tangent stiffness is still singular after all rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most along it,
+/// among those that do not stick yet, is made to stick. `None` if the tangent stiffness is still singular after all rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
-    // In at most eight rounds further contacts are made to stick.
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {

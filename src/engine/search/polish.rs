@@ -52,7 +52,7 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<ForcesAndTwis
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &|i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = ForcesAndTwist { forces, twist: Vector::zeros() };
-    // The refinement ends at this imbalance, a fraction of the forces, with which Newton's method may start.
+    // The refinement of this solution ends at an imbalance of this fraction of the forces, from which Newton's method may start.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
 }

@@ -63,8 +63,8 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and ends more searches than another run. Otherwise the
-    // search tries all contact states next, each combination at the cost of one linear system for the twist, so that bases of the complementarity
+    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and decides more searches than another run. Otherwise
+    // the search tries all contact states next. Each combination costs one linear system for the twist, so that bases of the complementarity
     // problem need not be enumerated.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
@@ -75,8 +75,8 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // The number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray. It is larger if there are too many
-        // combinations of states to try all of them next.
+        // The number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray. It is larger if there are too
+        // many combinations of contact states to try them all next.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);

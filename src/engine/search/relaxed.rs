@@ -17,7 +17,7 @@
 //! y·f⁰ = |y|² > 0,      y·(e + P (f - e)) <= δ    for every generator (e, f)
 //! ```
 //!
-//! where δ, nearly zero, is the largest of the products on the left of the second relation. The vector y contradicts every equilibrium whose
+//! Here δ, nearly zero, is the largest of the products on the left of the second relation. The vector y contradicts every equilibrium whose
 //! coefficients s have a sum below `|y|²/δ`.
 
 use nalgebra::SVector;
@@ -29,16 +29,16 @@ use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
-/// A generator of the hull of a contact law: the index of its contact, and its index among the generators of that contact.
+/// A generator of the convex hull of a contact law: the index of its contact, and its index among the generators of that contact.
 pub(super) type GeneratorIndex = (usize, usize);
 
 /// The equation `e + P (f - e) = f⁰` with the projector P, which expresses balance of forces f and compatibility of stretches e.
 pub(super) struct BalanceEquation {
-    /// The projector P, column by column.
+    /// The projector P of the equation, column by column.
     projector: Vec<f64>,
     /// The forces f⁰ of the elastic trial in energy units, scaled to length one.
     target: Vec<f64>,
-    /// The length of f⁰ before it was scaled, √J.
+    /// The norm of f⁰, the forces of the elastic trial in energy units, before it was scaled to one, √J.
     unit: f64,
     /// The square roots of stiffness, K^{1/2}, of each contact.
     roots: Vec<SVector<f64, 3>>,
@@ -92,7 +92,7 @@ impl BalanceEquation {
         NearestPoint::new(&self.target)
     }
 
-    /// Writes `e + P (f - e)` into `column`, with the stretch e and the force f of a generator of a contact, and the projector P.
+    /// Writes `e + P (f - e)` into `column`, with the projector P and the stretch e and force f of the generator `ray` of a contact.
     fn column(&self, contact: usize, ray: &HullRay, column: &mut Vec<f64>) {
         let size = self.target.len();
         column.clear();
@@ -107,7 +107,7 @@ impl BalanceEquation {
         }
     }
 
-    /// The projection `P y`, with the projector P of the equation.
+    /// Writes the projection `P y`, with the projector P of the equation, into `projected`.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();
@@ -117,7 +117,8 @@ impl BalanceEquation {
         }
     }
 
-    /// For each generator, with stretch e and force f, the scalar product of y with `e + P (f - e)`: `(1 - P) y` times e plus `P y` times f.
+    /// For each generator, with stretch e and force f, the scalar product of the vector `y` with `e + P (f - e)`, where P is the projector of
+    /// the equation and `projected` is P y.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],
@@ -133,9 +134,9 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves `nearest` to the point nearest to f⁰ in the cone that the generators of `hulls`, one hull for each contact, span. Returns
-    /// [`Relaxed::Contradicted`] if the distance of this point from f⁰ proves that the case has no equilibrium, otherwise the stretches and forces at
-    /// this point.
+    /// Moves `nearest` to the point nearest to the target f⁰ (forces of the elastic trial) in the cone that the generators of `hulls`, one
+    /// convex hull for each contact, span. Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ proves that the case has no
+    /// equilibrium, otherwise the stretches and forces at this point.
     pub(super) fn relax(
         &self,
         hulls: &[impl AsRef<[HullRay]>],
@@ -143,23 +144,24 @@ impl BalanceEquation {
     ) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have been added since the distance last shrank. They are not added again before it shrinks, so that the loop cannot cycle.
+        // Generators that have been added since the distance last decreased. They are not added again before it decreases, so that the loop
+        // cannot cycle.
         let mut tried: Vec<GeneratorIndex> = Vec::new();
         let mut least = f64::INFINITY;
-        // At most forty generators are added for each row of the equation.
+        // At most forty generators are added for each row of the equation that expresses balance and compatibility.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // The distance of the nearest point from f⁰, relative to f⁰, is taken as zero below this limit.
+            // The distance of the nearest point from the target f⁰ (scaled to length one) is taken as zero below this limit.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            // A distance that shrinks by less than this fraction is taken as unchanged.
+            // A decrease of the distance from the target by less than this fraction counts as no decrease.
             if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
-            // A generator is added if its work along the residual exceeds this fraction of the residual.
+            // A generator is added if its work along the residual exceeds this fraction of the norm of the residual.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works_of_generators(nearest.residual(), &projected, hulls) {
@@ -170,7 +172,7 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // Below the limit 1e-10, relative to f⁰, the distance is too close to rounding to prove a contradiction.
+                // A distance below this limit, for a target of length one, is too close to rounding to prove a contradiction.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
@@ -183,7 +185,7 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // The case is not clearly contradicted. The caller divides it further, which never excludes an equilibrium.
+        // The case is not clearly contradicted. The caller divides it into smaller cases, which never excludes an equilibrium.
         self.sum(hulls, nearest)
     }
 
@@ -204,8 +206,8 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The difference between f⁰ and the nearest point, written as a proof that a case has no equilibrium: a virtual motion of the object, and
-    /// virtual forces of the contacts that balance one another.
+    /// The difference between the target f⁰ (forces of the elastic trial) and the nearest point, as a proof that a case has no equilibrium: a
+    /// virtual motion of the object, and virtual forces of the contacts that balance one another.
     pub(super) fn contradiction(
         &self,
         trial: &LinearProblem,

@@ -1,8 +1,8 @@
 //! Newton's method in forces and twist together on the round cone. Each step solves the linear problem of the present contact states.
 //!
 //! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. If it were computed from the twist alone
-//! (`object/newton`), its rounding would determine the contact state. Here forces are unknowns, too. The linear problem of the present states is
-//! solved in twice the working precision (`object/correction`); then contacts whose inequalities fail change their states.
+//! (`object/newton`), its rounding error would determine the contact state. Here forces are unknowns, too. The linear problem of the present
+//! states is solved in twice the working precision (`object/correction`); then contacts whose inequalities fail change their states.
 
 use nalgebra::SVector;
 
@@ -23,7 +23,7 @@ pub(super) struct RoundPieces {
     twist: PreciseTwist,
 }
 
-/// How small the changes of forces and twist were in a Newton step. Each flag is true if they were at most the bounds named.
+/// Sizes of the changes of forces and twist in a Newton step. Each flag is true if the changes were at most the bounds named.
 struct NewtonChange {
     /// The twist changed by at most 1e-14 of its norm, and each force by at most 1e-14 of itself plus 1e-20 of the largest force.
     sharp: bool,
@@ -72,8 +72,8 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);
-            // A twist longer than this multiple of the initial twist and offsets is refused: hardly a digit of the contacts' stretches is then
-            // correct. Near a jamming angle the twist may grow so much, although another method finds an equilibrium close by.
+            // A twist longer than this multiple of the initial twist and offsets is refused, since hardly a digit of the contacts' stretches is
+            // then correct. Near a jamming angle the twist may grow so much although another method finds an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
@@ -81,8 +81,8 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &linear_problem) {
                 return Some(found);
             }
-            // If nothing resists some motion, the gaps that it changes are arbitrary: open contacts then stay open until Newton's method has
-            // converged.
+            // If no spring resists some motion, the gaps that this motion changes are arbitrary: open contacts then stay open until Newton's
+            // method has converged.
             let closing = sharp || linear_problem.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
@@ -102,8 +102,8 @@ impl RoundPieces {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
             let limit = local.cone().limit(force[0]);
-            // A friction force may differ from its limit by this fraction of the largest force. A step that turns the friction force by a small angle
-            // moves it off the cone by the square of this angle.
+            // A friction force may differ from its limit by this fraction of the largest force. A Newton step that turns the friction force by a
+            // small angle moves it off the cone by the square of this angle.
             state.slide().is_none() || (tangential_norm(force) - limit).abs() <= 1e-14 * largest.max(limit)
         })
     }
@@ -115,17 +115,18 @@ impl RoundPieces {
         let missing = linear_problem.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        // The step is the last if it changes the twist and each force by less than this fraction of themselves.
+        // Newton's method has converged if a step changes the twist and each force by less than this fraction of themselves.
         let last = 1e-14;
         // If only rounding determines the direction of a small force, no step is `sharp`. But a step that changes each force by less than this
-        // fraction of itself leaves a relative error of only its square. The rounding error of the largest force is allowed in addition.
+        // fraction of itself leaves a relative error of only the square of the fraction. The rounding error of the largest force is allowed in
+        // addition.
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
             *force += missing;
-            // `sharp` allows each force a change of 1e-20 of the largest force: below that no force has a correct digit. `settled` allows 1e-15 of
-            // the largest force, its rounding error. Each contact is compared with its own force, since a small force may still turn while large ones
-            // have settled.
+            // `sharp` allows each force a change of 1e-20 of the largest force: below that no force has a correct digit. `settled` allows 1e-15
+            // of the largest force, its rounding error. Each contact's change is compared with its own force, since a small force may still turn
+            // while large forces have settled.
             sharp &= missing.norm() <= last * force.norm() + 1e-20 * largest;
             near &= missing.norm() <= little * force.norm();
             settled &= missing.norm() <= little * force.norm() + 1e-15 * largest;
@@ -151,8 +152,8 @@ impl RoundPieces {
         admit(problem, states, linear_problem, at).ok()
     }
 
-    /// Whether a motion that no spring seems to resist turns the friction force of a sliding contact. The resistance of friction to such a motion is
-    /// lost in the rounding of the stiffest spring. The component of the solution along this motion is then not known.
+    /// Whether a motion that no spring seems to resist turns the friction force of a sliding contact. Friction resists such a motion, but its
+    /// resistance is lost in the rounding of the stiffest spring. The component of the solution along this motion is then not known.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
@@ -172,7 +173,7 @@ impl RoundPieces {
             let precise =
                 |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
             let stretch = by_axis(precise);
-            // A state changes if its inequality fails by more than this fraction of its terms.
+            // The state of a contact changes if an inequality of the state fails by more than this fraction of its terms.
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
@@ -204,7 +205,7 @@ fn next_state(
         _ if local.may_open() && force[0] < -rounding => opened(force),
         _ if !local.may_slide() => *state,
         _ => {
-            // The stretch of a stiff spring is computed from its force: the displacements determine it only up to their rounding error.
+            // The stretch of a stiff spring is computed from its force: the displacements determine the stretch only up to their rounding error.
             let give = local.springs.deflection(force);
             let known =
                 by_axis(|axis| if axis == 0 || state.is_sticking() { give[axis] } else { stretch[axis] });
@@ -217,7 +218,7 @@ fn next_state(
                     answer.state
                 }
                 // A contact with a friction force opens if its normal force is zero up to rounding, since without a normal force no friction is
-                // possible. Otherwise the contact keeps sticking.
+                // possible. A contact without a friction force keeps sticking.
                 Mode::Open if local.may_open() && rubs => opened(force),
                 _ => Mode::Sticking,
             }
@@ -231,6 +232,6 @@ fn balanced(problem: &Problem, at: &ForcesAndTwist) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };
-    // Forces may be out of balance by this fraction of load and forces, since a load that results from a computation has rounding errors.
+    // Forces may be out of balance by this fraction of load and forces, since a load that was itself computed has rounding errors.
     left <= 1e-13 * (scale + carried)
 }

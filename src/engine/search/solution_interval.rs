@@ -16,17 +16,17 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// Looks, in the plane, for a solution with the same forces in states that allow a free motion: contacts on the edge of their cone slide, and
-/// contacts without force are open. Returns `found` itself in space, and if these states break a condition, change forces or have no further free
-/// motion.
+/// contacts without force are open. Returns `found` itself in space. Also returns `found` itself if these states break a condition, change
+/// forces or have no further free motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
-    // In space a tangential spring perpendicular to the slip still resists, so that no motion stays free. Searches that start near given states do
-    // not report such motions.
+    // In space a tangential spring perpendicular to the slip still resists, so that no motion stays free. Searches that start near given contact
+    // states do not report free motions of this kind.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
-    // Forces that differ by less than this fraction of the largest are equal.
+    // Forces that differ by less than this fraction of the largest force are equal.
     let are_the_same = |other: &SearchSolution| {
         found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest)
     };

@@ -1,7 +1,7 @@
 //! Limits that several methods of the search for an equilibrium share: numbers of contacts, covering vectors and multiplications.
 
-/// Number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray, if all combinations of states are tried next.
-/// Each run costs as much as the first.
+/// Number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray, if all combinations of contact states
+/// are tried next. Each run costs as much as the first.
 ///
 /// If smaller, equilibria that a second run finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;
@@ -24,9 +24,10 @@ pub(super) const SEVERAL_CONTACTS: usize = 8;
 /// equilibria are missed.
 pub(super) const MOST_WORK: usize = 500_000_000;
 
-/// An artificial viscous motion leads from the elastic trial towards an equilibrium (`object/relaxing`), and Newton's method continues from points of
-/// this motion. Newton's method has found that equilibrium if its result is nearer to its start than this fraction of the displacement so far.
+/// An artificial viscous motion leads from the elastic trial towards an equilibrium (`object/relaxing`), and Newton's method continues from
+/// points of this motion. Newton's method has found that equilibrium if its result differs from its start by less than this fraction of the
+/// displacement so far.
 ///
-/// If smaller, equilibria are refused if the motion is slow and more of it remains than its steps suggest. If larger, other equilibria, to which only
-/// a jump of Newton's method leads, are taken for that equilibrium.
+/// If smaller, that equilibrium is refused if the motion is slow and more of it remains than its steps suggest. If larger, other equilibria, to
+/// which only a jump of Newton's method leads, are taken for it.
 pub(super) const NEAR_THE_RELAXED_STATE: f64 = 0.3;

@@ -6,26 +6,26 @@ use crate::contact::{Mode, State};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// Starting from the contact states `states` with the solution `trial`, opens contacts that pull and closes open contacts that penetrate, until there
-/// are none of either kind. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus a finger
-/// far from the object does not change the equilibrium.
+/// Starting from the contact states `states` with the solution `trial`, opens contacts that pull and closes open contacts that penetrate, until
+/// no contact pulls or penetrates. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus
+/// a finger far from the object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
     trial: ForcesAndTwist,
 ) -> Option<SearchSolution> {
     let mut solved = trial;
-    // `linear_problem` is `None` in the first round: the initial states have already failed, and are not checked again.
+    // `linear_problem` is `None` in the first round: the initial states have already failed the check, and are not checked again.
     let mut linear_problem = None;
     let mut changed = Vec::new();
-    // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With more,
-    // all of them change together.
+    // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With
+    // more contacts, all of them change together.
     let one_by_one = 64;
-    // Every contact usually changes once; this limit of rounds ends cycles.
+    // Every contact usually changes its state once; this limit of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // With few contacts one contact opens at a time: it may make other contacts pull, which no longer pull once it is open. The first to open is
-        // the contact with the largest initial gap.
+        // With few contacts one contact opens at a time: as long as it pulls, other contacts may pull that would not once it is open. The
+        // contact with the largest initial gap opens first.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
         let may_open = |i: &usize| problem.local(*i).may_open();

@@ -43,8 +43,9 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether branch and bound is needed, since some contact has a round cone. Otherwise trying all combinations of states is a complete search. False
-/// if a contact is on the edge of its cone in a rate problem (for derivatives along a load path): the law of such a contact is a plane facet.
+/// Whether branch and bound is needed because some contact has a round cone. Otherwise trying all combinations of states is a complete search.
+/// False if a contact is on the edge of its cone in a rate problem (for derivatives along a load path): the law of such a contact is a plane
+/// facet.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -52,7 +53,7 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
 /// are too many contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
-    // With more than 32 contacts the search would reach its limit of cases without a result.
+    // With more than 32 contacts branch and bound would reach its limit of cases without a result.
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
@@ -101,7 +102,7 @@ pub(super) fn search_tree(
             return BranchAndBound::Unresolved(Doubt::Inaccurate);
         }
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
-        // Newton's method starts from every fourth case only, since it costs as much as a few cases.
+        // Newton's method starts from every fourth case only, since it takes as long as a few cases.
         let every = 4;
         // If the forces differ from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding.
         // Newton's method then starts from this case, too.
@@ -135,8 +136,8 @@ pub(super) fn search_tree(
     }
 }
 
-/// Searches for a proof that no equilibrium exists on the round cone. Returns its steps (divisions into cases, and contradictions) and the number of
-/// all cases. `None` if the search finds an equilibrium, reaches its limit of cases, or does not apply.
+/// Searches for a proof that no equilibrium exists on the round cone. Returns the steps of the proof (divisions into cases, and contradictions)
+/// and the number of all cases. `None` if the search finds an equilibrium, reaches its limit of cases, or does not apply.
 pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<ProofStep>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {
@@ -151,9 +152,9 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
     }
 }
 
-/// The contact whose label to divide next, and the largest distance of all contacts. The distance of a contact is the difference between its force
-/// and the force that its law gives at its stretch. It is measured in energy units, as a fraction of the norm of the elastic trial state. The contact
-/// with the largest distance is divided; distances count three times for contacts whose label restricts nothing yet.
+/// The contact whose label is to be divided next, and the largest distance of all contacts. The distance of a contact is the difference between
+/// its force and the force that its law gives at its stretch. It is measured in energy units, as a fraction of the norm of the elastic trial
+/// state. The contact with the largest distance is divided; distances count three times for contacts whose label restricts nothing yet.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,

@@ -1,7 +1,7 @@
 //! Contacts that touch without force neither stick nor slide. They are reported as open, with a gap of zero.
 //!
 //! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
-//! nothing. Hence the solution with all such contacts open has the same forces, and this solution is always returned.
+//! nothing. Hence the solution with all such contacts open has the same forces, and it is always this solution that is returned.
 
 use nalgebra::Matrix;
 
@@ -39,10 +39,11 @@ pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> Sear
 }
 
 /// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if opening them would
-/// change forces or leave a gap. `None` also if no contact carries a force, because there is then no scale for a small force.
+/// change forces or leave a gap. `None` also if no contact carries a force, because there is then nothing with which a small force could be
+/// compared.
 fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let largest = largest(&found.forces, &Matrix::norm);
-    // Gaps are compared with the largest displacement of all contacts, since a contact may have no displacement as a scale.
+    // Gaps are compared with the largest displacement of all contacts, since the displacement of a single contact may be zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);
     let mut states = found.states.clone();
@@ -65,7 +66,7 @@ fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let linear_problem = LinearProblem::new(problem, &states);
     let ForcesAndTwist { forces, .. } =
         linear_problem.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-    // Forces that differ by less than this fraction of the largest are the same.
+    // Forces that differ by less than this fraction of the largest force are the same.
     let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
     let free_motions = linear_problem.free_motions().to_vec();
     let neutral_motions = linear_problem.neutral_motions();

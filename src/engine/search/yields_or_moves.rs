@@ -28,7 +28,6 @@ fn whole(draw: &mut Draw, most: f64) -> f64 {
     (draw.normal() * most).round().clamp(-most, most)
 }
 
-/// A random whole number from 0 to `count - 1`.
 fn one_of(draw: &mut Draw, count: usize) -> usize {
     (0..16).fold(0, |bits, _| 2 * bits + usize::from(draw.sign() > 0.0)) % count
 }
@@ -111,8 +110,8 @@ fn in_space() {
     let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
     while count.asked < 4_000 {
         let number = 3 + one_of(&mut draw, 3);
-        // Contacts lie around a circle. In most draws their heights, stiffnesses and friction are equal, so that often all of them slide or open at
-        // once.
+        // Contacts are placed around a circle. In most draws their heights, stiffnesses and friction are equal, so that often all of them slide
+        // or open at once.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
         let first_angle = draw.normal();
         let contact = |i: usize| {

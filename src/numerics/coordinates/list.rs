@@ -41,7 +41,7 @@ impl List {
         }
     }
 
-    /// The first N numbers, including zeros beyond the end of the list. `None` for a list of more than N numbers or on the heap, or if N exceeds
+    /// The list as an array of N numbers, with zeros beyond its end. `None` for a list of more than N numbers or on the heap, or if N exceeds
     /// [`IN_PLACE`].
     #[inline]
     pub(super) fn fixed<const N: usize>(&self) -> Option<&[f64; N]> {

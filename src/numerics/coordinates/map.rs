@@ -40,7 +40,7 @@ impl Map {
         self.size
     }
 
-    /// The stored rows, in order; all other rows are zero.
+    /// The indices of the stored rows, in order; all other rows are zero.
     pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.entries.row_count(self.size)).map(|position| self.entries.row(position))
     }
@@ -98,7 +98,7 @@ impl Map {
         for (k, x) in column.iter().enumerate() {
             self.entries.set(k, a, *x);
         }
-        // Components beyond the end of a list are zero.
+        // Components beyond the end of `column` are zero.
         for position in 0..self.entries.row_count(self.size) {
             let k = self.entries.row(position);
             if k >= column.len() {
@@ -113,7 +113,7 @@ impl Map {
         }
     }
 
-    /// The product of this map and a matrix K, `by`; added column by column in nalgebra's order.
+    /// The product `G K` of this map G and the matrix K in `by`, added column by column in nalgebra's order, so that the bits agree.
     #[inline]
     pub(crate) fn times(&self, by: &SMatrix<f64, 3, 3>) -> Self {
         let mut product = Self::zeros(self.size);
@@ -126,20 +126,20 @@ impl Map {
         product
     }
 
-    /// The product `Gᵀv` of this map G, transposed, and a vector.
+    /// The product `Gᵀv` of this map G, transposed, and a vector v over the coordinates.
     #[inline]
     pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, 3> {
         self.entries.tr_mul(self.size, &v.0)
     }
 
-    /// Adds the product `G f` of this map G and a force to a vector.
+    /// Adds the product `G f` of this map G and a contact force f to a vector.
     #[inline]
     pub(crate) fn push(&self, f: &SVector<f64, 3>, to: &mut Vector) {
         to.grow(self.size);
         self.entries.add_mapped(f, &mut to.0);
     }
 
-    /// The norm `|G f|` of the product of this map G and a force.
+    /// The norm `|G f|` of the product of this map G and a contact force f.
     #[inline]
     pub(crate) fn pushed_norm(&self, f: &SVector<f64, 3>) -> f64 {
         self.entries.mapped_square(self.size, f).sqrt()

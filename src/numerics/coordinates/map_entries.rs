@@ -110,7 +110,7 @@ impl MapEntries {
         }
     }
 
-    /// Adds the product `G f` of this matrix G and a force to a list that has all coordinates.
+    /// Adds the product `G f` of this matrix G and a contact force f to a list that has all coordinates.
     #[inline]
     pub(super) fn add_mapped(&self, f: &SVector<f64, 3>, to: &mut List) {
         match self {
@@ -131,7 +131,7 @@ impl MapEntries {
         }
     }
 
-    /// The squared norm `|G f|²` of the product of this matrix G and a force.
+    /// The squared norm `|G f|²` of the product of this matrix G and a contact force f.
     #[inline]
     pub(super) fn mapped_square(&self, size: Size, f: &SVector<f64, 3>) -> f64 {
         match self {
@@ -150,7 +150,7 @@ impl MapEntries {
         }
     }
 
-    /// The product `Gᵀv` of this matrix G, transposed, and the vector `list`; numbers beyond the end of the list are zero.
+    /// The product `Gᵀv` of this matrix G, transposed, and a vector v, given by `list`; components beyond the end of `list` are zero.
     #[inline]
     pub(super) fn tr_mul(&self, size: Size, list: &List) -> SVector<f64, 3> {
         let mut product = SVector::zeros();
@@ -174,7 +174,6 @@ impl MapEntries {
         product
     }
 
-    /// The squared norm of a column.
     pub(super) fn column_square(&self, a: usize, size: Size) -> f64 {
         match self {
             Self::Whole(columns) => dot_whole(&columns[a], &columns[a]),
@@ -186,7 +185,7 @@ impl MapEntries {
         }
     }
 
-    /// The product `G f` of this matrix G and a force, if all rows are stored; otherwise zero.
+    /// The product `G f` of this matrix G and a contact force f, if all rows are stored; otherwise zero.
     #[inline]
     fn mapped(&self, f: &SVector<f64, 3>) -> [f64; WHOLE] {
         let mut sum = [0.0; WHOLE];
@@ -204,7 +203,7 @@ impl MapEntries {
 impl FewRows {
     fn entry_mut(&mut self, k: usize, a: usize, columns: usize) -> &mut f64 {
         let position = self.rows.binary_search(&k).unwrap_or_else(|position| {
-            // Starts with the last column, so that positions in earlier columns stay valid.
+            // Zeros are inserted from the last column to the first, so that positions in earlier columns stay valid.
             (0..columns).rev().for_each(|a| self.entries.insert(a * self.rows.len() + position, 0.0));
             self.rows.insert(position, k);
             position
@@ -219,7 +218,7 @@ impl FewRows {
         self.rows.iter().copied().zip(self.entries[a * count..(a + 1) * count].iter().copied())
     }
 
-    /// The component of the product of this matrix and `f` in the stored row at this position.
+    /// The component of the product of this matrix and `f` in the stored row number `position`.
     #[inline]
     fn mapped(&self, position: usize, f: &[f64]) -> f64 {
         let mut sum = 0.0;
@@ -231,7 +230,7 @@ impl FewRows {
         sum
     }
 
-    /// The product of a column with a vector of `count` components; components beyond the end of its list are zero.
+    /// The dot product of column `a` with a vector of `count` components; components beyond the end of `list` are zero.
     #[inline]
     fn tr_mul_column(&self, a: usize, count: usize, list: &[f64]) -> f64 {
         let end = count.min(list.len());

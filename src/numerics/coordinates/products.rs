@@ -2,7 +2,6 @@
 
 use super::size::WHOLE;
 
-/// The list as an array; `None` unless it has N numbers.
 #[inline]
 pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
     list.try_into().ok()
@@ -62,7 +61,7 @@ impl SumLanes {
 pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
     let rows = to.len().max(1);
     for (column, times) in columns.chunks_exact(rows).zip(times) {
-        // Many components of the vector are zero.
+        // Many components of the vector `times` are zero, so this test saves time.
         if *times != 0.0 {
             for (sum, entry) in to.iter_mut().zip(column) {
                 *sum += entry * times;

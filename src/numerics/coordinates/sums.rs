@@ -15,7 +15,7 @@ macro_rules! sums {
                 let other = other.as_slice();
                 self.0.grow(other.len());
                 let to = self.0.slice_mut();
-                // For six coordinates the compiler knows the length of the vectors.
+                // With exactly six coordinates the compiler knows the length of the loop.
                 if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
                     for k in 0..WHOLE {
                         to[k].$operate_assign(other[k]);

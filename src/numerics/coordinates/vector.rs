@@ -42,7 +42,7 @@ impl Vector {
         Self::from_fn(Size::of(components.len()), |k| components[k])
     }
 
-    /// The zero vector with one stored component per coordinate.
+    /// The zero vector with one stored component per coordinate; other zero vectors store none.
     #[inline]
     pub(crate) fn all_zero(size: Size) -> Self {
         Self(List::zeros(size.count()))
@@ -66,7 +66,7 @@ impl Vector {
         let other = other.as_slice();
         self.0.grow(other.len());
         let to = self.0.slice_mut();
-        // For six coordinates the compiler knows the length of the vectors.
+        // With exactly six coordinates the compiler knows the length of the loop.
         if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
             for k in 0..WHOLE {
                 to[k] += other[k] * times;
@@ -133,13 +133,11 @@ impl Vector {
         self / self.norm()
     }
 
-    /// The largest absolute value of a component.
     #[inline]
     pub(crate) fn amax(&self) -> f64 {
         self.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most })
     }
 
-    /// The index of the component with the largest absolute value.
     pub(crate) fn iamax(&self) -> usize {
         let mut most = 0;
         for (k, x) in self.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! A second path with the same steps, each made at once and not in two halves. The distance between both paths is the largest difference of a contact
-//! force. It measures the present error of the path due to all steps so far.
+//! A second path with the same steps, each made at once and not in two halves. The distance between both paths is the largest difference of a
+//! contact force. It measures the present error of the first path due to all steps so far.
 //!
 //! The error of a step in two halves is a third of its difference from the step made at once. But errors do not simply add up. Friction forces turn
 //! towards the directions of slip, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path
@@ -19,11 +19,11 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 #[derive(Debug, Clone)]
 pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
-    /// The second path is sometimes restarted near the first. `lost` is the sum, over all restarts, of the distance between both paths just before
-    /// the restart. Each distance is divided by the largest contact force of the step.
+    /// The second path is sometimes restarted near the first. `lost` is the sum, over all restarts, of the distance between both paths just
+    /// before the restart, each divided by the largest contact force of its step.
     lost: f64,
-    /// Estimated error of the path: the largest value so far of the distance between both paths, divided by the largest contact force of the step,
-    /// plus `lost`.
+    /// Estimated error of the first path: the largest value so far of the distance between both paths, divided by the largest contact force of
+    /// the step, plus `lost`.
     pub(super) farthest: f64,
 }
 
@@ -45,12 +45,12 @@ impl CoarsePath {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
-        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. A smaller distance would
+        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. A smaller limit would
         // be exceeded at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If the paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
-        // path then moves to `at_once`. With a larger fraction, errors would be added up although they decay.
+        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method, and the
+        // second path moves to `at_once`. With a larger fraction, errors would be added up although they decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

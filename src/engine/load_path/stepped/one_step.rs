@@ -11,7 +11,7 @@ use crate::numerics::{Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
-/// The state of the grasp at a place of the path. The twist is about the centroid of the contacts; lists have an entry for each contact.
+/// The state of the grasp at a point of the path. The twist is about the centroid of the contacts; lists have an entry for each contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
     /// Fraction of the leg (section of the load program) that is done in this state, from 0 to 1.
@@ -37,7 +37,7 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// A state without contacts: memory that later states overwrite.
+    /// A state without contacts, as memory for later states.
     pub(super) fn without_contacts() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
@@ -110,9 +110,9 @@ impl<'g> StepProblem<'g> {
     }
 }
 
-/// Writes to `to` the equilibrium at the end of a step that begins at `from`. The slips of `from` are subtracted from the offsets of `problem`.
-/// `before` are the stretches (spring deformations) at the beginning of the step, m. Newton's method starts at the twist `near`. `None` if Newton's
-/// method does not converge, or if a contact would have to pull although it cannot.
+/// Writes to `to` the equilibrium at the end of a step that begins at `from`. The slips of `from` are already subtracted from the offsets of
+/// `problem`. `before` are the stretches (spring deformations) at the beginning of the step, m. Newton's method starts at the twist `near`.
+/// `None` if Newton's method does not converge, or if a contact would have to pull although it cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,
@@ -120,8 +120,8 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance below the rounding of spring forces, taken as 1e-15 of the forces that the displacements would
-    // cause in the springs. Since `newton` multiplies the size given here by [`SOLVED_ROUNDING`], the factor here is 1e-3.
+    // Newton's method cannot reduce the imbalance of forces below the rounding of spring forces, taken as 1e-15 of the forces that the
+    // displacements would cause in the springs. Since `newton` multiplies the size given here by [`SOLVED_ROUNDING`], the factor here is 1e-3.
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
@@ -142,7 +142,8 @@ fn equilibrium_after(
         to.forces.push(answer.force);
         to.states.push(answer.state);
     }
-    // The law of a contact may forbid that it opens, and then lets it pull. With limited friction `μ F_n` has no meaning for a pull, and the step fails.
+    // If the law of a contact forbids that it opens, the computed force may pull. With limited friction the limit `μ F_n` has no meaning for a
+    // pull, and the step fails.
     let least = -SOLVED_ROUNDING * to.largest_force();
     let pulls = |(i, force): (usize, &SVector<f64, 3>)| {
         force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()

@@ -11,10 +11,11 @@ use crate::numerics::Vector;
 pub(super) struct StepPace {
     /// Change of the twist in the last step, divided by the fraction of the leg that it covered. `None` before the first step of a leg.
     pub(super) rate: Option<Vector>,
-    /// Speeds of the object, each more than twice the speed before, with the fractions of the leg at which they occurred. They show whether the speed
-    /// grows without bound.
+    /// Speeds of the object, each more than twice the speed before, with the fractions of the leg at which they occurred. They show whether the
+    /// speed grows without bound.
     pub(super) speeds: Speeds,
-    /// Largest change of a contact force in the last step, divided by the largest change that the object's motion would cause if all contacts stuck.
+    /// Largest change of a contact force in the last step, divided by the largest change that the object's motion would cause if all contacts
+    /// stuck.
     pub(super) changed: f64,
     /// Proposed length of the next step, as a fraction of the leg; it is not yet limited to `longest`.
     pub(super) step: f64,

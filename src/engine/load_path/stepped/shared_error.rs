@@ -1,5 +1,5 @@
-//! Errors of contact forces that a step made at once shares with the same step made in two halves. The difference between the two does not reveal
-//! these errors.
+//! Errors of contact forces that a step made at once shares with the same step made in two halves, so that the difference between the two does
+//! not reveal them.
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`, a change of the twist. Let a contact have the grasp map G,
 //! springs of stiffness K (k_n along the normal), the stretch v and the coefficient of friction μ. Over the step the rate of its spring force, times
@@ -28,8 +28,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers only errors that the difference from the
-    /// step made at once does not show. `at` are the states at the beginning, middle and end of the step.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves, as far as the difference from the step made at
+    /// once does not show it. `at` are the states at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }
@@ -50,8 +50,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates by up to twice the
-            // deviation in the middle of the step. A friction force turns no farther than the direction of slip.
+            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates from a straight
+            // line by up to twice the deviation in the middle of the step. A friction force turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -61,8 +61,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The state of the contact stores the fraction of the half step on which the contact slid, as the factor by which slip softens the
-                // springs. This fraction is exact if the normal force is constant. On the fraction `stuck` before that, the contact stuck.
+                // The state of the contact stores the fraction of the half step during which the contact slid, as the factor by which slip
+                // softens the springs. It is exact if the normal force is constant. During the fraction `stuck` before, the contact stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }

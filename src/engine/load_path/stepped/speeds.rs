@@ -1,7 +1,7 @@
 //! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! If no equilibrium exists beyond some load, the speed may grow without bound towards this load. It grows as a power of the distance δ of the load
-//! from this limit. With the displacement q and some p > 0:
+//! If no equilibrium exists beyond some load, the speed of the object may grow without bound towards this load. It grows as a power of the
+//! distance δ of the load from this limit. With the displacement q and some p > 0:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
@@ -18,7 +18,6 @@ use crate::prelude::*;
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
-    /// Removes all recorded places and speeds.
     pub(super) fn clear(&mut self) {
         self.0.clear();
     }

@@ -3,8 +3,8 @@
 use super::one_step::SteppedState;
 use crate::numerics::Each;
 
-/// The states of a step made twice: after each of two halves (`middle`, `to`), which the path takes, and at the end of the same step made at once
-/// (`at_once`).
+/// The states of a step made twice: after each of two halves (`middle`, `to`), which the path takes, and at the end of the same step made at
+/// once (`at_once`).
 #[derive(Debug)]
 pub(super) struct StepDoubling {
     pub(super) middle: SteppedState,

@@ -26,8 +26,8 @@ struct DoubledStepSizes {
 }
 
 impl<'g> SteppedFollower<'g> {
-    /// Tries a step and chooses the length of the next step. Returns the step if its error is at most the allowed error, or `OnTheWay` if a shorter
-    /// step is to be tried next. The error is the end of the path, if steps become too short or too many.
+    /// Tries a step and chooses the length of the next step. Returns the step if its error is at most the allowed error, or `OnTheWay` if a
+    /// shorter step is to be tried next. An `Err` is the end of the path, if steps become too short or too many.
     pub(super) fn try_step(&mut self, run: &ProgramRun<'g>) -> Result<Advance<Step<3>>, PathEnd<3>> {
         let from = self.present.fraction;
         if self.pace.tried == run.settings.most_steps {
@@ -53,7 +53,7 @@ impl<'g> SteppedFollower<'g> {
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of the present step.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // If even so short a step is refused, rounding is larger than the allowed error.
+            // If even so short a step is refused, rounding errors exceed the allowed error.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(run, Doubt::Inaccurate))
             } else {
@@ -73,10 +73,10 @@ impl<'g> SteppedFollower<'g> {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let relative_change = to.distance_to(from) / largest;
-        // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction of
-        // the leg that the step covers. The second is the change of contact forces, divided by the largest force. The third is the change that the
-        // object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction decay while the third measure
-        // grows to one.
+        // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction
+        // of the leg that the step covers. The second is the change of contact forces, divided by the largest force. The third is the change of
+        // contact forces that the object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction
+        // decay while the third measure grows to one.
         let even = 0.5 * self.error * length.max(relative_change).max(twice.force_change / largest);
         // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with the sum of the
         // relative changes of forces along the path, `self.relative_force_changes` before this step and `relative_change` in it, up to twice the
@@ -86,8 +86,8 @@ impl<'g> SteppedFollower<'g> {
         let rounding = 1e-13;
         let part = |i: usize| {
             let accumulated = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
-            // A step may use this fraction of a contact's remaining budget. With a larger fraction, a few steps would use up the budget, and later
-            // steps would have too little of it. With a smaller fraction, steps are shorter than necessary.
+            // A step may use this fraction of the allowed difference that a contact has left. With a larger fraction, a few steps would use it
+            // up, and later steps would have too little. With a smaller fraction, steps are shorter than necessary.
             let allowed = even.max(0.05 * (budget - accumulated)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
@@ -110,8 +110,9 @@ impl<'g> SteppedFollower<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length (both measured by the forces
-        // that they would cause in sticking springs). The motion must also be large: it would cause more than a twentieth of the largest force.
+        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length (both measured by the
+        // forces that they would cause in sticking springs). The motion must also be large: in sticking springs it would cause more than a
+        // twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }

@@ -27,7 +27,7 @@ use crate::serial::AsComputed;
 pub(crate) struct SteppedFollower<'g> {
     /// The static problem at the end of a step along the present leg.
     pub(super) along: StepProblem<'g>,
-    /// The state at the present place of the path.
+    /// The state at the present point of the path.
     pub(super) present: SteppedState,
     /// The states after each half of the last step tried, and after the same step made at once.
     pub(super) places: StepDoubling,
@@ -35,7 +35,8 @@ pub(crate) struct SteppedFollower<'g> {
     pub(super) pace: StepPace,
     /// The allowed error of contact forces for each leg, divided by the largest contact force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error.
+    /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error of this
+    /// path.
     pub(super) coarse: CoarsePath,
     /// The largest error of a contact force that this path and the second path may have in common in one of the steps so far. It is divided by the
     /// largest contact force of that step.
@@ -110,7 +111,7 @@ impl Engine {
     }
 }
 
-/// The state at the start of a path, the solution `found` of `problem`. The slips of its sliding and open contacts become slip memory.
+/// The state at the start of a path, the solution `found` of `problem`. The slips of sliding and open contacts are stored as accumulated slip.
 fn at_start(problem: &Problem<'_>, found: SearchSolution) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;
