@@ -31,9 +31,10 @@ impl Engine {
         // Where the grasp buckles, the load path finds at which load.
         let buckles = |(forces, factor): (&Vec<SVector<f64, 3>>, f64)| {
             let forces = paired(self.sites(), forces, &|(site, force)| site.frame * force);
-            self.buckles(&forces, &|_| false, &ramp.load_at(factor))
+            let load = ramp.load_at(factor);
+            self.may_buckle(&load) && self.buckles(&forces, &|_| false, &load)
         };
-        if self.may_buckle(&ramp.load_at(1.0)) && forces.iter().zip([0.0, factor]).any(buckles) {
+        if forces.iter().zip([0.0, factor]).any(buckles) {
             return None;
         }
         let parts = self.wholes();

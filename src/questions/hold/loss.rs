@@ -14,10 +14,11 @@ use crate::prelude::*;
 
 impl Engine {
     /// The place from which on the theory of small motions no longer applies, if it comes before a loss of equilibrium. Whether the grasp buckles is
-    /// asked only if it [may](Self::may_buckle) under the whole load.
+    /// asked only if it [may](Self::may_buckle) at rest or under the whole load.
     pub(super) fn end_of_theory(&self, path: &LoadPath<'_, 3>, ramp: &Ramp<3>) -> Option<EndOfSmallMotions> {
         let far = end_before_loss(path);
-        if self.may_buckle(&ramp.load_at(1.0)) { path.end_of_theory_before(far) } else { far.cloned() }
+        let may_buckle = |factor: f64| self.may_buckle(&ramp.load_at(factor));
+        if may_buckle(0.0) || may_buckle(1.0) { path.end_of_theory_before(far) } else { far.cloned() }
     }
 
     /// The [`Lost`] of a verdict, for a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The fields about

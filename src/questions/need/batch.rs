@@ -240,8 +240,9 @@ impl BatchNeed {
         let Some(amount) = lost.and_then(|(multiple, _)| self.amount(multiple)) else { return Ok(None) };
         // Motions are proportional to the squeeze, so their largest ratio to a limit is known for the sought squeeze, too.
         // Forces grow with the squeeze, but stiffness does not, so that a larger squeeze may buckle the grasp.
-        let may_buckle = amount > 1.0 && grasp.engine.may_buckle(&inside(&ramp.load_at(1.0)));
-        if farthest * wider * amount <= 1.0 - NEGLIGIBLE && !may_buckle {
+        let may_buckle = |factor: f64| grasp.engine.may_buckle(&inside(&ramp.load_at(factor)));
+        let is_larger = amount > 1.0 && (may_buckle(0.0) || may_buckle(1.0));
+        if farthest * wider * amount <= 1.0 - NEGLIGIBLE && !is_larger {
             return Ok(Some(amount));
         }
         let enough = grasp.squeezed(amount * (1.0 + BEYOND_STEPS))?.with(&self.settings.with_most_load(1.0));
