@@ -10,6 +10,7 @@ use grasp_lcp::load_path::Leg;
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::spatial::{Turn, Wrench};
 use grasp_lcp::squeeze::Loads;
+use grasp_lcp::words::Words;
 use std::collections::BTreeMap;
 
 /// Replaces the scene's questions by the question of the command line. If the command line has no load, the scene's questions of the same kind are
@@ -17,7 +18,10 @@ use std::collections::BTreeMap;
 pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> {
     let question = question_of(asked, setup)?;
     match question {
-        Some(question) => setup.questions = vec![question],
+        Some(question) => {
+            warn_of_load_left_out(setup, &question);
+            setup.questions = vec![question];
+        }
         None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
             setup.questions.retain(|question| is_of_kind(question, asked));
         }
@@ -32,6 +36,21 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
         setup.questions.push(rest);
     }
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
+}
+
+/// Warns that the load at rest of the scene's questions does not act if `question` of the command line has no load at rest.
+fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
+    let base =
+        |(k, asked): (usize, &Question<3>)| Some((k, asked.base().filter(|base| *base != Wrench::ZERO)?));
+    if question.base() == Some(Wrench::ZERO)
+        && let Some((k, left_out)) = setup.questions.iter().enumerate().find_map(base)
+    {
+        let load = Words::default().load(&left_out);
+        eprintln!(
+            "warning: the load acts alone, without that at rest of the scene's question {}, {load}",
+            k + 1
+        );
+    }
 }
 
 /// The question of the command line; `None` if it gives nothing to ask, i.e. no load, no quantity for `need` and no table for `identify`.

@@ -133,6 +133,22 @@ impl<const C: usize> Question<C> {
         }
     }
 
+    /// The load at rest of this question, which acts before its other loads. `None` for `solve`, `onset_of_turn` and `identify`, which have none.
+    #[must_use]
+    pub fn base(&self) -> Option<Wrench<C>> {
+        Some(match self {
+            Self::Hold { base, .. }
+            | Self::Compare { base, .. }
+            | Self::Onset { base, .. }
+            | Self::Shake { base, .. }
+            | Self::Shakedown { base, .. } => *base,
+            Self::Follow { start, .. } => *start,
+            Self::Need(asked) => asked.base(),
+            Self::Improve(asked) => asked.base(),
+            Self::Solve { .. } | Self::OnsetOfTurn(_) | Self::Identify(_) => return None,
+        })
+    }
+
     /// The question for the equilibrium under a load.
     #[must_use]
     pub fn solve(load: Wrench<C>) -> Self {

@@ -23,7 +23,7 @@ use crate::loads::OptionVectors;
 pub(crate) use data_deviations::DataDeviations;
 pub(crate) use watch::MapProgress;
 
-/// Prints a table and draws the maps of a scene for a force at a point, in addition to the base load of the first onset among the scene's questions.
+/// Prints a table and draws the maps of a scene for a force at a point, in addition to the load at rest of the scene's questions.
 /// If `pictures` is `None`, prints the map as JSON.
 pub(crate) fn map(
     scene: &Scene,
