@@ -133,8 +133,9 @@ impl SearchPlan {
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
-    /// Guesses of the bound, in the order in which they are tried. First come guesses from the carried part at both ends of a bracket, then amounts
-    /// next to the proved end and to the likely bound.
+    /// Estimates of the bound of the sufficient amounts, in the order in which they are tried. First come estimates from the carried part of the load
+    /// at both ends of a bracket. Then follow amounts next to the end of the range that a proof gives, and next to the likely least coefficient of
+    /// friction.
     fn guesses(
         &self,
         (sufficient, trial): (f64, &Trial),
@@ -370,7 +371,7 @@ fn first_insufficient(
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {
-            // Beyond the proved end of the range no trial is needed.
+            // Beyond an end of the range a proof excludes all amounts, so that no trial is needed.
             let says = || Trial::insufficient("no forces of the contacts balance it", NOT_AT_REST);
             break plan.beside_the_end(sufficient, NEAR_AN_END[1]).map(|end| (end, says()));
         }
