@@ -19,9 +19,9 @@ pub const FACETS: usize = 8;
 /// The change of load and commands per unit of the factor. The scene itself is the base.
 #[derive(Debug, Clone)]
 pub struct Change<const D: usize, const C: usize> {
-    /// Change of the load.
+    /// Change of the load per unit of the factor.
     pub load: SVector<f64, D>,
-    /// Change of the commands, contact by contact.
+    /// Change of the commands per unit of the factor, contact by contact.
     pub commands: Vec<SVector<f64, C>>,
 }
 
