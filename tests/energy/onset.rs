@@ -73,7 +73,7 @@ fn same_onset<const D: usize, const C: usize>(
             }
             (Onset::At(event), Agreement::UpTo { factor, binding }) => {
                 add(&tally.finite);
-                // Relative to the whole load, because at factor 1 the change is as large as the base.
+                // The difference is relative to the whole load, because at factor 1 the change of the load is as large as the base load.
                 let apart = (event.factor - factor).abs() / (1.0 + event.factor);
                 tally.worst.set(tally.worst.get().max(apart));
                 prop_assert!(apart <= 1e-12, "{} {}", event.factor, factor);
