@@ -118,7 +118,8 @@ fn every_load_beyond_the_onset_is_decided() {
                             assert!(escape >= 1e4);
                             let proof = grasp.refutation(load).unwrap().expect("again");
                             let checked = proof.check(&grasp, load).unwrap().expect("it holds");
-                            // A case in closed form bounds no less than the polygons around its arcs.
+                            // Where `check` contradicts a case in closed form, its factor of safety is at least about that of polygons around the
+                            // arcs of the cone.
                             assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
                         }
                         let balanced = attack(&fingers, &load, &mut numbers);

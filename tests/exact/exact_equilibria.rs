@@ -16,8 +16,8 @@ use support::samples::{assert_met, config, runner, samples};
 
 /// Tolerance of forces and displacements, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Number of scenes of each kind in the fixed sequences. Of twenty-four times as many further scenes, the scenes are added that only later methods
-/// decide.
+/// Number of scenes of each kind that are always compared. Of the further scenes, twenty-three times as many, those are added that only later methods
+/// of the search decide.
 const SCENES: usize = 312;
 
 /// A multiple of `unit`.
@@ -151,7 +151,7 @@ struct Tally {
     sliding: usize,
     separated: usize,
     undecided: usize,
-    /// Largest distance of an answer from the exact list.
+    /// Largest distance of an equilibrium of the library from the nearest one of the exact list.
     worst: f64,
 }
 
