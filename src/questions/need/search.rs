@@ -72,13 +72,14 @@ pub(super) struct SearchPlan {
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
-    /// The range of amounts that no proof excludes.
+    /// The range of amounts that are not proved insufficient.
     pub(super) range: Range,
     /// True if the least sufficient amount is sought, false if the greatest is sought.
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,
-    /// Whether it is known that every amount easier than a sufficient amount is sufficient, too, as far as motions are small.
+    /// Whether it is known that every easier amount (such as more squeeze or less load) than a sufficient one is sufficient, too, as far as motions
+    /// are small.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.

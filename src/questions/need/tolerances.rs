@@ -67,8 +67,8 @@ pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-10), (64, 5e-10)];
 /// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
 pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 
-/// The widths at which the brackets of changes between sufficient and insufficient other than the bound are narrow enough. There may be eight such
-/// changes, so narrower brackets would cost most of the trials.
+/// The widths at which a bracket is narrow enough between a sufficient and an insufficient amount, if it is not the bracket of the bound. An answer
+/// may have eight such brackets, so narrower ones would cost most of the trials.
 pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
 /// Upper limit of the ratio of a tried amount to the first amount of the search, and of the first amount to a tried one.
