@@ -1,6 +1,6 @@
-//! On random ramps of loads and commands, the onset of sliding is the load at which a friction constraint of the paper's program first binds. The
-//! onset comes from a walk along sticking states. The binding load comes from Lemke's method on the program's optimality conditions, with the load as
-//! parameter.
+//! On random ramps of loads and commands, the factor of first slip is the factor at which a friction constraint of the paper's quadratic program
+//! first binds. The first slip comes from a walk along sticking states. The binding constraint comes from Lemke's method on the program's optimality
+//! conditions, with the load as parameter.
 
 use std::cell::Cell;
 
@@ -80,7 +80,7 @@ fn same_onset<const D: usize, const C: usize>(
                 for leaving in &event.leaving {
                     prop_assert!(binding.iter().any(|(contact, _)| *contact == leaving.contact.index));
                 }
-                // Just below the onset both methods agree, just beyond it they do not.
+                // Just below the factor of first slip both methods agree, and just beyond it they do not.
                 let at = |tau: f64| {
                     let there = change.at(&scene, tau);
                     there.grasp().energy().compare(there.wrench()).unwrap().verdict

@@ -50,7 +50,7 @@ fn planar_pinch() {
         let planar::Departure::Slides { direction } = leaving.how else { panic!("slides") };
         assert_close!(direction[1], 1.0);
     }
-    // Beyond the onset no force resists more weight, because the normal forces are constant.
+    // After the first slip no force resists more weight, because the normal forces are constant.
     let beyond = grasp.beyond(event).expect("its own event");
     assert!(matches!(beyond, planar::Beyond::LimitLoad), "{beyond:?}");
     let more = grasp.solve(planar::Wrench::force([0.0, -2.0 * mu * k * a * (1.0 + 1e-9)])).unwrap();

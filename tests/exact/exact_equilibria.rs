@@ -191,7 +191,8 @@ impl Tally {
         list.iter().try_for_each(|e| self.is_listed(&census, scene, e)).map_err(complaint)
     }
 
-    /// Checks that an equilibrium is in the exact list. If rounding decides this, it must at least satisfy the conditions.
+    /// Checks that an equilibrium of the library is in the exact list of equilibria. If rounding decides this, it must at least satisfy the
+    /// conditions of equilibrium.
     fn is_listed(&mut self, census: &Census, scene: &Scene, returned: &Equilibrium) -> Result<(), String> {
         let distance = census.distance(scene, returned);
         if distance <= AGREEMENT {

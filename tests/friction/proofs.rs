@@ -48,7 +48,7 @@ fn a_wedge_is_pushed_out_below_the_angle_of_friction() {
     assert!(matches!(jams, Outcome::NoBasis { .. }), "{jams}");
 }
 
-/// A contact with W = 0, whose velocity no force changes.
+/// A contact whose matrix W (velocity due to forces) is zero, so that no force changes its velocity.
 #[test]
 fn an_immovable_contact_that_approaches_has_a_proof() {
     let problem = |q: f64| {

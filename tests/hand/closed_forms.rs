@@ -51,7 +51,7 @@ fn a_side_that_tightens_itself_never_slides() -> Tested {
         let factor = onset(1.0)?.factor().ok_or("slides")?;
         let expected = 2.0 * mu * force / (1.0 + mu * c_nt / c_nn);
         assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
-        // Just below this threshold the load of first slip is 1e10 N.
+        // With μ just below the threshold c_nn / |c_nt| = 1.25, the load of first slip is about 1e10 N.
         let factor = onset(-1.0)?.factor().ok_or("has an answer")?;
         assert_eq!(factor.is_infinite(), tightens, "{factor}");
     }
@@ -162,7 +162,7 @@ fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
     Ok(())
 }
 
-/// A yielding joint has an exact onset, and loses the object at the limit load of its drive.
+/// A joint yields at an exact load, where its drive is at its limit. The object is lost at the limit load of this drive.
 #[test]
 fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
     for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {

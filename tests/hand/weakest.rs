@@ -1,5 +1,5 @@
-//! The weakest direction of a hand is right: onsets in many other directions are not lower. At the onset a contact slides, or a drive reaches its
-//! limit.
+//! The weakest direction of a force on a hand is right: in many other directions the force of first slip is not lower. At the first slip a contact
+//! slides, or a drive reaches its limit.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,5 @@
-//! If it depends on the unknowns which contact slips first, other assignments are fitted too. The answer does not depend on the start.
+//! If it depends on the unknowns which contact slips first, the fit also tries other assignments of slips to contacts. The answer does not depend on
+//! the start.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -136,7 +136,7 @@ pub(crate) struct Tally {
     pub(crate) solved: usize,
     /// Reported as solved, although the exact point of the reported basis violates a condition or does not exist.
     pub(crate) rounded: usize,
-    /// Those of `rounded` with residuals above rounding.
+    /// Problems counted in `rounded` whose residuals are larger than rounding.
     pub(crate) coarse: usize,
     /// Reported as solved up to rounding, although no solution exists.
     pub(crate) unsolvable: usize,

@@ -1,4 +1,4 @@
-//! Samples of uncertain data have their stated distributions, and so has an onset with a closed form.
+//! Samples of uncertain data have their stated distributions, and so has a load of first slip with a closed form.
 
 use std::f64::consts::PI;
 

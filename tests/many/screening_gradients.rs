@@ -271,7 +271,7 @@ fn a_finger_pulled_off_leaves_through_the_apex() {
     assert!((gradient.command(0)[0] - 1000.0).abs() < 1e-9);
 }
 
-/// If the screening gives no factor of the onset, it gives no gradient either.
+/// If screening gives no load factor of first slip, it gives no gradient either.
 #[test]
 fn without_a_factor_no_gradient() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);

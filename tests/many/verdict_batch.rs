@@ -255,7 +255,7 @@ fn threads_do_not_change_a_bit() {
         let some: Vec<_> = pool.install(|| batch(&rows, &up_to_the_load())).iter().map(bits).collect();
         assert_eq!(some, all);
     }
-    // Neither do other rows of the batch.
+    // Other rows of the batch, in another order, do not change a bit either.
     let backwards: Vec<_> = rows.iter().rev().cloned().collect();
     assert!(batch(&backwards, &up_to_the_load()).iter().rev().map(bits).eq(all));
 }

@@ -203,7 +203,8 @@ fn the_points_of_a_hand_have_no_derivatives() -> Result<(), Error> {
     Ok(())
 }
 
-/// A finger below moves sideways faster than the object moves down. It slides as soon as it touches, so the onset has no margin to differentiate.
+/// A finger below moves sideways faster than the object moves down. It slides as soon as it touches, so at the first slip there is no friction margin
+/// to differentiate.
 #[test]
 fn a_contact_that_slides_as_it_closes_has_no_margin() {
     let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0])

@@ -1,4 +1,4 @@
-//! The onset of sliding does not depend on coordinates, on units, or on a contact split in two.
+//! The load factor of first slip does not depend on coordinates, on units, or on a contact split in two.
 //!
 //! Each ramp is compared with its own image, so no expected numbers are needed. The factor and the sliding contacts must be the same.
 

@@ -1,8 +1,8 @@
-//! The onset of sliding agrees with a bisection that does not use the library's method.
+//! The load factor of first slip agrees with a bisection that does not use the library's method.
 //!
 //! While everything sticks, the forces solve a linear least-squares problem (`support::sticking`). Bisection finds the largest load factor with all
-//! forces inside their cones. This factor must be the onset. Scenes in the plane and in space, on the round cone and on the polygon, are checked
-//! under loads and finger commands. Just below the onset the solver must find that everything sticks, and just above the onset it must not.
+//! forces inside their cones. This must be the factor of first slip. Scenes in the plane and in space, on the round cone and on the polygon, are
+//! checked under loads and finger commands. Just below this factor the solver must find that everything sticks, and just above it must not.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, FoundBy, Outcome};

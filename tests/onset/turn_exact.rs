@@ -208,7 +208,7 @@ struct Tally {
 type Datum<const C: usize> = ([f64; C], [f64; 4]);
 
 impl Tally {
-    /// Compares the onset of a turn that starts with all contacts sticking.
+    /// Compares the angle of first slip under a turning load with the exact roots, if all contacts stick at the start.
     fn compare<const C: usize>(
         &mut self,
         grasp: &Grasp<C>,

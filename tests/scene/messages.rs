@@ -143,7 +143,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
     ] {
         assert_eq!(fault(from, to).field.as_deref(), Some(field));
     }
-    // These features add further fields to the format.
+    // The features `mesh` and `urdf` add further fields to the format, which messages then list.
     for (is_on, from, to, field) in [
         (cfg!(feature = "mesh"), "\"friction\"", "\"fricton\"", "`touches`"),
         (cfg!(feature = "mesh"), "\"settings\"", "\"setting\"", "`part`"),

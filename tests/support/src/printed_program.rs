@@ -222,7 +222,7 @@ impl<const C: usize> PrintedProgram<C> {
 
     /// Contact force in the contact frame, N, from the spring of the body: `k_b (u_d - u_c)`.
     ///
-    /// It is a difference of displacements: for a contact stiffer than the others by 10^p it has p digits less than x.
+    /// The force is computed from a difference of displacements. For a contact stiffer than the others by 10^p it has p digits less than x.
     pub fn force(&self, x: &DVector<f64>, contact: usize) -> SVector<f64, C> {
         let u = self.displacements(x, contact);
         let stretch = u.body_surface - u.body_core;
