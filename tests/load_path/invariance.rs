@@ -15,7 +15,7 @@ use support::programs::{Scene, direction};
 use support::programs::{changes, numbers};
 use support::samples::assert_met;
 
-/// Tolerance of fractions.
+/// Tolerance of the fractions of legs at which events occur.
 const FRACTION: f64 = 1e-12;
 
 fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
