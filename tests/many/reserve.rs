@@ -293,7 +293,7 @@ fn any_way_around_a_round_cone() {
     assert!((0.2..1.0).contains(&(fails / TAILS[0].1)), "{fails} at {yes}");
 }
 
-/// The reserve is continuous over directions.
+/// The reserve load changes continuously with the direction of the load.
 #[test]
 fn a_reserve_is_continuous_over_directions() {
     let finger = |x: f64, y: f64| {
