@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct BoundScan {
-    /// Number of changes between sufficient and insufficient among the amounts of the scan, including the change at the bound.
+    /// Number of pairs of neighbouring amounts of the scan of which one is sufficient and the other is not, including the pair at the bound.
     pub(super) changes: usize,
     /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
     /// if all amounts tried on the easier side of the bound are sufficient.

@@ -107,13 +107,14 @@ pub(super) const BETWEEN: usize = 5;
 /// If larger, too few amounts are left to try between different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// The search begins with some amount. If it is easier than the bound by more than this ratio, amounts easier than the first one are tried as well,
-/// because the scan around the bound does not extend that far.
+/// The search begins with some amount. If it is easier (such as more squeeze or less load) than the bound by more than this ratio, amounts that are
+/// still easier are tried as well, because the scan around the bound does not extend that far.
 ///
 /// If smaller, answers take more verdicts. If larger, a far end just on the easier side of the first amount is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
-/// Number of amounts tried on the easier side of the first amount of the search in the case of [`FAR_BEHIND`]. The easiest has a ratio of 4 to it.
+/// Number of tried amounts that are easier than the first amount of the search (such as more squeeze or less load), in the case of [`FAR_BEHIND`].
+/// The easiest of them has the ratio 4 to the first amount.
 ///
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
