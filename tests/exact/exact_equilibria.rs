@@ -16,8 +16,8 @@ use support::samples::{assert_met, config, runner, samples};
 
 /// Tolerance of forces and displacements, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Number of scenes of each kind that are always compared. Of the further scenes, twenty-three times as many, those are added that only later methods
-/// of the search decide.
+/// Number of scenes of each kind that are always compared. Twenty-three times as many further scenes are drawn; of these only those are compared that
+/// the first methods of the search leave to later ones.
 const SCENES: usize = 312;
 
 /// A multiple of `unit`.
