@@ -1,5 +1,5 @@
-//! On the round cone every question is decided, also for loads far above that of first slip: by an equilibrium, or by a proof whose cases can all be
-//! checked. If the proof says that no equilibrium exists, Newton's method from many starting points finds none either.
+//! On the round cone every question is decided, also for loads far above that of first slip. The answer is an equilibrium, or a proof whose cases can
+//! all be checked. If the proof says that no equilibrium exists, Newton's method from many starting points finds none either.
 
 use std::f64::consts::TAU;
 use std::ops::AddAssign;

@@ -1,5 +1,5 @@
-//! If an answer is proved to be a local optimum to first order, no small move of contacts along their surfaces and no small change of squeezes
-//! improves the goal to first order. Gains are differences of goals of whole grasps, on curved surfaces, for both goals.
+//! If an answer is proved to be a local optimum to first order, no small change improves the goal to first order: neither moves of contacts along
+//! their surfaces, nor changes of squeezes. Gains are differences of goals of whole grasps, on curved surfaces, for both goals.
 
 use std::f64::consts::TAU;
 

@@ -161,8 +161,8 @@ fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press
     })
 }
 
-/// The events are the same in another frame, with contacts in another order, with tangents turned about the normals, and with a contact given as two
-/// of half its stiffness. Whether a loss is proved to be a limit load may depend on rounding.
+/// The events are the same in another frame, with contacts in another order, and with tangents turned about the normals. They are also the same if a
+/// contact is given as two of half its stiffness. Whether a loss is proved to be a limit load may depend on rounding.
 #[test]
 fn frames_and_order_do_not_matter() {
     let t = over(27, &spatial_scenes(), |scene, tally| {

@@ -47,8 +47,8 @@ fn normal_force() -> f64 {
     in_series(K) * A
 }
 
-/// The length of the leash, an imaginary line from the finger to the contact point that it drags along: the deflection of the springs at which the
-/// contact slides.
+/// The length of the leash, an imaginary line from the finger to the contact point that it drags along. It is the deflection of the springs at which
+/// the contact slides.
 fn leash() -> f64 {
     MU * normal_force() / in_series(KT)
 }

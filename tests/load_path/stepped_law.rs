@@ -1,6 +1,6 @@
 //! At the end of every step the contact law holds. Random grasps and programs have commands, clearances, openings and closings; [`support::programs`]
-//! computes the law from points, normals and springs. If the path from event to event reports that its continuation is unique, this path and the path
-//! in steps end with the same forces and motions within the error, or are lost at the same load.
+//! computes the law from points, normals and springs. The path from event to event is compared if it reports that its continuation is unique. Both
+//! paths then end with the same forces and motions within the error, or are lost at the same load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::PathEnd;

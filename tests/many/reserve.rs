@@ -1,5 +1,5 @@
-//! The load that a grasp holds with a reserve of some standard deviations of its uncertain data is safe: at this load, samples slide no more often
-//! than the reserve states.
+//! A grasp holds a load with a reserve of some standard deviations of its uncertain data. At this load, samples slide no more often than the reserve
+//! states.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use std::f64::consts::TAU;

@@ -1,5 +1,5 @@
-//! The first slip agrees with closed forms in all outcomes: never, from rest, already sliding, no equilibrium at factor zero, free motion, after a
-//! contact closes, along commands, and at several contacts at once.
+//! The first slip agrees with closed forms in all outcomes. Contacts never slide, slide from rest, or slide already; there is no equilibrium at
+//! factor zero, or a free motion. Further cases are a contact that closes, changing commands, and several contacts that slide at once.
 
 use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Settings, spatial};

@@ -107,8 +107,8 @@ pub(super) const BETWEEN: usize = 5;
 /// If larger, too few amounts are left to try between different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// The search begins with some amount. If it is easier (such as more squeeze or less load) than the bound by more than this ratio, amounts that are
-/// still easier are tried as well, because the scan around the bound does not extend that far.
+/// The search begins with some amount, which may be easier (such as more squeeze or less load) than the bound. If it is easier by more than this
+/// ratio, still easier amounts are tried as well. The scan around the bound does not extend that far.
 ///
 /// If smaller, answers take more verdicts. If larger, a far end just on the easier side of the first amount is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;
