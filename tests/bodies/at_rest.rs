@@ -16,7 +16,8 @@ fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
     less
 }
 
-/// Random piles of four bodies with sloped faces, from a fixed seed.
+/// With 99.9 % of the loads and commands that are held at rest according to the verdict, a pile has an equilibrium. The piles are random, with four
+/// bodies and sloped faces.
 #[test]
 fn what_is_held_of_it_is_told() {
     let mut runner = runner(config(1));

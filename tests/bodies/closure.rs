@@ -45,7 +45,8 @@ fn map<const C: usize>(count: usize, touch: &Touch<C>, frame: &nalgebra::SMatrix
     map
 }
 
-/// Checks forces and motions of an answer by sums computed here. Returns whether the bodies are in force closure, if the answer decides this.
+/// Checks the answer to the question of force closure: balance of its forces, or no negative work along its motion. Returns whether the bodies are in
+/// force closure, if the answer decides this.
 fn is_closed<const C: usize>(grasp: &Grasp<C>, count: usize, touches: &[Touch<C>]) -> Option<bool> {
     let maps: Vec<_> =
         touches.iter().zip(grasp.frames()).map(|(touch, frame)| map(count, touch, frame)).collect();

@@ -43,7 +43,7 @@ fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
 proptest! {
     #![proptest_config(config(20))]
 
-    /// A load gives the same answer as the load of the object and as the load of a named body.
+    /// A load on the object gives the same answer as the same load among the loads of the bodies, whichever body is the object.
     #[test]
     fn which_body_is_the_object(stack in stack::<3, 2>(3), push in -1.0..1.0f64) {
         let load = Wrench::<2>::from_components(&[push, 0.0, 0.0]);

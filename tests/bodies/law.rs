@@ -43,7 +43,7 @@ fn satisfies<const D: usize, const C: usize>(
         && lost.factor > 0.0
     {
         prop_assert_eq!(state.bodies.len(), stack.loads.len());
-        // Earlier slip changes the friction forces, so that only balance and cones are checked.
+        // With the slips before the loss, friction forces do not follow from displacements alone. Therefore only the balance of each body is checked.
         let at = push * lost.factor;
         let mut sums = stack.loads.clone();
         sums[loaded] += at;

@@ -35,7 +35,7 @@ fn the_top_brick_of_a_wall_slides_first() {
         let limit = 0.6 * 2.0 * 9.81 / 5.0;
         assert_eq!(verdict.holds(), Some(true), "{rows}: {verdict}");
         assert!((verdict.held_to - limit).abs() < 1e-12 * limit, "{rows}: {} of {limit}", verdict.held_to);
-        // The bricks above a cut stand on the contacts at the cut and on ground contacts of half bricks at its ends.
+        // A cut through the wall below a row: the bricks above it stand on the row below, and half bricks at both ends stand on the ground.
         let on_ground = |[x, y]: [f64; 2]| {
             let shift = 0.5 * ((nearest(y, 0.5) + 1) % 2) as f64;
             y < 0.1 || x < shift || x > shift + rows as f64

@@ -1,4 +1,5 @@
-//! A vice whose screw is in line with its jaws presses nothing on the rests below the part, of whatever stiffness: they touch, rub, and carry no force.
+//! The screw of a vice is in line with its jaws, so that nothing presses the part on the rests below it, whatever their stiffness. The rests touch,
+//! rub, and carry no force.
 //!
 //! Both jaws press with the force of the screw. The part moves by this force over the stiffness of a jaw, the moving jaw by twice as much.
 
@@ -6,7 +7,8 @@ use grasp_lcp::spatial::{Bodies, Body, Contact, Grasp, Link, SoftFingertip, Wren
 
 const SCREW: f64 = 8000.0;
 
-/// The vice with pads of so many strips, N/m of jaws and guide, and the height of the guide below the screw.
+/// The vice. `strips` are the numbers of strips of its pads, `jaws` and `guide` stiffnesses, N/m, and `below` is the height of the guide below the
+/// screw, m.
 fn vice(strips: [usize; 2], jaws: f64, guide: f64, below: f64) -> Grasp {
     let pad = SoftFingertip::rectangle([0.1, 0.04], strips).expect("a rectangle");
     let jaw = |name: &str, side: f64| {
@@ -32,7 +34,7 @@ fn vice(strips: [usize; 2], jaws: f64, guide: f64, below: f64) -> Grasp {
 
 #[test]
 fn they_carry_nothing_and_everything_else_sticks() {
-    // Each was lost at rest while a contact that rubbed with the rounding of a force was taken to stick.
+    // These vices were once reported as lost at rest, because a contact with a force of rounding alone was taken to stick.
     let vices = [
         ([1, 1], 33_048_540.706_334_896, 2_482_364_398.787_123, 0.03),
         ([2, 1], 15_903_690.548_656_778, 260_532_030.190_372_7, 0.02),

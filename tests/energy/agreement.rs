@@ -24,7 +24,7 @@ use support::sticking;
 
 const CASES: usize = 300;
 
-/// Random grasps that rarely slide, with stiffnesses over some decades, friction up to 3, and loads of a small motion.
+/// Random grasps that rarely slide: stiffnesses over this number of decades, friction up to 3, and loads that cause a small motion.
 fn grasps<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     decades: f64,
@@ -50,7 +50,7 @@ fn both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Vec<Prin
     scene.contacts.iter().enumerate().map(contact).collect()
 }
 
-/// The grasp with these springs.
+/// The grasp of the scene, with separate springs of body and finger at each contact.
 fn with_both_springs<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Grasp<C> {
     let contacts = scene.contacts.iter().zip(both_springs(scene));
     Grasp::new(contacts.map(|(datum, printed)| {

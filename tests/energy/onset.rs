@@ -1,6 +1,6 @@
-//! On random ramps of loads and commands, the onset of sliding is the load at which a friction constraint of the paper's program first binds. The
-//! onset comes from a walk along sticking states. The binding load comes from Lemke's method on the program's optimality conditions, with the load as
-//! parameter.
+//! On random ramps of loads and commands, the factor of first slip is the factor at which a friction constraint of the paper's quadratic program
+//! first binds. The first slip comes from a walk along sticking states. The binding constraint comes from Lemke's method on the program's optimality
+//! conditions, with the load as parameter.
 
 use std::cell::Cell;
 
@@ -73,14 +73,14 @@ fn same_onset<const D: usize, const C: usize>(
             }
             (Onset::At(event), Agreement::UpTo { factor, binding }) => {
                 add(&tally.finite);
-                // Relative to the whole load, because at factor 1 the change is as large as the base.
+                // The difference is relative to the whole load, because at factor 1 the change of the load is as large as the base load.
                 let apart = (event.factor - factor).abs() / (1.0 + event.factor);
                 tally.worst.set(tally.worst.get().max(apart));
                 prop_assert!(apart <= 1e-12, "{} {}", event.factor, factor);
                 for leaving in &event.leaving {
                     prop_assert!(binding.iter().any(|(contact, _)| *contact == leaving.contact.index));
                 }
-                // Just below the onset both methods agree, just beyond it they do not.
+                // Just below the factor of first slip both methods agree, and just beyond it they do not.
                 let at = |tau: f64| {
                     let there = change.at(&scene, tau);
                     there.grasp().energy().compare(there.wrench()).unwrap().verdict

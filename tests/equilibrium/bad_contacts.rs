@@ -14,7 +14,7 @@ const SOME_LENGTH: &str = "of positive, finite";
 const NOT_ALONG: &str = "finite and not";
 const POSITIVE: &str = "positive (infinite";
 
-/// `array` with its entry `at` replaced by `value`.
+/// The array with its entry at the index `at` replaced by `value`.
 fn with<const N: usize>(mut array: [f64; N], at: usize, value: f64) -> [f64; N] {
     array[at] = value;
     array
@@ -63,7 +63,7 @@ fn refused_in_space(
     refused::<3>(spatial_contacts(), broken, field, value, allowed);
 }
 
-/// The second planar contact with another point and another normal.
+/// The second contact of the valid planar grasp, with another point and another normal.
 fn planar_at(point: [f64; 2], normal: [f64; 2]) -> planar::Contact {
     planar::Contact::new(point, normal).name("thumb").series_stiffness(10.0, 10.0).friction(0.5)
 }

@@ -24,9 +24,9 @@ fn hold<const C: usize>(
     outcome.equilibrium().unwrap_or_else(|| panic!("no equilibrium: {outcome:?}")).clone()
 }
 
-/// Two fingers press along ±x with a, so each carries N = k a. A weight w hangs on both tangential springs:
-/// the object sinks by w / (2 k_t), each contact carries w / 2, and both slide together at w* = 2 μ k a. Beyond, friction
-/// is exhausted: the limit load is the onset.
+/// Two fingers press along ±x with the command a, so each carries N = k a. A weight w hangs on both tangential springs: the object sinks by w / (2
+/// k_t), each contact carries w / 2, and both slide together at w* = 2 μ k a. Beyond, friction is exhausted: the limit load is the load of first
+/// slip.
 #[test]
 fn planar_pinch() {
     let (k, kt, mu, a) = (40.0, 7.0, 0.3, 0.02);
@@ -50,7 +50,7 @@ fn planar_pinch() {
         let planar::Departure::Slides { direction } = leaving.how else { panic!("slides") };
         assert_close!(direction[1], 1.0);
     }
-    // Beyond the onset no force resists more weight, because the normal forces are constant.
+    // After the first slip no force resists more weight, because the normal forces are constant.
     let beyond = grasp.beyond(event).expect("its own event");
     assert!(matches!(beyond, planar::Beyond::LimitLoad), "{beyond:?}");
     let more = grasp.solve(planar::Wrench::force([0.0, -2.0 * mu * k * a * (1.0 + 1e-9)])).unwrap();
@@ -99,9 +99,9 @@ fn block_on_an_incline_held_by_a_spring() {
     }
 }
 
-/// Three fingers at 120° press radially by a and carry an axial load w, so by symmetry each carries F_n = k a and the
-/// axial part w / 3. Added torque m about the axis gives a second tangential component m / (3 R) at right angles.
-/// On the round cone the onset of τ (w, m) is τ² ((w/3)² + (m/3R)²) = (μ k a)²: a square root, not a linear equation.
+/// Three fingers at 120° press radially with the command a, under an axial load w. By symmetry each carries F_n = k a and the axial force w / 3. An
+/// added torque m about the axis gives a second tangential component m / (3 R) at right angles. On the round cone the factor τ of first slip of the
+/// load τ (w, m) follows from τ² ((w/3)² + (m/3R)²) = (μ k a)²: a square root, not a linear equation.
 #[test]
 fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     let (k, kt, mu, a, radius) = (300.0, 120.0, 0.5, 0.01, 0.8);
@@ -140,8 +140,8 @@ fn spatial_three_finger_pinch_has_a_quadratic_onset() {
     }
 }
 
-/// From a base load that is already inside the cone, the onset is the larger root of |T₀ + τ T₁|² = (μN)²:
-/// with T₀ along the axis and T₁ around it, τ = √((μ k a)² - (w/3)²) · 3R / m.
+/// From a base load inside the cone, the load factor τ of first slip is the larger root of |T₀ + τ T₁|² = (μN)². With T₀ along the axis and T₁ around
+/// it, τ = √((μ k a)² - (w/3)²) · 3R / m.
 #[test]
 fn quadratic_onset_from_a_loaded_base() {
     let (k, kt, mu, a, radius, w, m) = (300.0, 120.0, 0.5, 0.01, 0.8, 1.3, 1.1);
@@ -204,8 +204,8 @@ fn six_frictionless_locators() {
     .unwrap();
     // Push with (-2, -3, -4) through (0.4, 0.5, 0.5): x and y are balanced at the height of their locators.
     let state = hold(&grasp, spatial::Wrench::force_at([-2.0, -3.0, -4.0], [0.4, 0.5, 0.5]));
-    // z: moments about x and y at height 0.5 come only from z forces: N₂ = 4·0.4, N₃ = 4·0.5, N₁ = the rest.
-    // about z: N₆ at y = 0.5 balances -2 in line; N₄·0.2 + N₅·0.8 = 3·0.4, N₄ + N₅ = 3.
+    // Moments about x and y at height 0.5 come only from the z forces: N₂ = 4·0.4, N₃ = 4·0.5, N₁ = the rest. Moments about z: N₆ at y = 0.5 balances
+    // -2 in line; N₄·0.2 + N₅·0.8 = 3·0.4, N₄ + N₅ = 3.
     let expected = [0.4, 1.6, 2.0, 2.0, 1.0, 2.0];
     for (contact, (n, k)) in state.contacts.iter().zip(expected.iter().zip(stiffness)) {
         assert_eq!(contact.state, spatial::ContactState::Frictionless);

@@ -9,7 +9,7 @@ use support::samples::{assert_met, seeded};
 use support::scene::{Datum, Scene};
 use support::splitmix::Random;
 
-/// Largest relative change of every number of the data.
+/// Each number of the data is changed by up to this fraction.
 const PART: f64 = 1e-9;
 /// Number of changed copies of each scene.
 const TRIALS: usize = 12;

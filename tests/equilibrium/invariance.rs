@@ -84,7 +84,7 @@ fn only<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Equilibri
     [0.0, 1.0, 2.0].into_iter().all(near).then(|| e.clone())
 }
 
-/// The same scene with its numbers changed a little.
+/// The scene with each of its numbers changed by up to [`JITTER`] of itself; `phase` chooses the changes.
 fn jittered<const D: usize, const C: usize>(scene: &Scene<D, C>, phase: f64) -> Scene<D, C> {
     let mut seed = phase;
     let mut jitter = |x: f64| {
@@ -109,7 +109,7 @@ fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibr
     }
 }
 
-/// Number of compared scenes.
+/// Numbers of compared scenes, by the states of their contacts.
 #[derive(Debug, Default)]
 struct Tally {
     compared: Cell<usize>,

@@ -31,7 +31,8 @@ fn known_motions() {
     let about_y = spatial::Twist::new([0.0006, 0.0028, -0.001], [0.0, 0.03, 0.0]);
     let moved =
         [[0.05, 0.0, 0.0], [-0.05, 0.0, 0.01]].map(|p: [f64; 3]| Vector3::from(about_y.displacement_at(p)));
-    // ω × u / |ω|² with u = (0.0006, ·, -0.001) m: x = 0.03 · -0.001 / 0.0009, z = -0.03 · 0.0006 / 0.0009.
+    // The point of the axis nearest to the origin is ω × u / |ω|² with u = (0.0006, ·, -0.001) m: x = 0.03 · -0.001 / 0.0009, z = -0.03 · 0.0006 /
+    // 0.0009.
     let told = words.motion(&about_y, &moved);
     let parts: Vec<&str> = told.split(" through ").flat_map(|part| part.split(" m, ")).collect();
     assert_eq!(parts, ["turns 1.71887° about +y", "(-0.0333333, 0, -0.02)", "moves 2.8 mm along +y"]);

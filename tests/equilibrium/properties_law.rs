@@ -28,7 +28,7 @@ struct Tally {
     everything_sticks: usize,
     sliding: usize,
     separated: usize,
-    /// Equilibria with a sticking contact on the edge of its cone, or with a sliding or open contact of zero slip or gap.
+    /// Equilibria with a sticking contact on the edge of its cone, or with a sliding contact without slip or an open contact without gap.
     tied: usize,
     /// Equilibria with free motions.
     free: usize,

@@ -67,8 +67,8 @@ fn numbers_are_those_of_the_continuum() {
     }
 }
 
-/// A single tip under a body that presses with N. A moment about a tangent tilts it by M/k_tilt until the farthest point on one side
-/// opens, at the edge of the core: N ⟨r²⟩/2R, for the uniform disc the R/4 of the middle-quarter rule.
+/// A single tip under a body that presses with N. A moment M about a tangent tilts the body by M/k_tilt, until the farthest point on one side of the
+/// tip opens. The force is then at the edge of the core of the tip, M = N ⟨r²⟩/2R; for the uniform disc this is the R/4 of the middle-quarter rule.
 #[test]
 fn a_tip_tilts_until_it_opens() {
     for (tip, _, square) in tips() {

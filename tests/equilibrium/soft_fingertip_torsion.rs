@@ -82,8 +82,8 @@ fn uneven_tangential_stiffness() {
     }
 }
 
-/// Beyond the onset the points of the rim slide, each with μ N w_i, and the points inside still stick: `M/2 = Σ w_i r_i min(k_t r_i θ, μ N)`. All
-/// slide at 2 μ N ⟨r⟩, the limit. This holds for any number of points on a ring.
+/// After the first slip the points of the rim slide, each with the friction μ N w_i, and the points inside still stick: `M/2 = Σ w_i r_i min(k_t r_i
+/// θ, μ N)`. All points slide at the limit moment 2 μ N ⟨r⟩. This holds for any number of points on a ring.
 #[test]
 fn slip_spreads_from_the_rim_up_to_the_limit() {
     for (pressure, mean) in PROFILES {

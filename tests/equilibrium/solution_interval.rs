@@ -28,7 +28,8 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 fn wedged(random: &mut Random) -> Wedged {
     let (mut contacts, mut total, mut forces) = (Vec::new(), [0.0; 3], [[0.0; 2]; 2]);
-    // For each contact: rows of n and t over (x, y, θ); depth; tangential command minus spring deflection; sign of the slip.
+    // For each contact: the rows that map a motion (x, y, θ) to displacements along n and t; the depth by which its normal force presses the
+    // surfaces; the tangential command less the spring deflection; and the sign of its slip.
     let (mut rows, mut deep, mut beside, mut ways) = ([[[0.0; 3]; 2]; 2], [0.0; 2], [0.0; 2], [0.0; 2]);
     for i in 0..2 {
         let side = if i == 0 { 1.0 } else { -1.0 };
@@ -52,14 +53,14 @@ fn wedged(random: &mut Random) -> Wedged {
         (deep[i], beside[i]) = (command[0] - f / k, command[1] - forces[i][1] / kt);
         contacts.push(Contact::new(p, n).series_stiffness(k, kt).friction(mu).command(command));
     }
-    // n_i·u = deep_i: a point with n_0 × n_1 across, and the line.
+    // The twists u that press both surfaces by the required depth, n_i·u = deep_i, form a line. It has the direction n_0 × n_1, and `point` is on it.
     let line = cross(rows[0][0], rows[1][0]);
     let square = dot(line, line);
     let [a, b] = [cross(rows[1][0], line), cross(line, rows[0][0])];
     let point: [f64; 3] = std::array::from_fn(|k| (deep[0] * a[k] + deep[1] * b[k]) / square);
     let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
     for i in 0..2 {
-        // The slip points along friction: way (beside - t·(point + z line)) >= 0.
+        // The slip of the contact must point along its friction force: way (beside - t·(point + z line)) >= 0, with z the coordinate along the line.
         let (c, g) = (ways[i] * (beside[i] - dot(rows[i][1], point)), -ways[i] * dot(rows[i][1], line));
         if g > 0.0 {
             from = from.max(-c / g);
@@ -87,7 +88,7 @@ fn a_twist_that_friction_leaves_open_is_told_with_its_line() {
         let Some(found) = outcome.equilibrium() else { panic!("{number}: {outcome:?}") };
         let apart = |i: usize| (found.contacts[i].force - nalgebra::Vector2::from(forces[i])).norm();
         if apart(0).max(apart(1)) > 1e-9 {
-            // The solver found another equilibrium; several may exist.
+            // Several equilibria may exist; here the solver found one that is not on the line.
             continue;
         }
         told += 1;

@@ -8,7 +8,7 @@ use support::Failure;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// A finger. Stiffness along the normal and along both tangents in N/m, command along the normal in m.
+/// A finger. Its stiffness along the normal and along both tangents is in N/m, its command along the normal in m.
 #[derive(Debug)]
 struct Finger {
     point: Vector3<f64>,

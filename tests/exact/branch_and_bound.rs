@@ -1,5 +1,5 @@
-//! On the round cone every question is decided, however far beyond the onset: by an equilibrium, or by a proof whose cases can all be checked. If the
-//! proof says that no equilibrium exists, Newton's method from many starting points finds none either.
+//! On the round cone every question is decided, also for loads far above that of first slip. The answer is an equilibrium, or a proof whose cases can
+//! all be checked. If the proof says that no equilibrium exists, Newton's method from many starting points finds none either.
 
 use std::f64::consts::TAU;
 use std::ops::AddAssign;
@@ -118,7 +118,8 @@ fn every_load_beyond_the_onset_is_decided() {
                             assert!(escape >= 1e4);
                             let proof = grasp.refutation(load).unwrap().expect("again");
                             let checked = proof.check(&grasp, load).unwrap().expect("it holds");
-                            // A case in closed form bounds no less than the polygons around its arcs.
+                            // Where `check` contradicts a case in closed form, its factor of safety is at least about that of polygons around the
+                            // arcs of the cone.
                             assert!(checked >= 0.5 * escape, "{checked:e} {escape:e}");
                         }
                         let balanced = attack(&fingers, &load, &mut numbers);

@@ -16,8 +16,8 @@ use support::samples::{assert_met, config, runner, samples};
 
 /// Tolerance of forces and displacements, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Number of scenes of each kind in the fixed sequences. Of twenty-four times as many further scenes, the scenes are added that only later methods
-/// decide.
+/// Number of scenes of each kind that are always compared. Twenty-three times as many further scenes are drawn; of these only those are compared that
+/// the first methods of the search leave to later ones.
 const SCENES: usize = 312;
 
 /// A multiple of `unit`.
@@ -151,7 +151,7 @@ struct Tally {
     sliding: usize,
     separated: usize,
     undecided: usize,
-    /// Largest distance of an answer from the exact list.
+    /// Largest distance of an equilibrium of the library from the nearest one of the exact list.
     worst: f64,
 }
 
@@ -191,7 +191,8 @@ impl Tally {
         list.iter().try_for_each(|e| self.is_listed(&census, scene, e)).map_err(complaint)
     }
 
-    /// Checks that an equilibrium is in the exact list. If rounding decides this, it must at least satisfy the conditions.
+    /// Checks that an equilibrium of the library is in the exact list of equilibria. If rounding decides this, it must at least satisfy the
+    /// conditions of equilibrium.
     fn is_listed(&mut self, census: &Census, scene: &Scene, returned: &Equilibrium) -> Result<(), String> {
         let distance = census.distance(scene, returned);
         if distance <= AGREEMENT {

@@ -29,7 +29,7 @@ struct Tally {
     /// Largest errors of forces, of force components, and of motions.
     worst_sticking: [f64; 3],
     worst_sliding: [f64; 3],
-    /// Largest ratios of error to estimate, for forces and displacements.
+    /// Largest ratio of the actual error to its estimate, for forces and for displacements.
     underestimated: [f64; 2],
     overestimated: f64,
     worst_condition: f64,
@@ -125,7 +125,7 @@ fn tally<const D: usize, const C: usize>(
 
 fn assert_accurate(tally: &Tally) {
     assert!(tally.worst_sticking[0] <= 1e-14 && tally.worst_sliding[0] <= 2e-14, "{tally:?}");
-    // Also the errors relative to each single component.
+    // Errors of single force components, relative to that component, are small, too.
     assert!(tally.worst_sticking[1] <= 1e-13 && tally.worst_sliding[1] <= 1e-9, "{tally:?}");
     assert!(tally.worst_sticking[2] <= 1e-15 && tally.worst_sliding[2] <= 1e-12, "{tally:?}");
     assert!(tally.overestimated <= 3.0, "{tally:?}");

@@ -44,7 +44,7 @@ fn a_stool_slides_with_what_friction_leaves() {
         let problem = stool(&square(0.3), direction * push - Vector3::z() * GRAVITY, mu);
         let outcome = problem.solve();
         let Outcome::Solved(solution) = &outcome else { panic!("{outcome}") };
-        // Three legs can carry it, or four.
+        // Three legs or all four may carry the stool.
         assert!(solution.states.iter().all(|state| *state != ContactMode::Sticking));
         let pressed: f64 = (0..4).map(|i| solution.r[3 * i]).sum();
         assert!((pressed - MASS * GRAVITY).abs() < 1e-11);
@@ -71,7 +71,7 @@ fn a_stool_stands_or_tips() {
 /// A single contact whose friction force is opposite to its velocity, in closed form.
 #[test]
 fn one_contact_slides_against_its_velocity() {
-    // W = identity, q = (−1, a): r_N = 1, r_T = −μ a/‖a‖, u_T = a − μ a/‖a‖.
+    // W = identity and q = (−1, a), so that r_N = 1, r_T = −μ a/‖a‖, u_T = a − μ a/‖a‖.
     let problem =
         SpatialContacts::new(DMatrix::identity(3, 3), DVector::from_vec(vec![-1.0, 0.6, 0.8]), vec![0.25])
             .unwrap();

@@ -62,7 +62,7 @@ fn a_contact_of_an_island_is_named_by_its_index_in_the_whole_problem() {
         let h = DMatrix::from_diagonal(&scale) * DMatrix::from_fn(4, 4, |_, _| random.normal());
         let mut w = DMatrix::identity(8, 8);
         w.view_mut((4, 4), (4, 4)).copy_from(&(&h * h.transpose()));
-        // The first two contacts are an island each, and separate.
+        // The first two contacts are islands of one contact each, and carry no force because they separate.
         let mut q = DVector::from_fn(8, |_, _| random.normal());
         (q[0], q[2]) = (1.0, 1.0);
         let problem = PlanarContacts::new(w, q, vec![0.9; 4]).expect("finite");

@@ -33,7 +33,7 @@ fn closing_walls_cannot_be_kept_apart() {
 #[test]
 fn a_wedge_is_pushed_out_below_the_angle_of_friction() {
     let wedge = |mu: f64| {
-        // Rows over (v_x, v_y): normals (±24, 7), tangents (−7, 24) and (7, 24).
+        // Rows map the velocity (v_x, v_y) of the wedge to normal and tangential velocities: normals (±24, 7), tangents (−7, 24) and (7, 24).
         let h = DMatrix::from_row_slice(4, 2, &[24.0, 7.0, -7.0, 24.0, -24.0, 7.0, 7.0, 24.0]);
         let q = DVector::from_vec(vec![-25.0, 0.0, -25.0, 0.0]);
         PlanarContacts::new(&h * h.transpose(), q, vec![mu; 2]).expect("finite").solve()
@@ -48,7 +48,7 @@ fn a_wedge_is_pushed_out_below_the_angle_of_friction() {
     assert!(matches!(jams, Outcome::NoBasis { .. }), "{jams}");
 }
 
-/// A contact with W = 0, whose velocity no force changes.
+/// A contact whose matrix W (velocity due to forces) is zero, so that no force changes its velocity.
 #[test]
 fn an_immovable_contact_that_approaches_has_a_proof() {
     let problem = |q: f64| {

@@ -49,7 +49,7 @@ fn a_sparse_matrix_is_that_of_csparse() {
 
 #[test]
 fn errors_name_the_word() {
-    // The position of the word, the word, and a part of the message.
+    // For each text: the position of the faulty word, the word itself, and a part of the message.
     for (text, place, found, needed) in [
         ("4 1 0 4 4", 1, Some("4"), "components, 2 or 3"),
         ("3 1 0 3 3 3 3 1 0", 10, None, "an entry"),

@@ -23,8 +23,8 @@ fn pinch(c_nn: f64, c_nt: f64, c_tt: f64, mu: f64, force: f64) -> Result<Grasp, 
     Hand::new([finger(-1.0), finger(1.0)]).grasp()
 }
 
-/// Each tangential force is W/2. By symmetry the normal displacement does not change, so the normal force is N ± (c_nt/c_nn) W/2. The onset is at
-/// W = 2 μ N / (1 ∓ μ c_nt/c_nn).
+/// A pinch carries a load W: each tangential force is W/2. By symmetry the normal displacement does not change, so the normal force is N ±
+/// (c_nt/c_nn) W/2. First slip is at W = 2 μ N / (1 ∓ μ c_nt/c_nn).
 #[test]
 fn a_symmetric_pinch_slides_at_different_loads_up_and_down() -> Tested {
     for (c_nn, c_nt, c_tt) in [(2e-3, 1e-3, 2e-3), (1e-3, -4e-4, 5e-3), (3e-6, 1e-6, 1.0)] {
@@ -51,14 +51,15 @@ fn a_side_that_tightens_itself_never_slides() -> Tested {
         let factor = onset(1.0)?.factor().ok_or("slides")?;
         let expected = 2.0 * mu * force / (1.0 + mu * c_nt / c_nn);
         assert!((factor / expected - 1.0).abs() < 1e-12, "{factor} {expected}");
-        // Just below this threshold the onset is at 1e10 N.
+        // With μ just below the threshold c_nn / |c_nt| = 1.25, the load of first slip is about 1e10 N.
         let factor = onset(-1.0)?.factor().ok_or("has an answer")?;
         assert_eq!(factor.is_infinite(), tightens, "{factor}");
     }
     Ok(())
 }
 
-/// Three-joint fingers squeeze with 4.5 N at μ = 0.4: with springs along the contact axes the onset would be 2 μ N = 3.6 N in both directions.
+/// Three-joint fingers squeeze with 4.5 N at μ = 0.4. With springs along the contact axes instead of joints, first slip would be at 2 μ N = 3.6 N in
+/// both directions.
 #[test]
 fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
     let mu = 0.4;
@@ -72,7 +73,8 @@ fn joints_say_what_springs_along_the_axes_cannot() -> Tested {
             .pressed_with(4.5);
         Finger::new(joints).contact(pad)
     };
-    // C = Σ J J^T / k with the arms from joint to contact, normal towards the middle, tangent down.
+    // Compliance at the contact: C = Σ J Jᵀ / k over the joints, with the arms from joint to contact; the normal points towards the middle, the
+    // tangent down.
     let (mut c_nn, mut c_nt) = (1e-9, 0.0);
     for ([px, py], k) in [[1.5, -1.0], [2.0, 0.75], [1.0, 1.5]].into_iter().zip([0.8, 0.8, 0.5]) {
         let (arm_x, arm_y): (f64, f64) = (0.25 - px, -py);
@@ -160,7 +162,7 @@ fn a_clutch_remembers_and_a_stalled_motor_does_not() -> Tested {
     Ok(())
 }
 
-/// A yielding joint has an exact onset, and loses the object at the limit load of its drive.
+/// A joint yields at an exact load, where its drive is at its limit. The object is lost at the limit load of this drive.
 #[test]
 fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
     for limit in [Limit::Saturates(6.0), Limit::Slips(6.0)] {
@@ -170,14 +172,14 @@ fn a_joint_yields_under_the_load_at_its_limit() -> Tested {
         };
         let hand = Hand::new([jaw(-1.0), jaw(1.0)]);
         let grasp: Grasp = hand.grasp()?;
-        // 4 mm with 1.1 mm/N on each side give F = 4 / 1.1 N. Under a pull W to the right the right jaw carries F + W/2.
+        // 4 mm of command with 1.1 mm/N on each side give F = 4 / 1.1 N. Under a pull W to the right the right jaw carries F + W/2.
         let force = 0.004 / (1e-3 + 1e-4);
         let onset = grasp.onset(Wrench::force([1.0, 0.0]))?;
         let event = onset.event().ok_or("yields")?;
         assert!((event.factor - 2.0 * (6.0 - force)).abs() < 1e-12, "{}", event.factor);
         assert_eq!(parts(&event.drives), [(HandPart::Joint(1), DriveChange::Yields)]);
         assert!(event.leaving.is_empty());
-        // Beyond this only the left jaw unloads, until it opens. The limit load is the limit of the right jaw, 6 N.
+        // Beyond this load only the left jaw unloads, until it opens. The limit load is the force limit of the right jaw, 6 N.
         let lost = grasp.hold(Wrench::force([1.0, 0.0]))?.lost.ok_or("has a limit")?;
         assert!((lost.factor - 6.0).abs() < 1e-12, "{lost:?}");
         let outcome = grasp.solve(Wrench::force([6.1, 0.0]))?;
@@ -197,7 +199,7 @@ fn a_whiffletree_shares_its_force() -> Tested {
     let grasp: Grasp = hand.tendon(Tendon::new([0.5, 0.5]).stiffness(2e3).pull(0.01)).grasp()?;
     let outcome = grasp.solve(Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
-    // x - (φ₁ + φ₂)/2 = T/k, φ = clearance + 2 F/k_pad, F = T/2.
+    // With the pull x of the tendon, its tension T and the displacements φ of the jaws: x - (φ₁ + φ₂)/2 = T/k, φ = clearance + 2 F/k_pad, F = T/2.
     let tension = (0.01 - 0.0015) / (1.0 / 2e3 + 0.5 * 2.0 / 1e4);
     assert!((held.tendons[0].tension - tension).abs() < 1e-11);
     for (contact, joint) in held.contacts.iter().zip(&held.joints) {
@@ -263,7 +265,8 @@ fn a_tendon_over_two_fingers() -> Tested {
     let grasp: Grasp = hand.grasp()?;
     let outcome = grasp.solve(Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;
-    // T r = F · 1 m on both; x = T/k + r (φ₁ + φ₂), and the sum of rotations is the compression of two pads: 2 F / 1e4.
+    // With the tendon's arm r: T r = F · 1 m at both fingers, x = T/k + r (φ₁ + φ₂), and the sum of rotations is the compression of two pads, 2 F /
+    // 1e4.
     let tension = 0.002 / (1.0 / 5e4 + 0.02 * 0.02 * 2.0 / 1e4);
     assert!((held.tendons[0].tension / tension - 1.0).abs() < 1e-12);
     assert!((held.contacts[0].normal_force() / (0.02 * tension) - 1.0).abs() < 1e-12);

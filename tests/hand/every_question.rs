@@ -72,7 +72,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         assert!(grasp.state_at_onset(event).expect("its own").residuals.worst() < 1e-13);
         grasp.beyond(event).expect("its own");
         assert!(grasp.sensitivity().onset(event).is_some());
-        // A turning load that stays on a line has the onset of the ramp.
+        // A turning load whose wrench stays on a line has its first slip at the same load as a ramp along this line.
         let straight = grasp.onset(load).expect("loads").factor().expect("sticks");
         let most = 1.5 * straight;
         let turn = Turn::new(load * most, load * -most, Wrench::ZERO);

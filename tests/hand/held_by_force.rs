@@ -10,7 +10,7 @@ use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Soft tips commanded to the displacement of the slide have the contact forces of tips with a constant force.
+/// Soft tips whose position is commanded to where a constant force moves them have the same contact forces as tips with this constant force.
 #[test]
 fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     let jaw = |x: f64| {
@@ -75,7 +75,7 @@ fn slides_come_behind_all_joints() -> Tested {
         Finger::new([Joint::prismatic([-1.0, 0.0]).name("jaw")]).contact(pad(1.0, 0.0)),
     ]);
     assert_eq!((hand.joints(), hand.coordinates()), (2, 5));
-    // A cable over the first joint alone needs no arm for slides.
+    // The tendon names an arm for the first joint alone. The slide behind the contact with a constant force needs none.
     let grasp = hand.tendon(Tendon::new([1.0]).tension(5.0)).grasp()?;
     let outcome = grasp.solve(planar::Wrench::ZERO)?;
     let held = outcome.equilibrium().ok_or("holds")?;

@@ -73,7 +73,7 @@ fn d(x: f64) -> Dyadic {
 /// Contact forces while everything sticks, exact except for the last division.
 struct Sticking {
     matrix: Vec<Vec<Dyadic>>,
-    /// Rows over (q, φ) for each axis of each contact.
+    /// For each axis of each contact, the row that maps twist and joint displacements (q, φ) to the displacement along this axis.
     rows: Vec<[Vec<Dyadic>; 3]>,
     k: Vec<[f64; 3]>,
 }

@@ -1,11 +1,12 @@
-//! An uncertain squeeze is that of every part that presses: commands, constant forces, torques and tensions, vacuums, and straps as they are installed.
+//! An uncertain squeeze applies to every part that presses: commands, constant forces, torques and tensions, vacuums, and straps with a given
+//! tension.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::scene::Scene;
 use grasp_lcp::sweep::Uncertainty;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
-/// A scene as text, in which what presses is multiplied by a number.
+/// A scene as text, as a function of the factor on its only squeeze.
 type PressedScene = Box<dyn Fn(f64) -> String>;
 
 fn grasp(planar: &str) -> Result<Grasp, Box<dyn std::error::Error>> {
@@ -13,7 +14,7 @@ fn grasp(planar: &str) -> Result<Grasp, Box<dyn std::error::Error>> {
     Ok(Scene::from_json(text.as_bytes())?.planar().ok_or("a planar scene")?.grasp()?)
 }
 
-/// A pad that slides first, and one that sticks longer.
+/// Two pads: one that slides first, and one that sticks longer.
 fn pads(y: [f64; 2], more: &str) -> String {
     let pad = |y: f64, friction: f64| {
         format!(
@@ -32,7 +33,7 @@ fn finger(drive: &str, tendon: &str) -> String {
     )
 }
 
-/// Each scene with one thing that presses, multiplied by a number, a load at rest, and a load that makes the first pad slide.
+/// Scenes with one kind of squeeze each, multiplied by a number. With each come a load at rest, and a load that makes the first pad slide.
 fn scenes() -> Vec<(&'static str, PressedScene, Wrench, Wrench)> {
     let down = Wrench::force([0.0, -1.0]);
     let strap = |x: f64, more: &str| {
@@ -108,7 +109,7 @@ fn scenes() -> Vec<(&'static str, PressedScene, Wrench, Wrench)> {
     ]
 }
 
-/// Under an uncertainty of the squeeze alone the reserve is the first slip of the scene in which what presses is smaller by as many deviations.
+/// If only the squeeze is uncertain, the load with s deviations in reserve is the load of first slip with the squeeze smaller by s deviations.
 #[test]
 fn the_reserve_is_that_of_a_scene_that_presses_less() -> Tested {
     for (name, scene, base, load) in scenes() {
@@ -119,7 +120,7 @@ fn the_reserve_is_that_of_a_scene_that_presses_less() -> Tested {
         };
         let off = Uncertainty::seeded(1).with_squeeze(sigma);
         let held = grasp(&scene(1.0))?.reserve(base, &off, 3.0)?.along(&load);
-        // A part of the allowed probability is kept for what is neglected.
+        // A part of the allowed failure probability is kept back for neglected effects, so that slightly more than three deviations are in reserve.
         let [least, most] = [3.2, 2.99].map(|sigmas: f64| first((-sigmas * sigma).exp()));
         let (least, most) = (least?, most?);
         assert!(least < held && held < most, "{name}: {least} {held} {most} of {}", first(1.0)?);
@@ -127,7 +128,7 @@ fn the_reserve_is_that_of_a_scene_that_presses_less() -> Tested {
     Ok(())
 }
 
-/// Of a sample the first slip is that of a scene with some squeeze between three deviations less and more, and two samples differ.
+/// The first slip of each sample lies between those with three deviations less and more squeeze, and two samples differ.
 #[test]
 fn samples_press_more_or_less() -> Tested {
     for (name, scene, base, load) in scenes() {
@@ -138,7 +139,7 @@ fn samples_press_more_or_less() -> Tested {
         let first = |x: f64| -> Result<f64, Box<dyn std::error::Error>> {
             Ok(grasp(&scene(x))?.onset(&ramp)?.factor().ok_or(name)?)
         };
-        // To first order the onset is affine in the squeeze, so that its spread tells that of the squeeze.
+        // To first order the load of first slip is affine in the squeeze, so that its scatter, divided by the slope, is the scatter of the squeeze.
         let slope = (first(1.01)? - first(0.99)?) / 0.02;
         let mut sum = 0.0;
         for onset in onsets {

@@ -1,5 +1,5 @@
-//! The weakest direction of a hand is right: onsets in many other directions are not lower. At the onset a contact slides, or a drive reaches its
-//! limit.
+//! The weakest direction of a force on a hand is right: in many other directions the force of first slip is not lower. At the first slip a contact
+//! slides, or a drive reaches its limit.
 
 use std::f64::consts::TAU;
 
@@ -35,7 +35,7 @@ fn no_direction_of_a_force_on_a_hand_is_weaker() {
             let onset = |angle: f64| grasp.onset(Ramp::load(base, push(angle))).expect("loads");
             let weakest = grasp.weakest_direction(base, point).expect("a load");
             let WeakestDirection::Force { size, direction: [x, y], leaver, .. } = weakest else {
-                // A drive is beyond its limit at rest.
+                // At rest some drive is beyond its limit already, so that there is no weakest direction.
                 assert!(onset(0.0).event().is_none(), "{limit:?} {weakest:?}");
                 continue;
             };

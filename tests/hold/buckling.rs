@@ -1,4 +1,5 @@
-//! Forces that the theory of small motions leaves out buckle what they hold. A verdict warns before, and tells the load at which they do.
+//! Contact forces turn with the bodies on which they act, which the theory of small motions neglects. If this effect buckles a grasp, the verdict
+//! gives the load at which it does, and warns before.
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::{LossVerb, ShortVerdict, Verdict};
@@ -7,7 +8,8 @@ use grasp_lcp::{Error, Settings, spatial};
 
 const LENGTH: f64 = 0.1;
 const SIDEWAYS: f64 = 1e3;
-/// Stiffness of the links and the guide, N/m. The error of the closed form falls as one over it, to 3e-6 here; beyond, rounding prevails.
+/// Stiffness of the links and the guide, N/m. The closed form is for rigid links; its error falls as 1/STIFF, to 3e-6 here. With a larger stiffness
+/// rounding prevails.
 const STIFF: f64 = 1e10;
 
 /// Two links of [`LENGTH`] in line, which a ram pushes. Two springs without preload hold the knee sideways.
@@ -38,7 +40,7 @@ fn pushed(force: f64) -> Verdict<2> {
     knee().hold(push(force)).unwrap()
 }
 
-/// What an equilibrium, the first slip, a path to this load and a repeated load say that is too far.
+/// The reason [`TooFar`] why motions are not small, from four questions: an equilibrium, the first slip, a path to this load, and a repeated load.
 fn too_far(grasp: &Grasp, load: Wrench) -> Result<[Option<TooFar>; 4], Error> {
     let state = grasp.solve(load)?.equilibrium().and_then(|state| state.too_far.clone());
     let onset = grasp.onset(load)?;
@@ -49,8 +51,8 @@ fn too_far(grasp: &Grasp, load: Wrench) -> Result<[Option<TooFar>; 4], Error> {
     Ok([state, first, path.end_of_theory().map(|end| end.what), shaken.too_far])
 }
 
-/// The linear model holds any force. The knee turns both links by w/L. The springs resist with 2k w, the compressed links take 2P w/L: they buckle at
-/// `P = k L`.
+/// The linear model holds any force. If the knee moves sideways by w, both links turn by w/L. The springs resist with 2k w, and the compressed links
+/// take away 2P w/L: the knee buckles at `P = k L`.
 #[test]
 fn compressed_links_in_line_buckle() {
     let critical = SIDEWAYS * LENGTH;
@@ -72,8 +74,9 @@ fn compressed_links_in_line_buckle() {
     }
 }
 
-/// Between two fingers at ±a that press with N, a bar resists turning with `2 k a²`, and the forces take `2 N a`: it buckles at rest beyond `N = k a`.
-/// In space nothing resists turning about the line through the fingers. Of a load of which only the line is known the verdict warns.
+/// Two fingers at ±a press a bar with N. It resists rotation with `2 k a²`, and the forces take away `2 N a`: the bar buckles at rest beyond `N = k
+/// a`. In space nothing resists a rotation about the line through the fingers. If only the line of action of a load is known, not its point, the
+/// verdict warns.
 #[test]
 fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
     let (stiffness, half) = (2e3, 0.05);
@@ -94,7 +97,7 @@ fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
             contacts.extend(bar.clone());
             [Wrench::ZERO, load]
         };
-        // Brief verdicts follow the load beyond the first slip.
+        // A brief verdict is on the whole load, beyond the first slip.
         let brief = Grasp::hold_batch(1, &row, &Settings::default()).remove(0)?;
         let grasp = Grasp::new(bar.clone())?;
         let verdict = grasp.hold(load)?;
@@ -119,7 +122,7 @@ fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
     Ok(())
 }
 
-/// A tall weight on two soft feet at ±a: they resist tilting with 2 k a², and the weight at the height h takes W h of it.
+/// A tall weight W at the height h on two soft feet at ±a: the feet resist tilting with 2 k a², and the weight takes away W h of it.
 #[test]
 fn a_tall_weight_on_soft_feet() {
     let (stiffness, half, height) = (2e3, 0.05, 0.4);
@@ -135,7 +138,7 @@ fn a_tall_weight_on_soft_feet() {
             "{verdict}"
         );
         assert_eq!(verdict.left_out.is_some(), taken.is_some(), "{verdict}");
-        // Of a load of which only the line is known the height is not known.
+        // If only the line of action of a load is known, its height is unknown, and so is the stiffness that it takes away.
         assert_eq!(grasp.hold(Wrench::force([0.0, -part * critical])).unwrap().left_out, None);
     }
 }

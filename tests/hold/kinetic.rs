@@ -147,7 +147,8 @@ fn what_slides_at_rest_slides_with_less() -> Tested {
     Ok(())
 }
 
-/// The stiffer of two feet slides first, with kinetic friction. A contact that slides keeps it where everything else begins to slide, too: `P = (μ_k + μ_s) N`.
+/// The stiffer of two feet slides first, and then has kinetic friction. It keeps this friction when the other foot begins to slide, too: `P = (μ_k +
+/// μ_s) N`.
 #[test]
 fn what_slides_on_does_not_stick_again_at_the_limit() -> Tested {
     let weight = 9.81;

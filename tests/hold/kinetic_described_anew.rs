@@ -54,7 +54,7 @@ impl<const D: usize, const C: usize> Drawn<D, C> {
         Grasp::new(contacts).and_then(|grasp| grasp.hold(load)).expect("valid")
     }
 
-    /// The sizes of contact forces at rest over the sum of squeezes, in order of size.
+    /// The magnitudes of the contact forces at rest, divided by the sum of the squeezes, in order of size.
     fn at_rest(&self) -> Vec<f64> {
         let rest = self.scene.grasp().solve(Wrench::ZERO).expect("valid");
         let contacts = rest.equilibrium().map(|rest| rest.contacts.clone()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! A suction cup leaks where its lip opens, so that a load is held only up to the opening of the first point, in every question.
+//! A suction cup leaks as soon as its lip opens at one point. In every question a load is therefore held only until the first point of the lip opens.
 //!
 //! A cup with the vacuum V on a ring of radius R is pulled by F at the arm a. The point on the side of the load opens where `(V - F) R / 2 = F a`.
 
@@ -47,7 +47,7 @@ fn a_load_is_held_up_to_the_first_open_point() -> Result<(), Error> {
     Ok(())
 }
 
-/// A path goes on beyond the opening, and says from where on the vacuum does not last.
+/// A load path continues beyond the opening of the lip, and reports from which load on the vacuum does not last.
 #[test]
 fn a_path_and_an_equilibrium_say_so() -> Result<(), Error> {
     let grasp = Grasp::new(cup()?)?;

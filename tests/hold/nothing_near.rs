@@ -33,7 +33,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
     let (mut lost_ones, mut proofs, mut closest) = (0, 0, f64::INFINITY);
     for _ in 0..samples(140) {
         let (grasp, load) = jaws(&mut random)?;
-        // Without a limit on motions.
+        // No motion is too large for this verdict, so that it ends with the loss of equilibrium alone.
         let grasp = grasp.with(&Settings::default().with_small_motions(1e50, 1e50));
         let verdict = grasp.hold(load)?;
         let Some(lost) = &verdict.lost else { continue };

@@ -133,7 +133,7 @@ fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
     for number in 0..grasps {
         let rings = number % 2 == 1;
         let (grasp, load) = drawn(&mut random, rings)?;
-        // However far it goes until then.
+        // No motion is too large for this verdict, so that it ends with the loss of equilibrium alone.
         let verdict = grasp.with(&Settings::default().with_small_motions(1e50, 1e50)).hold(load)?;
         let Some(lost) = verdict.lost.as_ref().filter(|_| verdict.holds() == Some(false)) else { continue };
         let (Some(near), Some(state)) = (lost.nothing_near, &lost.state) else { continue };

@@ -84,7 +84,7 @@ fn an_onset_says_what_lies_beyond() -> Tested {
     Ok(())
 }
 
-/// The load grows as sin θ up to 1.02 times the weight that opens the cup, which is reached at sin θ = 1/1.02.
+/// The load is sin θ times 1.02 times the weight that opens the cup, so that the cup opens at sin θ = 1/1.02.
 #[test]
 fn a_load_that_turns_opens_it_too() -> Tested {
     let beam = beam()?;

@@ -20,7 +20,7 @@ fn moment(newton_metres: f64) -> Wrench {
     Wrench::new([0.0, 0.0], newton_metres)
 }
 
-/// Two pads of 0.1 mm hold 80 N m by friction, μ 2 N a. For a larger moment they would wedge only after a rotation of 85°.
+/// Two pads of 0.1 mm hold a moment of 80 N m by friction, μ 2 N a. For a larger moment they would wedge only after a rotation of 85°.
 #[test]
 fn narrow_pads_do_not_hold_by_wedging() -> Tested {
     let pair = SoftFingertip::pair(1e-4)?;
@@ -100,7 +100,7 @@ fn a_slip_ends_at_a_tenth_of_the_size() -> Tested {
     Ok(())
 }
 
-/// A moment `M sin φ` leaves small motions at `asin(0.1 · 2 k a² / M)`, inside one linear piece.
+/// A moment `M sin φ` exceeds the limit of rotations at `asin(0.1 · 2 k a² / M)`. Until then no contact changes its state.
 #[test]
 fn a_load_that_turns_leaves_within_its_piece() -> Tested {
     let most = 2.0 * SPRING * ARM * ARM * 0.1 / 0.8;
@@ -147,7 +147,7 @@ fn what_normal_forces_hold_is_held() -> Tested {
     Ok(())
 }
 
-/// A picture hangs on a wire, and both of its contacts with the wall slide from the start. The wire carries on, so that nothing slips out.
+/// A picture hangs on a wire, and both of its contacts with the wall slide from the start. The wire still carries it, so that nothing slips out.
 #[test]
 fn what_a_wire_holds_does_not_slip_out() {
     let text = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [

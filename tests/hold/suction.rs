@@ -67,7 +67,7 @@ fn a_vacuum_is_a_load_that_nobody_has_to_name() -> Tested {
     let angles = [grasp.onset_of_turn(turn)?, by_hand.onset_of_turn(turn.beside(pull))?];
     let [angle, by_load] = angles.map(|found| found.onset.factor().expect("slides"));
     is(angle, by_load);
-    // Beyond the opening of the first point, where the verdict ends, the path goes on with the vacuum kept.
+    // The verdict ends when the first point of the lip opens. The load path continues, as if the vacuum lasted.
     let paths = [(&grasp, weight), (&by_hand, weight + pull)].map(|(grasp, start)| {
         let mut path = grasp.follow(start, &[Leg::load_to(start + push)]).expect("a path");
         path.run();

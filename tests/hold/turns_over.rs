@@ -44,10 +44,11 @@ proptest! {
         prop_assert_eq!(over, height > 1e-6);
         let moved = weight.transformed(&pose);
         prop_assert!(!turns_over(&grasp.hold(Wrench::new(moved.resultant(), moved.moment()))?));
-        // A sum acts like its parts: with a second weight as far below, the two balance.
+        // A sum of loads acts like its parts. A second weight of 20 N, as far on the other side of the line, decides: the part turns over if this
+        // weight is above the line.
         let both = weight + Wrench::force_at([0.0, 0.0, -20.0], [beside, 0.0, -height]);
         prop_assert_eq!(turns_over(&grasp.hold(both.transformed(&pose))?), height < -1e-6);
-        // A weight in front of the line swings the part until it is below.
+        // A weight in front of the line swings the part until the weight is below the line. The swing is reported if it is small.
         let verdict = grasp.hold(Wrench::force_at([0.0, 0.0, -10.0], [0.0, 2e-3, height]).transformed(&pose))?;
         prop_assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
         let turns = verdict.swing.map(|swing| Vector3::from(swing.object.rotation()).norm());
@@ -77,7 +78,7 @@ fn what_hangs_swings_by_the_tangent() -> Tested {
             let verdict =
                 grasp.hold(Ramp::load(weight, Wrench::force_at([20.0 * part, 0.0], [0.0, height])))?;
             assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
-            // The weight of a lamp above its support falls over, and the crate does not turn.
+            // A lamp with its weight above the support falls over. The crate on two ropes does not turn.
             let hangs = part < 0.1 && (height < 0.0 || turns == 0.0);
             assert_eq!(verdict.swing.is_some(), hangs, "{verdict}");
             assert_eq!(

@@ -174,7 +174,7 @@ fn a_bar_turns_about_its_middle() -> Tested {
                 .pressed_with(2e3)
         };
         let verdict = Grasp::new((0..3).map(jaw))?.hold(Wrench::new([0.0, 0.0], 30.0))?;
-        // 3 μ F r = 22.5 N m.
+        // The jaws hold a moment of 3 μ F r = 22.5 N m by friction.
         assert!((30.0 * verdict.held_to - 22.5).abs() < 1e-9, "{verdict}");
         let WayOut::Turns { centre, .. } = verdict.lost.as_ref().expect("turns").way_out else {
             panic!("{verdict}")

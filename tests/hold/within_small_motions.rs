@@ -59,7 +59,8 @@ fn drawn<const C: usize>(random: &mut Random) -> Drawn<C> {
     of
 }
 
-/// The verdict in other units, given in metres and newtons, with contacts in the given order. Squeezes are commands, lengths that are converted too.
+/// The verdict in the plane, with lengths and forces in other units and with contacts in the given order. Squeezes are displacements, so they are
+/// converted like lengths.
 fn verdict_in_the_plane(drawn: &Drawn<2>, [length, force]: [f64; 2], order: &[usize]) -> Verdict<2> {
     let contacts = order.iter().map(|&i| {
         planar::Contact::new(drawn.points[i].map(|x| x * length), drawn.normals[i])
@@ -143,7 +144,7 @@ fn told_without_numbers(said: &str) -> String {
     told
 }
 
-/// Other units change the numbers of moments and lengths. Words and load factors must be the same.
+/// In other units only the numbers of moments and lengths change. The words of the verdict and its load factors must be the same.
 #[test]
 fn units_and_order_do_not_matter() {
     let mut random = seeded(26);

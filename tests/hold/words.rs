@@ -38,7 +38,8 @@ fn one_slides_and_the_other_holds() -> Tested {
     };
     let guide = Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(1e3, 1.0);
     let block = Grasp::new([foot(-1.0, "rough", 0.5), foot(1.0, "smooth", 0.25), guide])?;
-    // The guide is compressed, so that each foot presses with 50/51 N. Each carries half of the pull up to 0.25 of this force, and together at most 0.75 of it.
+    // The guide is compressed, so that each foot presses with 50/51 N. Each foot carries half of the pull, up to 0.25 of this force at the smooth
+    // foot; both together carry at most 0.75 of it.
     for (pull, sticks) in [(0.6, false), (0.4, true)] {
         let verdict = block.hold(Wrench::force([pull, 0.0]))?;
         assert_eq!((verdict.holds(), verdict.sticks()), (Some(true), Some(sticks)));

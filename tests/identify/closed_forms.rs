@@ -29,10 +29,10 @@ fn friction_of_a_pinch() -> Tested {
     Ok(())
 }
 
-/// A floor below the object stops it, but only after it has slipped.
+/// A floor below the object stops it, but only after the jaws have slipped. So the floor does not change the identified friction of the jaws.
 #[test]
 fn friction_of_a_pinch_above_a_floor() -> Tested {
-    // At 10 N the spring deflection is 0.5 mm.
+    // Friction of the jaws carries 10 N. The tangential deflection of their springs is then 0.5 mm, less than the clearance of the floor.
     let jaw = |x: f64| jaw::<2>(x, [1e4, 1e4], 0.5).pressed_with(10.0);
     let floor =
         Contact::new([0.0, -0.02], [0.0, 1.0]).series_stiffness(1e4, 5e3).friction(0.2).clearance(1e-3);
@@ -50,7 +50,7 @@ fn squeeze_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
         let slips = [slip(down(12.0)), slip(down(12.0))];
         are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::squeeze()], slips.clone()))?, &[1.2]);
-        // A larger command of one jaw presses both, so that a factor of 1.4 at one jaw gives 1.2 at each.
+        // Both jaws press with the mean of their two commands, so that a factor of 1.4 at one jaw gives a force 1.2 times as large at each.
         are(&jaws([0.5; 2])?.identify(&Identify::new([Unknown::squeeze().of_contacts([1])], slips))?, &[1.4]);
     }
     Ok(())
@@ -75,8 +75,9 @@ fn friction_from_an_angle() -> Tested {
     Ok(())
 }
 
-/// The friction of all contacts is that of contacts that rub. A cable as stiff as both feet keeps half of its pretension, so that 10 N press; beside a
-/// foot without friction the other one carries 5 N of 10 N.
+/// An unknown friction of all contacts concerns only contacts with friction, not cables or frictionless feet. First case: a cable is as stiff as both
+/// feet together and keeps half of its pretension, so that it presses the feet with 10 N. Second case: of two feet that carry 5 N each, only one has
+/// friction.
 #[test]
 fn friction_of_contacts_that_rub() -> Tested {
     let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(mu);

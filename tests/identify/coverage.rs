@@ -35,7 +35,7 @@ fn of_first_slips_with_a_known_scatter() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A pinch that slips at 2 μ N, with a scatter of 5 %. It is told as it is, then as a fifth of it.
+/// Slips of a pinch at 2 μ N, with a relative scatter of 5 %. Identification is told this scatter, then only a fifth of it.
 #[test]
 fn of_slips_that_scatter_more_than_is_said() -> Result<(), Failure> {
     let grasp = jaws([0.5; 2])?;
@@ -61,7 +61,8 @@ fn of_friction_and_loads_of_supports() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Slips in series with a common scatter: with groups the intervals have the right width, without groups they are far too narrow.
+/// Slips in series whose errors have a common part. If identification knows the series as groups, its intervals have the right width; without groups
+/// they are far too narrow.
 #[test]
 fn of_slips_that_share_errors() -> Result<(), Failure> {
     let known = pinch_in_series(6, 5)?;
@@ -72,7 +73,7 @@ fn of_slips_that_share_errors() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Groups without common scatter do not make intervals too narrow either.
+/// If groups are given although the slips of a group have no common error, the intervals are not too narrow either.
 #[test]
 fn of_groups_that_share_nothing() -> Result<(), Failure> {
     let mut known = pinch_in_series(6, 5)?;

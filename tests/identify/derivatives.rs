@@ -25,7 +25,7 @@ struct Count {
 
 /// The load factor at the loss if friction and squeeze of each contact are multiplied by these factors.
 type Lost<'a> = dyn Fn(&[[f64; 2]]) -> Option<f64> + 'a;
-/// The derivative with respect to an unknown in `Identify`, if it is exact and not zero.
+/// The derivative of the logarithm of the slip load with respect to an unknown, as identification computes it. `None` if it is zero or not exact.
 type Derivative<'a> = dyn Fn(Unknown) -> Result<Option<f64>, grasp_lcp::Error> + 'a;
 
 fn compare(number: usize, lost: &Lost<'_>, told: &Derivative<'_>, count: &mut Count) -> Tested {

@@ -28,12 +28,13 @@ fn about(value: f64) -> [f64; 3] {
     [0.99 * value, value, 1.01 * value]
 }
 
-/// A weight of 10 N over a point; of foot k it has the share 1/3 + 2 (p · p_k) / (3 R²).
+/// A weight of 10 N over the point p. Of this weight, foot k at p_k carries the share 1/3 + 2 (p · p_k) / (3 R²).
 fn weight_over(point: [f64; 2]) -> Wrench {
     Wrench::force_at([0.0, 0.0, -10.0], [point[0], point[1], 0.0])
 }
 
-/// A first slip: a weight half way between the centre and foot k, which carries 2/3 of it, and a pull through the centre, a third of it at each foot.
+/// A first slip of foot k. The weight is half way between the centre and this foot, so that it carries 2/3 of the weight. A horizontal pull through
+/// the centre puts a third of the pull on each foot.
 fn pulled_over(k: usize, newtons: f64) -> Slip<3> {
     let [x, y] = foot(k);
     Slip::first(Wrench::force([newtons, 0.0, 0.0])).on_top_of(weight_over([0.5 * x, 0.5 * y]))
@@ -92,15 +93,15 @@ fn each_kind_of_slip_has_its_own_foot() -> Tested {
 /// The moment that turns two feet, whose coefficients have the sum 0.5, about the third, N m.
 const TWIST: f64 = 10.0 * RADIUS * 0.5 / 1.732_050_807_568_877_2;
 
-/// Slips under a vertical moment. The feet turn about the foot with the largest coefficient of friction. The moment is W R (μ_1 + μ_2) / √3, with the
-/// coefficients of the other two feet.
+/// Gross slips under a vertical moment. The feet turn about the foot with the largest coefficient of friction. The moment is W R (μ_1 + μ_2) / √3,
+/// with the weight W and the coefficients of the other two feet.
 fn twisted() -> [Slip<3>; 3] {
     about(TWIST).map(|newton_metres| {
         Slip::gross(Wrench::new([0.0; 3], [0.0, 0.0, newton_metres])).on_top_of(weight_over([0.0; 2]))
     })
 }
 
-/// A moment alone determines a sum of two coefficients, but neither which two, nor whether all three feet slide.
+/// Gross slips under a moment alone determine a sum of two coefficients, but neither which two, nor whether all three feet slide.
 #[test]
 fn a_twist_depends_on_two_of_three_or_on_all() -> Tested {
     for start in [[0.3, 0.3, 0.9], [0.9, 0.3, 0.35]] {

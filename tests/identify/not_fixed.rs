@@ -29,7 +29,7 @@ fn friction_and_squeeze() -> Tested {
     says(&found, "only their product");
     assert_eq!(found.free[0].unknowns, ["friction", "squeeze"]);
     assert!(found.slips == 5 && found.estimates.iter().all(|each| !each.is_fixed), "{found}");
-    // The product is determined all the same.
+    // The product μ N is determined all the same.
     let product = found.estimates[0].value * found.estimates[1].value;
     assert!((product - 0.30).abs() < 0.01, "{product}");
     assert_eq!(found.free.len(), 1);
@@ -63,7 +63,8 @@ fn stiffness_from_gross_slip() -> Tested {
     Ok(())
 }
 
-/// Two feet of 5 N each slide together, each with its own friction. Only the sum is determined; first derivatives do not distinguish it from a product.
+/// Two feet that carry 5 N each slide together, each with its own friction. Their slips determine only the sum of both coefficients. Identification
+/// reports a product, because first derivatives do not distinguish a product from a sum.
 #[test]
 fn friction_of_each_foot_from_both() -> Tested {
     let foot =
@@ -104,8 +105,9 @@ fn friction_of_each_jaw_from_the_weaker() -> Tested {
     Ok(())
 }
 
-/// Two feet share a pull P, so that the first slip is at P/2 = μ N of one foot, under 10 N at x with N = 5 N ± 50 x N/m. The right foot would slip first
-/// in the first slip alone. It does at μ = 0.47, but at μ = 0.6 that slip is merely 2.5 % below the limit of the left foot.
+/// Two feet share a pull P, and the first slip is where P/2 reaches μ N of one foot. The weight of 10 N is at x, so that the feet carry 5 N ∓ 50 x
+/// N/m. In the first of seven slips alone, the right foot slips first. With μ = 0.47 it does so clearly. With μ = 0.6 that slip is merely 2.5 % below
+/// the limit of the left foot, which is within the scatter.
 #[test]
 fn friction_that_would_explain_one_low_slip() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.5);
@@ -142,7 +144,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     assert_eq!(free.unknowns, ["friction", "load of contact 0", "load of contact 1", "load of contact 2"]);
     assert!(free.powers[1..].iter().all(|power| (power + free.powers[0]).abs() < 1e-6), "{free:?}");
     assert!(free.says.contains("by any factor"), "{free:?}");
-    // The relative loads are determined.
+    // The ratios of the loads of the feet are determined.
     let loads: Vec<_> = found.estimates[1..].iter().map(|estimate| estimate.value).collect();
     let sum: f64 = loads.iter().sum();
     for (load, truth) in loads.iter().zip(&known.truth[1..]) {
@@ -151,7 +153,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     Ok(())
 }
 
-/// If the scatter leaves an unknown open by more than a factor of e, it gets no value.
+/// If the scatter of the slips leaves an unknown uncertain by more than a factor of e, it gets no value.
 #[test]
 fn what_scatters_too_much() -> Tested {
     let slips = [0.6, 60.0, 6.0].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
@@ -161,8 +163,8 @@ fn what_scatters_too_much() -> Tested {
     Ok(())
 }
 
-/// Pulls to one side slide the first jaw, and pulls to the other side slide the second jaw. Each coefficient of friction depends on the slips of one
-/// group alone. One group cannot show an error that all its slips have in common.
+/// Pulls to one side make the first jaw slide, and pulls to the other side the second jaw. So each coefficient of friction depends on the slips of
+/// one group alone. The scatter within one group does not show an error that all its slips have in common.
 #[test]
 fn what_one_group_tells_alone() -> Result<(), support::Failure> {
     let known = support::identified::first_slips()?;

@@ -30,7 +30,7 @@ fn askew(draw: &mut Random, friction: f64) -> Vec<Contact> {
 fn seen(draw: &mut Random, guess: f64) -> Result<(f64, Grasp, Vec<Wrench>), grasp_lcp::Error> {
     let truth = 0.1 + 0.3 * draw.uniform();
     let contacts = askew(draw, truth);
-    // The loads pull the object out, without a limit on motions.
+    // The true friction lets go under these loads, however far the object moves before.
     let however_far = Settings::default().with_small_motions(1e50, 1e50);
     let grasp = Grasp::new(contacts.clone())?.with(&however_far);
     if !grasp.hold(Ramp::load(Wrench::ZERO, Wrench::force([1e-3, 0.0])))?.sticks().unwrap_or(false) {
@@ -49,7 +49,8 @@ fn seen(draw: &mut Random, guess: f64) -> Result<(f64, Grasp, Vec<Wrench>), gras
     Ok((truth, guess, loads))
 }
 
-/// The search starts at a friction that wedges the object, so that some loads never pull it out. All frictions are found, and 95 % intervals contain the truth.
+/// The given friction wedges the object, so that some of the observed loads would never pull it out. The search still finds all frictions, and the 95
+/// % intervals contain the true ones.
 #[test]
 fn slips_are_found_from_a_friction_that_holds_against_them() -> Tested {
     let mut draw = seeded(62);
@@ -67,7 +68,7 @@ fn slips_are_found_from_a_friction_that_holds_against_them() -> Tested {
         held +=
             usize::from(told.estimates[0].interval.is_some_and(|[low, high]| low <= truth && truth <= high));
     }
-    // Of 15 intervals 14.25 are expected to contain it. Four standard deviations of 0.84 below are accepted.
+    // Of 15 intervals, 14.25 are expected to contain the true friction. Four standard deviations of 0.84 below this number are accepted.
     assert_met(&[(wedged, 4), (held, 11)]);
     Ok(())
 }
@@ -86,8 +87,9 @@ fn a_weight_lies_there_before_a_block_is_dragged() -> Tested {
     Ok(())
 }
 
-/// A box of 20 N tips where the pull is a third of its weight, so that no slip at the start depends on friction. Lower pulls made it slide at μ 20 N,
-/// and a table at atan μ. Where it did tip, friction stays open.
+/// Before the fit, a box of 20 N is predicted to tip when the pull is a third of its weight, whatever its friction. Observed slips at lower loads
+/// determine μ = 0.25: sliding at a pull of μ · 20 N, and on a table that tilts at the angle atan μ. Slips observed at the load of tipping leave
+/// friction undetermined.
 #[test]
 fn a_box_that_tips_with_the_friction_at_the_start() -> Tested {
     let weight = Wrench::force_at([0.0, -20.0], [0.0, 0.1]);
@@ -112,7 +114,8 @@ fn a_box_that_tips_with_the_friction_at_the_start() -> Tested {
     Ok(())
 }
 
-/// On two feet, with the weight off their middle, the answer equals the answer with the weight as a base load.
+/// On two feet, with the weight off their middle: a weight that acts at rest, before the pull, gives the same friction as a weight that is part of
+/// the load.
 #[test]
 fn it_is_the_same_as_a_base_load() -> Tested {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.2);

@@ -54,7 +54,8 @@ fn a_scatter_that_is_given() -> Tested {
     let tight = jaws([0.5; 2])?.identify(&asked(0.01))?;
     assert!(tight.misfit.is_some_and(|misfit| (misfit / (s / 0.01) - 1.0).abs() < 1e-6), "{tight}");
     assert!(tight.to_string().contains("as far off"), "{tight}");
-    // Residuals of 7 given standard deviations show that these are too small. The error is then that of a scatter that is not given.
+    // Residuals of 7 given standard deviations show that the given scatter is too small. The reported error is then that of slips without a given
+    // scatter.
     let (mu, half) = (&tight.estimates[0], 2.776_445 * s / 5.0_f64.sqrt());
     assert!(mu.interval.is_some_and(|[low, _]| (low / (mean - half).exp() - 1.0).abs() < 1e-6), "{tight}");
     Ok(())
@@ -70,7 +71,8 @@ fn slips_that_are_equal() -> Tested {
     Ok(())
 }
 
-/// Three specimens, three slips each: the error is the error of the mean of three means, s / √3, and Student's quantile with 2 degrees of freedom.
+/// Three specimens with three slips each: the standard error is that of the mean of three means, s / √3, and the interval uses Student's quantile
+/// with 2 degrees of freedom.
 #[test]
 fn groups_of_slips() -> Tested {
     let loads = [5.4, 5.6, 5.5, 6.1, 6.0, 6.2, 6.6, 6.5, 6.4];
@@ -91,7 +93,7 @@ fn groups_of_slips() -> Tested {
     Ok(())
 }
 
-/// With one slip in each group the errors are White's. For a single mean they are the same as without groups.
+/// With one slip in each group, identification reports White's standard errors. For a single mean they are the same as without groups.
 #[test]
 fn groups_of_one_slip() -> Tested {
     let alone = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
@@ -106,7 +108,8 @@ fn groups_of_one_slip() -> Tested {
     Ok(())
 }
 
-/// One of ten loads is ten times too large. This load changes friction by less than the standard error. Least squares would change it by a quarter.
+/// One of ten loads is ten times too large. It changes the identified friction by less than the standard error. Least squares would change friction
+/// by a quarter.
 #[test]
 fn a_slip_far_off_counts_less() -> Tested {
     let loads = [5.9, 6.1, 6.0, 6.2, 5.8, 6.1, 5.9, 6.05, 5.95, 60.0].map(slip);

@@ -79,8 +79,8 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
 
 const AT: [[f64; 2]; 4] = [[0.1, 0.08], [-0.1, 0.11], [-0.09, -0.1], [0.12, -0.1]];
 
-/// Gross slips of four feet, statically indeterminate, under pushes in their plane or at a height. The unknowns are the load of each foot and two coefficients
-/// of friction; the sums of the loads of both pairs of feet are known.
+/// Gross slips of four feet, statically indeterminate, under pushes at a height above the plane of the feet. The unknowns are the load of each foot
+/// and two coefficients of friction. The sum of the loads is known for each of two pairs of feet.
 fn of_pushes(height: f64) -> Result<(), grasp_lcp::Error> {
     let grasp = |values: &[f64]| {
         let foot = |k: usize| {
@@ -139,7 +139,7 @@ fn of_gross_slips_that_tilt() -> Result<(), grasp_lcp::Error> {
     of_pushes(0.1)
 }
 
-/// A block on an incline is lost at atan μ: `d ln θ / d ln μ = μ / ((1 + μ²) θ)`.
+/// A block on an incline slides from the angle θ = atan μ on: `d ln θ / d ln μ = μ / ((1 + μ²) θ)`.
 #[test]
 fn of_an_angle() -> Result<(), grasp_lcp::Error> {
     let mu = 0.4_f64;

@@ -1,4 +1,5 @@
-//! If it depends on the unknowns which contact slips first, other assignments are fitted too. The answer does not depend on the start.
+//! If it depends on the unknowns which contact slips first, the fit also tries other assignments of slips to contacts. The answer does not depend on
+//! the start.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -52,7 +53,7 @@ fn one_of_two_jaws_whichever_the_start() -> Tested {
     Ok(())
 }
 
-/// Two feet under a weight of 10 N that is nearer to one of them: they carry 7 and 3 N, or 3 and 7 N, and half of a pull each.
+/// Two feet under a weight of 10 N that is nearer to one of them. They carry 7 N and 3 N, or 3 N and 7 N. Each carries half of a pull.
 fn feet(start: [f64; 2]) -> Result<Grasp, grasp_lcp::Error> {
     let foot = |x: f64, mu, name| {
         Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e5, 1e5).friction(mu)
@@ -64,7 +65,8 @@ fn pulled(newtons: f64, x: f64) -> Slip<2> {
     Slip::first(Wrench::force([newtons, 0.0])).on_top_of(Wrench::force_at([0.0, -10.0], [x, 0.0]))
 }
 
-/// With one kind of slip either foot may be the first, with friction P / 14 or P / 6.
+/// In all slips the weight is nearer to the left foot, which carries 7 N. Either foot may have slipped first at the pull P: the left one with
+/// friction P / 14, or the right one with P / 6.
 #[test]
 fn either_of_two_feet() -> Tested {
     for start in [[0.1, 0.9], [0.9, 0.1]] {
@@ -82,7 +84,8 @@ fn either_of_two_feet() -> Tested {
     Ok(())
 }
 
-/// With both kinds of slips, P = 2.8 N or 1.2 N, only friction 0.2 at the left foot explains all. A search that starts with the right foot finds this, too.
+/// With the weight nearer to the left foot the first slip is at the pull 2.8 N, and nearer to the right foot at 1.2 N. Only friction 0.2 of the left
+/// foot explains both. The search finds this even if at its start the right foot slips first.
 #[test]
 fn the_assignment_that_fits_is_found_from_the_other_one() -> Tested {
     for start in [[0.2, 0.8], [0.8, 0.1]] {
@@ -106,7 +109,7 @@ fn the_assignment_that_fits_is_found_from_the_other_one() -> Tested {
     Ok(())
 }
 
-/// Three fingers around a disc under a torque: each alone may be the first to slip.
+/// Three fingers around a disc under a torque: any one of them may be the first to slip, so each gives another assignment.
 #[test]
 fn one_of_three() -> Tested {
     let unknowns = [0, 1, 2].map(|k| Unknown::friction().of_contacts([k]));
@@ -115,7 +118,7 @@ fn one_of_three() -> Tested {
             Grasp::new([0, 1, 2].map(|i| {
                 support::jaws::around::<2>(i, 3, 0.05, [1000.0, 800.0], start[i]).pressed_with(10.0)
             }))?;
-        // Each finger carries a third of the torque: μ 10 N · 3 · 0.05 m, 0.6 N m at μ = 0.4.
+        // Each finger carries a third of the torque. The first slip is at μ · 10 N · 3 · 0.05 m, which is 0.6 N m for μ = 0.4.
         let slips = [0.59, 0.6, 0.61].map(|m| Slip::first(Wrench::new([0.0; 2], m)));
         let found = grasp.identify(&Identify::new(unknowns.clone(), slips))?;
         assert!(found.to_string().starts_with("one of"), "{start:?}: {found}");

@@ -28,7 +28,8 @@ fn a_symmetric_pinch_slides_at_all_its_friction() {
     assert!((onset.factor().expect("slides") - 10.0).abs() < CLOSE);
 }
 
-/// A load at the distance e from the middle is balanced by the couple of the normal forces: one jaw is higher by 2 μ e, and both carry half.
+/// The load is at the distance e from the middle of two jaws. The couple of their normal forces balances its moment if one jaw is higher by 2 μ e,
+/// and then each jaw carries half of the load.
 #[test]
 fn a_load_aside_is_balanced_by_a_couple() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");
@@ -41,7 +42,8 @@ fn a_load_aside_is_balanced_by_a_couple() {
     assert!((higher - 2.0 * 0.5 * aside).abs() < 1e-8, "{higher}");
 }
 
-/// Three fingers around a disc have equal stiffness along both axes. Each carries a third of a force of any direction, up to `3 N sin α`.
+/// Three fingers around a disc have equal stiffness along both axes. Each carries a third of a force of any direction, up to `3 N sin α` with the
+/// angle of friction α.
 #[test]
 fn three_fingers_on_a_disc_stand_at_thirds() {
     let angles = [0.3_f64, 1.9, 4.4];
@@ -65,7 +67,7 @@ fn three_fingers_on_a_disc_stand_at_thirds() {
     }
 }
 
-/// If only the squeeze may change, the load at first slip is linear in it, up to the largest force.
+/// If only the squeeze may change, the load at first slip is proportional to it, up to the largest allowed squeeze force.
 #[test]
 fn a_squeeze_alone_goes_up_to_its_force() {
     let grasp = Grasp::new([jaw(-0.03, 0.0), jaw(0.03, 0.0)]).expect("two jaws");

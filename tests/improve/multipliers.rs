@@ -8,7 +8,8 @@ fn jaw(x: f64) -> Contact {
     jaws::jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(8.0)
 }
 
-/// The load is so far from the middle that the edges end before it can be balanced.
+/// Two jaws on edges from `-half` to `half`, which press with at most `force` newtons. The load is so far from the middle that the jaws reach the
+/// ends of the edges before they balance its moment.
 fn asked(half: f64, force: f64) -> Improved<2> {
     let grasp = Grasp::new([jaw(-0.03), jaw(0.03)]).expect("two jaws");
     let edge = |x: f64| Surface::segment([x, -half], [x, half]);

@@ -1,5 +1,5 @@
-//! If an answer is proved to be a local optimum to first order, no small move of places along their surfaces and no small change of squeezes improves
-//! the goal to first order. The grasp itself is evaluated on curved surfaces, for both goals.
+//! If an answer is proved to be a local optimum to first order, no small change improves the goal to first order: neither moves of contacts along
+//! their surfaces, nor changes of squeezes. Gains are differences of goals of whole grasps, on curved surfaces, for both goals.
 
 use std::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ use support::samples::{assert_met, samples, seeded};
 const STEP: f64 = 4e-4;
 const SIZE: f64 = 0.05;
 const MOST: f64 = 12.0;
-/// Largest gain to first order of a move of the size of the object, relative to the goal. Optima are reported to a millionth.
+/// Accepted gain to first order, for a move by the size of the object, relative to the goal. Optima are reported to a millionth.
 const NOTHING: f64 = 1e-6;
 const ROUNDING: f64 = 1e-9;
 
@@ -29,8 +29,8 @@ fn contact<const C: usize>(point: [f64; C], normal: [f64; C], press: f64) -> Con
     Contact::new(point, normal).series_stiffness(NORMAL, TANGENTIAL).friction(0.8).command(command)
 }
 
-/// The contacts with each place moved along its surface, the frame without twist about the normal, and each squeeze changed. `None` if a squeeze exceeds its
-/// largest value.
+/// The contacts after a move of each contact point along its surface and a change of each squeeze. Tangents turn with the normal and do not twist
+/// about it. `None` if a squeeze exceeds its largest value.
 fn moved<const C: usize>(
     at: &[Placed<C>],
     surfaces: &[Surface<C>],
@@ -116,12 +116,12 @@ fn no_move_gains<const C: usize>(
 
     let (mut random, mut most, mut asked, mut lose) = (seeded(48), f64::NEG_INFINITY, 0, 0);
     for _ in 0..samples(300) {
-        // Only some of them change at a time.
+        // Each random direction changes only some of the coordinates and squeezes. The others stay as they are.
         let mut part = || if random.index(0, 3) > 0 { 0.0 } else { random.signed() };
         let moves: [f64; 12] = std::array::from_fn(|_| part());
         let gain = |step: f64| Some(value(&moves, step)? / best - 1.0);
         let (Some(whole), Some(half)) = (gain(STEP), gain(STEP / 2.0)) else { continue };
-        // The slope of the parabola through zero and both gains, which does not contain the curvature of surfaces.
+        // The slope at zero of the parabola through zero and both gains. So the curvature of surfaces does not count.
         let first = (4.0 * half - whole) / STEP;
         (most, asked, lose) = (most.max(first), asked + 1, lose + usize::from(first < -0.01));
     }

@@ -1,4 +1,5 @@
-//! The largest friction margin under loads that act in full agrees with closed forms, and with the margins of the equilibria of the improved grasp.
+//! The largest friction margin under given loads agrees with closed forms, and with the margins of the equilibria of the improved grasp. A friction
+//! margin is the friction limit μ N minus the tangential force.
 
 use grasp_lcp::improve::{ActiveConstraintKind, Improve, ImproveGoal, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
@@ -17,8 +18,8 @@ fn carried(load: f64, aside: f64) -> Improve<2> {
     question.along(0, edge(-0.03)).along(1, edge(0.03))
 }
 
-/// One jaw is higher by P e / N, so that the couple of normal forces balances the load. Each carries half, with the margin `μ N - P / 2`. For the latest
-/// first slip the difference in height would be 2 μ e, 10 mm instead of 4 mm.
+/// One jaw is higher by P e / N, so that the couple of the normal forces N balances the load P at the distance e. Each jaw carries half of the load,
+/// with the margin `μ N - P / 2`. For the goal of the largest load at first slip, the difference in height would be 2 μ e, 10 mm instead of 4 mm.
 #[test]
 fn a_load_aside_is_balanced_as_it_is_and_not_as_it_may_become() {
     let improved = jaws([0.5; 2]).expect("two jaws").improve(&carried(4.0, 0.01)).expect("asked well");
@@ -49,7 +50,7 @@ fn three_fingers_on_a_disc_keep_what_a_third_of_any_force_leaves() {
     assert!(improved.is_locally_best(), "{improved}");
 }
 
-/// The reserve is the least margin of the equilibria under all loads, on round cones, before and after the improvement.
+/// The reported goal is the least friction margin of the equilibria under all loads, with round friction cones, before and after the improvement.
 #[test]
 fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     use spatial::{Contact, Grasp, Loads, Wrench};
@@ -79,7 +80,7 @@ fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
     assert!((least(&improved.placed(&grasp).expect("three")) - after).abs() < 1e-9, "{after}");
 }
 
-/// The multipliers of the forces of both jaws have the sum μ, because the margin is `μ N - P / 2`.
+/// The reserve is the margin `μ N - P / 2`. So the multipliers of the squeeze limits of both jaws, the gain per newton, have the sum μ.
 #[test]
 fn its_multipliers_are_what_a_newton_gains() {
     let improved = jaws([0.5; 2])

@@ -134,9 +134,9 @@ pub(crate) fn problem(random: &mut Random, family: Family) -> (DMatrix<f64>, DVe
 #[derive(Debug, Default, Clone)]
 pub(crate) struct Tally {
     pub(crate) solved: usize,
-    /// Reported as solved, although the exact point of the basis violates a condition or does not exist.
+    /// Reported as solved, although the exact point of the reported basis violates a condition or does not exist.
     pub(crate) rounded: usize,
-    /// Those of `rounded` with residuals above rounding.
+    /// Problems counted in `rounded` whose residuals are larger than rounding.
     pub(crate) coarse: usize,
     /// Reported as solved up to rounding, although no solution exists.
     pub(crate) unsolvable: usize,
@@ -149,8 +149,8 @@ pub(crate) struct Tally {
     pub(crate) open: usize,
 }
 
-/// Whether z violates 0 ≤ z ⟂ w ≥ 0 by more than 2e-10 of the terms of a row, in rational arithmetic. z_j is measured by its largest contribution to the
-/// terms of any row.
+/// Whether z violates 0 ≤ z ⟂ w ≥ 0 by more than 2e-10 of the terms of a row, in rational arithmetic. For this comparison, z_j counts as its largest
+/// contribution to the terms of any row.
 fn violates(exact: &Exact, z: &[BigRational]) -> bool {
     let whole = |x: &num_bigint::BigInt| BigRational::from_integer(x.clone());
     let tolerance = BigRational::from_f64(2e-10).expect("finite");
@@ -184,7 +184,7 @@ pub(crate) fn judge(lcp: &Lcp, outcome: &Outcome, tally: &mut Tally) -> Result<(
                 tally.rounded += 1;
                 tally.unsolvable += usize::from(!exact.is_solvable());
                 tally.coarse += usize::from(solution.residuals.max() > 1e-14);
-                // A solution up to rounding solves slightly different data. Residuals cannot show more.
+                // A solution up to rounding exactly solves slightly different data. From residuals nothing more can be concluded.
                 if violates(&exact, &z) {
                     return Err("a false solution".into());
                 }

@@ -1,4 +1,4 @@
-//! A row whose terms underflow the range of doubles is tested like any other row.
+//! A row whose terms are smaller than the least positive double is tested like any other row.
 
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};
@@ -9,10 +9,10 @@ fn problem(n: usize, rows: &[f64], q: &[f64]) -> Lcp {
 
 #[test]
 fn a_slack_beside_a_positive_unknown_is_seen_whatever_its_size() {
-    // w = 1e-400 beside z = 1e-200.
+    // w = M z is 1e-400, which underflows, while z is 1e-200: so z and w are not complementary.
     let alone = problem(1, &[1e-200], &[0.0]).residuals(&DVector::from_element(1, 1e-200));
     assert_eq!((alone.complementarity, alone.negative_w), (1.0, 0.0));
-    // w₁ = (f − 1) 1e-400 from terms of (f + 1) 1e-400.
+    // w₁ = (f − 1) 1e-400, from terms with the sum of sizes (f + 1) 1e-400. `part` is the negative part of w₁ relative to this sum.
     for (f, part) in [(0.5, 1.0 / 3.0), (1.0, 0.0), (0.25, 0.6)] {
         let rows = [f * 1e-200, -1e-200, 0.0, 1.0];
         let residuals = problem(2, &rows, &[0.0, -1e-200]).residuals(&DVector::from_element(2, 1e-200));
@@ -20,7 +20,7 @@ fn a_slack_beside_a_positive_unknown_is_seen_whatever_its_size() {
     }
 }
 
-/// Row 1 gives z₂ = 2e-202. Then w₂ = 0 needs z₀ = 4e-465, or a z₁ that compensates a larger z₀.
+/// Row 1 gives z₂ = 2e-202. Then w₂ = 0 needs z₀ = 4e-465, less than the least positive double, or a z₁ that compensates a larger z₀.
 fn with_entry(entry: f64) -> Lcp {
     let rows = [
         [-2e-24, 0.0, -1e118, 1e43],

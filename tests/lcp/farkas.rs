@@ -15,7 +15,7 @@ fn times(column: impl Iterator<Item = f64>, y: &DVector<f64>) -> BigRational {
     column.zip(y).fold(BigRational::zero(), |sum, (m, y)| sum + exact(m) * exact(*y))
 }
 
-/// What y proves in rational arithmetic: whether the problem is infeasible, and otherwise a lower bound on the sum of z.
+/// What the vector y proves in rational arithmetic: whether the problem is infeasible, and otherwise a lower bound on the sum of the entries of z.
 fn shown(m: &DMatrix<f64>, q: &DVector<f64>, y: &DVector<f64>) -> (bool, f64) {
     let descent = times(q.iter().copied(), y);
     if !descent.is_negative() {
@@ -68,7 +68,8 @@ fn a_vector_proves_what_rationals_say() {
     assert_met(&[(proofs, 75), (bounds, 250)]);
 }
 
-/// Problems with random data that are reported as infeasible are infeasible in rational arithmetic. Nearly infeasible problems have no small z.
+/// Problems with random data that are reported as infeasible are infeasible in rational arithmetic. If a problem is reported as nearly infeasible,
+/// the entries of any solution have at least the reported sum.
 #[test]
 fn no_proof_is_false() {
     let mut random = seeded(137);

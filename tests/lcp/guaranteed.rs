@@ -68,7 +68,7 @@ fn frictional_contacts_on_a_compliant_body_are_solved() {
         let j = DMatrix::from_fn(2 * contacts, 3, |_, _| random.integer(-2, 2) as f64);
         let w = &j * j.transpose() + DMatrix::identity(2 * contacts, 2 * contacts) * 0.25;
         let mut m = DMatrix::zeros(n, n);
-        // Row 4i: normal; 4i+1, 4i+2: the two friction directions; 4i+3: their slip.
+        // Row 4i belongs to the normal force of contact i, rows 4i+1 and 4i+2 to the two friction directions, and row 4i+3 to the size of the slip.
         let index = |k: usize| {
             let (i, axis, sign) = match k % 4 {
                 0 => (k / 4, 0, 1.0),

@@ -13,7 +13,7 @@ use support::elimination::Eliminated;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Two or three fingers around the origin, stiffnesses over `decades`.
+/// Two or three fingers around the origin. Their stiffnesses differ by up to `decades` powers of ten.
 fn grasp(numbers: &mut Random, n: usize, decades: f64) -> planar::Grasp {
     let contacts = (0..n).map(|_| {
         let (y, x) = (std::f64::consts::TAU * numbers.uniform()).sin_cos();
@@ -102,7 +102,8 @@ fn entries_far_apart_are_solved_or_left_open_and_never_denied() {
     assert_eq!(solved, all);
 }
 
-/// In rows with terms of 1e14 a value of 3 is not rounding, and a slack of -6 is not a tie, for every start of the path.
+/// In rows with terms of 1e14 the solver does not take a value of 3 for rounding, nor a slack of -6 for a tie, for any basis at the start of the
+/// path.
 #[test]
 fn small_values_beside_large_terms_are_told_from_noise() {
     let check = |m: &[f64], q: &[f64], z: &[f64]| {

@@ -36,11 +36,11 @@ fn on_a_definite_matrix_the_path_goes_forward_through_every_solution() {
         for breakpoint in path.by_ref() {
             assert_eq!(breakpoint.trend, Trend::Forward);
             assert!(breakpoint.tau >= from);
-            // In the middle of the previous piece, the basis is the basis of the solution.
+            // In the middle between this breakpoint and the previous one, the solution has the basis of the path.
             let middle =
                 solution(&Lcp::new(m.clone(), &q + &dq * f64::midpoint(from, breakpoint.tau)).unwrap());
             assert_eq!(middle.basis, basis);
-            // At the breakpoint z is the solution, and slightly beyond it z + δ dz/dτ.
+            // At the breakpoint z is the solution. Slightly beyond the breakpoint, the solution is z + δ dz/dτ.
             let at = solution(&Lcp::new(m.clone(), &q + &dq * breakpoint.tau).unwrap());
             assert!((&at.z - &breakpoint.z).amax() <= 1e-10 * (1.0 + at.z.amax()));
             let later = breakpoint.tau + 1e-7;
@@ -107,7 +107,7 @@ fn series_and_warm_starts_find_the_cold_solutions() {
                 panic!("definite")
             };
             assert_eq!(warm.basis, cold.basis);
-            // From its own basis a problem needs no pivot at all.
+            // If the solver starts with the basis of the solution, it needs no pivot at all.
             let Outcome::Solved(again) = lcp.solve_from(&cold.basis, &Settings::default()) else {
                 panic!("definite")
             };
@@ -133,7 +133,7 @@ fn a_neighbouring_basis_costs_the_pivots_in_which_it_differs() {
     else {
         panic!("positive definite")
     };
-    // z₀ enters, and leaves with the pair that differs.
+    // Two pivots: the artificial variable z₀ of Lemke's method enters the basis, and leaves it when the pair that differs has changed.
     assert_eq!(view.pivots, 2);
 }
 
@@ -150,7 +150,7 @@ fn a_workspace_gives_the_same_answers_as_fresh_memory() {
     }
 }
 
-/// A closed path is reported as such. τ reverses at 0, -4/3, -2/3 and -1, where the path returns to its first piece.
+/// A closed path is reported as such. Its parameter τ reverses at 0, -4/3, -2/3 and -1, where the path reaches the basis with which it started.
 #[test]
 fn a_closed_loop_is_an_end_of_its_own() {
     let m = DMatrix::from_row_slice(2, 2, &[-1.0, 1.0, -1.0, -2.0]);
@@ -165,7 +165,7 @@ fn a_closed_loop_is_an_end_of_its_own() {
         assert!((breakpoint.tau - tau).abs() < 1e-15, "{breakpoints:?}");
     }
     assert_eq!(breakpoints.last().unwrap().basis, start);
-    // Every breakpoint solves its problem.
+    // At every breakpoint τ, z solves the problem with the vector q + τ dq.
     for breakpoint in &breakpoints {
         let at = Lcp::new(m.clone(), lcp.vector() + &dq * breakpoint.tau).unwrap();
         assert!(at.residuals(&breakpoint.z).within(1e-13), "{breakpoint:?}");

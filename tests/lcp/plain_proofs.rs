@@ -25,21 +25,22 @@ fn one_row_is_enough() {
     assert_eq!(proof(&lcp), [1.0, 0.0, 0.0]);
 }
 
-/// w₀ = z₀ − 3 z₁ − 1 and w₁ = −2 z₀ + 5 z₁: y = (1, t) proves it for t from 1/2 to 3/5.
+/// w₀ = z₀ − 3 z₁ − 1 and w₁ = −2 z₀ + 5 z₁. The vector y = (1, t) proves that no z ≥ 0 has w ≥ 0, for every t from 1/2 to 3/5. The reported ratio t
+/// has few binary digits.
 #[test]
 fn two_rows_have_a_ratio_of_few_digits() {
     let y = proof(&problem(&[1.0, -3.0, 0.0, -2.0, 5.0, 0.0, 1.0, 1.0, 1.0], &[-1.0, 0.0, 1.0]));
     assert!(y[2] == 0.0 && (y[1] / y[0] * 1024.0).fract() == 0.0, "{y:?}");
 }
 
-/// If only one ratio gives a proof and it is not a double, both entries are taken from the data.
+/// If only one ratio of the entries of y gives a proof and this ratio is not a double, both entries are taken from the data.
 #[test]
 fn a_ratio_that_is_no_double_is_one_of_two_entries() {
     let y = proof(&problem(&[3.0, -3.0, -7.0, 7.0], &[-1.0, 0.0]));
     assert_eq!(y[1] / y[0], 3.0 / 7.0);
 }
 
-/// The second row needs z₀ ≥ 469.7, and the third then z₂ = 9e11 z₀. The block of the basis is singular, but solutions with this basis exist.
+/// The second row needs z₀ ≥ 469.7, and the third row then z₂ = 9e11 z₀. The basis matrix is singular, but solutions with this basis exist.
 #[test]
 fn a_corner_of_a_singular_piece_is_found() {
     let rows = [

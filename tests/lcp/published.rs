@@ -51,7 +51,8 @@ fn small_problems_end_as_exact_arithmetic_says() {
 fn all_three_solutions_of_handbook_10_2_2_and_of_10_2_4_are_listed() {
     let problems = small();
     let count = |at: usize| problems[at].1.problem().all_solutions().unwrap().solutions;
-    // (1, 0) and (0, 1); (1/2, 1/2) lies on the singular basis between them.
+    // The solutions of problem 10.2.2 are (1, 0), (0, 1) and (1/2, 1/2). The last one lies on a singular basis between the first two, so it may be
+    // missing.
     assert!(count(1).len() >= 2);
     let games = count(3);
     assert_eq!(games.len(), 3);
@@ -61,7 +62,7 @@ fn all_three_solutions_of_handbook_10_2_2_and_of_10_2_4_are_listed() {
     }
 }
 
-/// Murty 1978: 1 on the diagonal, 2 below it; with q_i = −2ⁿ − 2ⁿ⁻¹ − … (i terms) pivoting takes about 2ⁿ steps.
+/// Murty 1978: M has 1 on the diagonal and 2 below it. With q_i = −2ⁿ − 2ⁿ⁻¹ − … (i terms) Lemke's method takes about 2ⁿ pivots.
 #[test]
 fn murtys_exponential_family_ends_honestly() {
     for n in 1..=24 {

@@ -16,7 +16,7 @@ fn basis(lcp: &Lcp) -> Option<Vec<usize>> {
     }
 }
 
-/// The problem with row factors, column factors and one for q, all powers of ten with exponents up to ±`range`.
+/// The problem after rows, columns and q are multiplied by factors. All factors are powers of ten with exponents up to ±`range`.
 fn rescaled(m: &DMatrix<f64>, q: &DVector<f64>, random: &mut Random, range: i64) -> Lcp {
     let mut factor = || 10.0_f64.powi(random.integer(-range, range) as i32);
     let n = q.len();

@@ -12,7 +12,7 @@ fn cause(outcome: Outcome) -> BreakdownCause {
 
 #[test]
 fn covering_vectors_and_tolerances_that_do_not_fit_are_refused() {
-    // With q ≥ 0 no path is followed at all.
+    // Invalid settings are refused also if q ≥ 0, where z = 0 is the solution and no path is followed.
     for q in [[1.0, 2.0], [-1.0, 2.0]] {
         let lcp = Lcp::new(DMatrix::identity(2, 2), DVector::from_row_slice(&q)).expect("finite");
         let all = |settings: &Settings| {

@@ -1,5 +1,5 @@
-//! If hundreds of contacts reach the edge of their cones at one load, the path ends at the known limit: `μ Σ F_n` for a force, and `μ Σ F_n R` for a
-//! torque.
+//! If hundreds of contacts reach the edge of their cones at one load, the load path ends at the known limit load: `μ Σ F_n` for a force, and `μ Σ F_n
+//! R` for a torque.
 
 use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd, Ramp};
 use grasp_lcp::{planar, spatial};

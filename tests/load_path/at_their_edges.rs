@@ -1,6 +1,6 @@
 //! A path on which a contact reaches the edge of its cone continues, or ends with a stated cause. The scenes come from users.
 //!
-//! The reference is the path in steps, which does not compute events.
+//! The reference is the path followed in steps of bounded error, which does not compute events.
 
 use grasp_lcp::load_path::{Change, LossKind, PathEnd};
 use grasp_lcp::planar::Wrench as PlanarWrench;
@@ -9,7 +9,7 @@ use grasp_lcp::spatial::{Grasp, Leg, LoadPath, Wrench};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// The grasp of a scene in space, with the load and the legs that are followed.
+/// The grasp of a scene, the load at the start, and the legs to follow.
 fn asked<const C: usize>(setup: &Setup<C>) -> Result<Asked<C>, Box<dyn std::error::Error>> {
     let Some(Question::Follow { start, legs, .. }) = setup.questions.first() else {
         return Err("asks for a path".into());
@@ -28,7 +28,8 @@ fn in_the_plane(text: &str) -> Result<Asked<2>, Box<dyn std::error::Error>> {
     asked(&serde_json::from_str::<Scene>(text)?.planar().ok_or("in the plane")?)
 }
 
-/// A finger opens and presses again while another is on the edge of its cone without slip. The continuation is found for both together.
+/// A finger opens and presses again while another finger is on the edge of its cone without slip. The path must find contact states for both fingers
+/// together.
 #[test]
 fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/pressed_on_again.json"))?;
@@ -45,7 +46,7 @@ fn a_finger_presses_again_beside_one_on_its_edge() -> Tested {
     Ok(())
 }
 
-/// Every fraction along ordinary arcs has a state.
+/// The path has a state at every fraction of a leg, also where contacts slide in turning directions (along arcs).
 #[test]
 fn every_fraction_that_was_passed_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/told_everywhere.json"))?;
@@ -67,7 +68,8 @@ fn every_fraction_that_was_passed_is_told() -> Tested {
     Ok(())
 }
 
-/// Only two contacts in space remain loaded. The free rotation about their line stays where contacts without force have pushed it, until a load turns it.
+/// All contacts but two open. The object may then turn freely about the line through these two, and stays where the other contacts have pushed it,
+/// until a load turns it.
 #[test]
 fn two_contacts_stay_loaded_in_space() -> Tested {
     for text in
@@ -83,7 +85,7 @@ fn two_contacts_stay_loaded_in_space() -> Tested {
         let last = path.state().ok_or("at its end")?;
         let loaded: Vec<_> = last.contacts.iter().filter(|c| c.force.norm() > 0.0).collect();
         assert_eq!(loaded.len(), 2);
-        // Without a load the two forces are opposite.
+        // Without a load the two remaining forces are opposite.
         let (a, b) = (loaded[0].force_world, loaded[1].force_world);
         assert!((a + b).norm() < 1e-12 * a.norm());
         assert!(last.contacts.iter().all(|c| c.gap > -1e-15), "nothing penetrates");
@@ -110,7 +112,7 @@ fn nothing_presses() -> Tested {
         assert!(start == PlanarWrench::ZERO);
         let mut path = grasp.follow(start, &legs)?;
         let events = path.run();
-        // A loose object moves from gap to gap as soon as a load acts.
+        // As soon as a load acts, the loose object jumps from gap to gap, and hardly any other events occur.
         assert!(events.iter().filter(|event| event.jump.is_none()).count() < 5, "{events:?}");
         let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
         assert!(loss.leg == 1 && loss.fraction == 0.0, "{loss:?}");
@@ -122,7 +124,8 @@ fn nothing_presses() -> Tested {
     Ok(())
 }
 
-/// Contacts that slide at the start may continue to slide, or one may stick. The path follows one continuation and reports that another exists.
+/// Contacts that slide at the start may all continue to slide, or one of them may stick. The path follows one of these continuations and reports that
+/// another exists.
 #[test]
 fn the_other_way_to_begin_is_told() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
@@ -132,7 +135,8 @@ fn the_other_way_to_begin_is_told() -> Tested {
     assert_eq!(first.other_continuations, Some(1));
     let events = path.run();
     assert!(events.iter().any(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps)));
-    // The path slides on to a fold and snaps over at this fold. The path in steps finds the sticking continuation, which has no fold.
+    // The path continues with sliding until a fold, where the object snaps over. The path in steps finds the continuation with the sticking contact,
+    // which has no fold.
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
     let mut steps = grasp.follow_in_steps(start, &legs, 1e-6)?;
     steps.by_ref().for_each(drop);
@@ -140,7 +144,8 @@ fn the_other_way_to_begin_is_told() -> Tested {
     Ok(())
 }
 
-/// A finger slides with vanishing force, and another comes to rest on the edge of its cone. After this no force changes, and it stays on the edge.
+/// A finger slides with vanishing force, and another finger comes to rest on the edge of its cone. After this no force changes, and the second finger
+/// stays on the edge.
 #[test]
 fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/slip_dies_out.json"))?;
@@ -156,7 +161,8 @@ fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
     Ok(())
 }
 
-/// Slip ends just before the load has a maximum. Further slip would be against friction, and sticking would leave the cone, so the path ends.
+/// A contact stops sliding just before the load has a maximum. Further slip would be against friction, and sticking would leave the cone, so the path
+/// ends.
 #[test]
 fn what_neither_sticks_nor_slides_ends_the_path() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/stops_beside_a_maximum.json"))?;
@@ -171,7 +177,8 @@ fn what_neither_sticks_nor_slides_ends_the_path() -> Tested {
     Ok(())
 }
 
-/// A contact slides and sticks again within a twentieth of a leg. Both loads do not depend on the length of the leg, and all states are inside their cones.
+/// A contact slides and sticks again within a twentieth of a leg. The loads of both events do not depend on the length of the leg, and all states are
+/// inside their cones.
 #[test]
 fn a_slip_that_comes_and_goes_is_told_however_long_the_leg() -> Tested {
     let (grasp, start, legs) = in_space(include_str!("scenes/slips_and_sticks_again.json"))?;

@@ -9,8 +9,8 @@ use support::ends::{limit_load, snap};
 use support::jaws::jaw;
 use support::programs::numbers;
 
-/// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright:
-/// without the guides it could also turn under the same forces, with one flank sliding and the other not.
+/// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright. Without them the
+/// wedge could also turn under the same forces, with one flank sliding and the other not.
 fn wedge(mu: f64) -> planar::Grasp {
     let (k, kt) = (100.0, 200.0);
     let flank = |side: f64| {
@@ -20,10 +20,11 @@ fn wedge(mu: f64) -> planar::Grasp {
     planar::Grasp::new([flank(1.0), flank(-1.0), guide(3.0), guide(-3.0)]).unwrap()
 }
 
-/// Wedge angle: tan α = s/c = 0.75. Sinking by y compresses each flank by k s y and drags it by kt c y: as kt c > μ k s it slides from the first
-/// moment, with N = k s y and load W = 2N(s + μc). On the way back it sticks while y falls by δ: N falls by k s δ, the upward friction T by kt c δ.
-/// It slides back when T = -μN, at δ* = 2μN₁/(kt c + μ k s), load W* = W₁ - 2δ*(k s² + kt c²) = 2N(s - μc). W* is positive below the locking angle μ
-/// = tan α. Above it W* is negative: the unloaded wedge stays stuck, and W* is the limit load at which it is pulled out.
+/// The wedge angle is tan α = s/c = 0.75. Sinking by y compresses each flank by k s y and drags it by kt c y. Since kt c > μ k s, it slides from the
+/// first moment on, with N = k s y and the load W = 2N(s + μc). When the load is taken back, the flanks stick while y falls by δ: N falls by k s δ,
+/// and the upward friction T by kt c δ. They slide back when T = -μN, at δ* = 2μN₁/(kt c + μ k s) and the load W* = W₁ - 2δ*(k s² + kt c²) = 2N(s -
+/// μc). W* is positive for μ < tan α. For larger μ it is negative: the unloaded wedge stays stuck, and W* is the limit load at which it is pulled
+/// out.
 #[test]
 fn a_wedge_locks_at_its_angle() {
     let (k, kt, s, c, w1) = (100.0, 200.0, 0.6, 0.8, 6.0);
@@ -56,7 +57,7 @@ fn a_wedge_locks_at_its_angle() {
             // Near the locking angle the rounding of the load is amplified by the inverse distance from this angle.
             assert!(left < 1e-14 * w1 / (tan - mu), "{mu} {left}");
         } else {
-            // W = 0: N s + T c = 0 after the whole of W₁ has been taken back at the sticking stiffness.
+            // Without load, N s + T c = 0, after W₁ has been taken back with the stiffness of sticking flanks.
             let n = n1 - k * s * w1 / (2.0 * (k * s * s + kt * c * c));
             for contact in &rest.contacts[..2] {
                 assert_close!(contact.normal_force(), n);
@@ -75,15 +76,15 @@ fn a_wedge_locks_at_its_angle() {
         if mu >= tan {
             assert_story(&events, &expected);
         } else {
-            // At the very end, without force, an opening may be reported too.
+            // At the end of the unloading, without force, an opening may be reported too.
             assert_story(&events[..3], &expected);
             assert!(events[3..].iter().all(|e| e.fraction > 1.0 - 1e-12), "{:?}", story(&events));
         }
     }
 }
 
-/// Exactly at the locking angle the wedge stays until the load is gone, and then any pull takes it out. The locked forces
-/// are those of the sticking state, N = N₁ - k s δ with T = -μN to rounding: pressed again, it is back where it was.
+/// Exactly at the locking angle the wedge stays until the load is gone, and then any pull takes it out. The forces of the locked wedge are those of
+/// the sticking state, N = N₁ - k s δ with T = -μN, up to rounding. When the wedge is pressed again, its state is the one before unloading.
 #[test]
 fn a_wedge_at_its_locking_angle() {
     let down = |w: f64| planar::Wrench::force([0.0, -w]);
@@ -113,10 +114,10 @@ fn a_wedge_at_its_locking_angle() {
     }
 }
 
-/// A body on two oblique bonded springs with one frictional foot beneath (normal y, k = 13, kt = 14, μ = 3/2, pressed by
-/// a = 24/13). The springs, stiffness 13 along (3,4)/5 and 1/2 across at (±1, 0), add up to S = [10 12; 12 17] and do not turn
-/// the body. Unloaded: u = (-1/2, 1), N = 11, T = 7. Pulled by (-τ, 0) and stuck: (S + K)u = (-τ, 24), so
-/// N = 11 - 13τ/48, T = 7 + 35τ/48, and T = 3/2 N at τ* = 912/109, N* = 952/109.
+/// A body on two oblique bonded springs, with one frictional foot beneath (normal y, k = 13, kt = 14, μ = 3/2, pressed by a = 24/13). The springs at
+/// (±1, 0) have the stiffness 13 along (3,4)/5 and 1/2 across. Their sum is S = [10 12; 12 17], and they do not turn the body. Without a pull the
+/// displacement is u = (-1/2, 1), and the foot has N = 11, T = 7. With the pull (-τ, 0) and a sticking foot, (S + K)u = (-τ, 24) with the foot's
+/// stiffness K, so N = 11 - 13τ/48, T = 7 + 35τ/48, and T = 3/2 N at τ* = 912/109, N* = 952/109.
 ///
 /// Sliding at τ*, S u' = N'(3/2, 1) + (-1, 0) with N' = -13u_y' has the determinant 10·30 - 12·31.5 = -78 < 0 and gives
 /// u' = (30, -12)/78, N' = 2, T' = 3. The slip rate s' = -T'/14 - u_x' = -3/14 - 5/13 < 0 is against the friction. So this equilibrium ends.
@@ -146,28 +147,29 @@ fn a_continuation_lost_by_snapping() {
     assert_close!(y / x, -0.4);
     assert!(x < 0.0);
     assert!(path.energies()[0].residual().abs() < 1e-13);
-    // Enumeration finds three equilibria before τ*: sticking, sliding (both meet at τ*) and open. After it only the open one exists.
+    // Enumeration finds three equilibria before τ*: sticking, sliding (both meet at τ*) and open. Beyond τ* only the open one exists.
     let all = |tau: f64| grasp.equilibria(pull(tau)).unwrap();
     assert_eq!((all(snap * 0.999).len(), all(snap * 1.001).len()), (3, 1));
     let open = all(snap * 1.001).remove(0);
     assert_close!(open.twist.translation()[1], snap * 1.001 * 12.0 / 26.0);
-    // A softer foot, k = 3 with the same force at rest: 26 + k(10 - 12μ) = 2 > 0, it slides on and opens.
-    // Stuck: [24 12; 12 20]u = (-τ, 24): N = 24 - 3u_y, u_y = 12(τ + 48)/336, T = 14(20τ + 288)/336.
-    // Sliding: [10 16.5; 12 20]u = (36 - τ, 24), determinant 2: u_y = (240 - 12(36 - τ))/2 = 6τ - 96, N = 24 - 18τ + 288.
+    // A softer foot with k = 3 and the same force at rest slides on and opens, because the determinant 26 + k(10 - 12μ) = 2 is positive. Sticking:
+    // [24 12; 12 20]u = (-τ, 24), so N = 24 - 3u_y with u_y = 12(τ + 48)/336, and T = 14(20τ + 288)/336. Sliding: [10 16.5; 12 20]u = (36 - τ, 24)
+    // with the determinant 2, so u_y = (240 - 12(36 - τ))/2 = 6τ - 96 and N = 24 - 18τ + 288.
     let soft = planar::Grasp::new([foot(3.0), spring(-1.0), spring(1.0)]).unwrap();
     let mut path = soft.follow(pull(0.0), &[planar::Leg::load_to(pull(40.0))]).unwrap();
     let events = path.run();
     assert!(completed(path.end()), "{:?}", path.end());
-    // T = 3/2 N: (20τ + 288)/24 = 36 - 4.5(τ + 48)/28.
+    // The foot slides where T = 3/2 N: (20τ + 288)/24 = 36 - 4.5(τ + 48)/28. It opens where N = 0.
     let slides = (36.0 - 4.5 * 48.0 / 28.0 - 12.0) / (20.0 / 24.0 + 4.5 / 28.0);
     let opens = 312.0 / 18.0;
     assert_story(&events, &[(0, slides / 40.0, vec![(0, "slides")]), (0, opens / 40.0, vec![(0, "opens")])]);
 }
 
-/// Two fingers squeeze (N = k a), and one frictionless guide of stiffness kg also carries load. If both fingers stick, a weight w lowers the
-/// object by y = w/(2kt + kg), T = kt y. First squeeze a₁, then load: T = kt w/(2kt + kg). First load at the squeeze a₀: the object slides
-/// at kt y = μka₀, and T keeps this value, y = (w - 2μka₀)/kg. Squeezing afterwards adds nothing to T. Squeezed to a₁, loaded
-/// and released to a₀: the object slides from N = T/μ on and ends in the second state. Squeezing again does not undo this.
+/// Two fingers squeeze an object with N = k a each, and one frictionless guide of stiffness kg also carries load. If both fingers stick, a weight w
+/// lowers the object by y = w/(2kt + kg), and each finger carries T = kt y. If the squeeze a₁ comes first, this is the state under the load. If the
+/// load comes at the smaller squeeze a₀, the object slides at kt y = μka₀; T keeps this value, and y = (w - 2μka₀)/kg. Squeezing afterwards adds
+/// nothing to T. If the object is squeezed to a₁, loaded and released to a₀, it slides from N = T/μ on and ends in the second state. Squeezing again
+/// does not undo this.
 #[test]
 fn the_order_of_loading_matters() {
     let (k, kt, kg, mu, w) = (40.0, 6.0, 8.0, 0.5, 1.2);
@@ -204,9 +206,10 @@ fn the_order_of_loading_matters() {
     }
 }
 
-/// Without friction the state depends on the load alone: a plank on n supports of stiffness k, loaded off centre. With the supports
-/// i >= m closed, Σ F = w and Σ F x = w e give F_i = w/n' (1 + (x_i - mean)(e - mean)/variance), with mean and variance over the n' closed supports.
-/// Thus F_m = 0 at e = mean + variance/(mean - x_m). Support m opens at this e when e grows, and closes at it when e decreases.
+/// Without friction the state depends on the load alone. A plank lies on n supports of stiffness k and is loaded by w at the distance e from the
+/// middle. With the supports i >= m closed, Σ F = w and Σ F x = w e give F_i = w/n' (1 + (x_i - mean)(e - mean)/variance), with mean and variance
+/// over the n' closed supports. So F_m = 0 at e = mean + variance/(mean - x_m). Support m opens at this e when e grows, and closes there when e
+/// decreases.
 #[test]
 fn frictionless_supports_open_one_by_one_and_close_again() {
     let (n, w, k) = (6_u32, 3.0, 50.0);
@@ -242,9 +245,10 @@ fn frictionless_supports_open_one_by_one_and_close_again() {
     }
 }
 
-/// Infinite friction: a foot (k, kt, pressed by a) next to bonded springs, of total stiffness kb in both directions. Sheared, the foot never slides.
-/// Lifted, it opens at y = a, under the load kb a. Sheared by P while the foot is open, the object moves to x = P/kb. Lowered, the foot closes at
-/// y = a again, where it sticks with F_t = 0. After the shear is removed, the foot pulls back: x = P/kb · kt/(kt + kb), F_t = kb x.
+/// Infinite friction. A foot (stiffnesses k and kt, pressed by a) acts next to bonded springs, of total stiffness kb in both directions. Under shear
+/// the foot never slides. Under a lifting load it opens at y = a, under the load kb a. A shear P while the foot is open moves the object to x = P/kb.
+/// When the load is lowered, the foot closes at y = a again, and sticks there with F_t = 0. After the shear is removed, the foot pulls back: x = P/kb
+/// · kt/(kt + kb), F_t = kb x.
 #[test]
 fn infinite_friction_never_slides() {
     let (k, kt, kb, a, p) = (30.0, 20.0, 10.0, 0.1, 2.0);
@@ -260,7 +264,7 @@ fn infinite_friction_never_slides() {
     // No shear force causes an event.
     let mut path = grasp.follow(start, &[load(1e6, 0.0), load(-1e6, 0.0), load(0.0, 0.0)]).unwrap();
     assert!(path.run().is_empty() && completed(path.end()));
-    // Lifted without shear: it opens at y = a, when λ = kb a, closes there, and sticks with F_t = 0 where it closes.
+    // Without shear the foot opens at y = a, under the load kb a. It closes there at another x, and sticks with F_t = 0.
     let lift = 2.0 * kb * a;
     let legs = [load(0.0, lift), load(p, lift), load(p, 0.0), load(0.0, 0.0)];
     let mut path = grasp.follow(start, &legs).unwrap();
@@ -269,16 +273,16 @@ fn infinite_friction_never_slides() {
     let closed = path.state_at(2, 1.0).unwrap();
     assert_close!(closed.contacts[0].force_world[0], 0.0);
     assert_close!(closed.twist.translation()[0], p / kb);
-    // Without shear force the foot sticks to the place x = P/kb and pulls the body back: kt(P/kb - x) = kb x.
+    // After the shear force is removed, the foot sticks at x = P/kb and pulls the body back: kt(P/kb - x) = kb x.
     let x = p / kb * kt / (kt + kb);
     assert_close!(path.state().unwrap().twist.translation()[0], x);
     assert_close!(path.state().unwrap().contacts[0].force_world[0], kb * x);
 }
 
-/// The foot would open while it carries a tangential force. It is on the springs S = [10 12; 12 17] of the test on snapping, a = 24/13, pulled by
-/// (40, 0) and lifted by (0, 80f). Stuck, [24 12; 12 30]u = (40, 80f + 24). At f = 131/260, u_y = a and F_t = -14u_x = -406/39.
-/// Without a normal force this tangential force would vanish at once. Then S u = (40, 80f) has u_y = (800f - 480)/26 < a, inside the foot.
-/// No continuous motion exists from this state, so the path ends with a snap.
+/// A foot with infinite friction would open while it carries a tangential force. It is on the springs S = [10 12; 12 17] of the test on snapping,
+/// with a = 24/13. The load (40, 0) pulls, then (0, 80f) lifts. While the foot sticks, [24 12; 12 30]u = (40, 80f + 24). At f = 131/260, u_y = a and
+/// F_t = -14u_x = -406/39. Without a normal force this tangential force would vanish at once. Then S u = (40, 80f) would give u_y = (800f - 480)/26 <
+/// a, with the body inside the foot. No continuous motion exists from this state, so the path ends with a snap.
 #[test]
 fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let a = 24.0 / 13.0;
@@ -291,7 +295,7 @@ fn infinite_friction_that_has_to_let_go_of_a_force_ends_the_path() {
     let load = |x: f64, y: f64| planar::Leg::load_to(planar::Wrench::force([x, y]));
     let mut path = grasp.follow(planar::Wrench::ZERO, &[load(40.0, 0.0), load(40.0, 80.0)]).unwrap();
     assert!(path.run().is_empty());
-    // Without the foot the body would sink onto it again.
+    // Without the force of the foot the body would sink onto the foot again.
     let loss = limit_load(&path);
     assert_eq!(loss.kind, LossKind::LetsGo);
     assert_eq!((loss.leg, &numbers(&loss.contacts)[..]), (1, &[0][..]));

@@ -108,7 +108,7 @@ fn a_block_slides_to_a_stop_in_space() {
     slides_to_a_stop(&places, &Settings::default().on_the_polygon(), 1e-9);
 }
 
-/// Friction falls to 0.3 when the feet slide. The stop carries the difference at once.
+/// Friction falls to the kinetic coefficient 0.3 when the feet slide. The stop carries the difference at once.
 #[test]
 fn a_stop_takes_what_friction_loses() {
     let feet = feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter().map(|foot| foot.kinetic(0.3));
@@ -123,7 +123,7 @@ fn a_stop_takes_what_friction_loses() {
     near(jump.moved[0].twist.components()[0], GAP - MU * W / K + (MU * W - 0.3 * W) / K);
 }
 
-/// Free motions that end at a ceiling, at one wall and then at another, and at a stop for a body under another body.
+/// Free motions that end at another gap: at a ceiling, at one wall and then at another, and at a stop for a body under another body.
 #[test]
 fn other_free_motions_end_at_a_gap_too() {
     let feet_of_two = || feet(&[[-0.1, 0.0], [0.1, 0.0]], 1.0).into_iter();
@@ -148,7 +148,7 @@ fn other_free_motions_end_at_a_gap_too() {
     near(path.forces()[2][0], (45.0 * 0.4 - W * 0.1) / 0.5);
 }
 
-/// Stops that do not end the motion: one behind the block, one too far away for small motions, and one that the motion does not approach.
+/// Stops that do not end the free motion: one behind the block, one too far away for small motions, and one that the motion does not approach.
 #[test]
 fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     for (normal, gap) in [([1.0, 0.0], GAP), ([-1.0, 0.0], 0.03), ([0.0, -1.0], GAP)] {
@@ -162,8 +162,8 @@ fn a_gap_that_does_not_close_on_a_small_way_holds_nothing() {
     }
 }
 
-/// For random blocks and stops, closed contacts keep their forces, no gap becomes negative, and the work of the load equals the friction heat. The motion
-/// scales with the gaps, and the mirror image has the mirrored motion.
+/// For random blocks and stops, closed contacts keep their forces during a free motion, no gap becomes negative, and the work of the load equals the
+/// friction heat. The motion is proportional to the gaps, and the mirror image has the mirrored motion.
 #[test]
 fn nothing_but_friction_works_on_the_way() {
     let mut random = seeded(7);
@@ -196,7 +196,7 @@ fn nothing_but_friction_works_on_the_way() {
         let events = told(1.0, 1.0);
         let others = [told(-1.0, 1.0), told(1.0, 0.5)];
         for (k, event) in events.iter().enumerate() {
-            // If the object snaps over, dampers take up work in addition to friction.
+            // If the object snaps over, the damping of the motion takes up work in addition to friction, so the balance is not checked.
             let Some(jump) = event.jump.as_ref().filter(|jump| !jump.snaps) else { continue };
             ways += 1;
             let heat: f64 = jump

@@ -9,7 +9,7 @@ use support::programs::tally::Tally;
 use support::programs::{Scene, same_state};
 use support::samples::assert_met;
 
-/// The program with its legs cut at these places (leg, fraction), and for each piece its original leg and fractions.
+/// The load program with its legs cut at these places (leg, fraction). For each piece, also its original leg and its fractions on this leg.
 fn cut<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     places: &[(usize, f64)],
@@ -34,14 +34,14 @@ fn cut<const D: usize, const C: usize>(
     (Scene { goals, ..scene.clone() }, legs)
 }
 
-/// Checks that the path in pieces, followed in one go or continued leg by leg, has the same events at the same loads and the same end.
+/// Checks that the program in pieces, followed in one go or continued leg by leg, has the same events at the same loads and the same end.
 fn same_in_pieces<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     path: &LoadPath<'_, C>,
     events: &[Event<C>],
     places: &[(usize, f64)],
 ) -> Result<(), TestCaseError> {
-    // Where the object sticks and snaps over hundreds of times, each time magnifies the rounding errors of the times before.
+    // If the object sticks and snaps over hundreds of times, every snap magnifies the rounding errors so far. Such paths are not compared.
     if events.iter().any(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps)) {
         return Ok(());
     }

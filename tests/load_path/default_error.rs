@@ -1,4 +1,4 @@
-//! The default error of steps can be met, even if a path folds back.
+//! The default error of the steps of a path can be met, even if the path folds back.
 
 use crate::pace::{around_a_glass, undecided};
 use grasp_lcp::Settings;

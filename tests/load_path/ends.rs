@@ -1,6 +1,6 @@
 //! Paths in space end at their exact load: at a fold, where the load has a maximum, or along an asymptote, which is never reached.
 //!
-//! A body slides on frictionless guides under one finger. Along x it moves freely; across, a spring K_y holds it. The finger presses with N and was
+//! A body slides on frictionless guides under one finger. Along x it moves freely; across x, a spring K_y holds it. The finger presses with N and was
 //! moved across by b. So the friction force first points across, and turns towards x as the body slides. With F_t = μN(-cos θ, sin θ) and the
 //! stiffness k of the springs across in series,
 //!
@@ -23,7 +23,8 @@ fn in_series(a: f64, b: f64) -> f64 {
     a * b / (a + b)
 }
 
-/// The finger presses downwards at the origin. The path of the body slopes down by the angle α. Guides around the origin prevent rotation.
+/// A body under a finger that presses downwards at the origin. Guides let the body move along a line that slopes down by the angle α, and prevent
+/// rotation.
 fn grasp(alpha: f64) -> Grasp {
     let (sin, cos) = alpha.sin_cos();
     let guide = |point: [f64; 3], normal: [f64; 3]| {
@@ -58,8 +59,8 @@ fn lost<'p>(path: &'p LoadPath<'_>, kind: LossKind) -> &'p Loss<3> {
     }
 }
 
-/// On a horizontal path N is constant, and the load μN cos θ approaches μN without reaching it. At the angle θ the slip along x is
-/// `(μN/k) (cos θ₀ - cos θ + ln(tan(θ₀/2) / tan(θ/2)))`.
+/// If the body moves along a horizontal line, N is constant, and the load μN cos θ approaches μN without reaching it. At the angle θ of the friction
+/// force the slip along x is `(μN/k) (cos θ₀ - cos θ + ln(tan(θ₀/2) / tan(θ/2)))`.
 #[test]
 fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
     let grasp = grasp(0.0);
@@ -73,7 +74,7 @@ fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
         let [x, y, z] = loss.motion.as_ref().expect("a motion").object.translation();
         assert!(x > 0.99 && y.abs() + z.abs() < 1e-9, "{x} {y} {z}");
 
-        // A state before the end.
+        // A state on the path at the angle θ of the friction force, before the end.
         let first = f64::asin(across);
         let theta = 0.4 * first;
         let state = path.state_at(1, 0.5 * theta.cos()).unwrap();
@@ -87,7 +88,7 @@ fn a_friction_force_that_turns_into_the_way_comes_close_to_a_limit() {
     }
 }
 
-/// Without a sideways force the friction does not turn, and the limit load is reached when the finger begins to slide.
+/// Without a sideways force the friction does not turn, so the limit load is reached when the finger begins to slide.
 #[test]
 fn a_friction_force_along_the_way_holds_no_more_at_once() {
     let grasp = grasp(0.0);
@@ -96,8 +97,8 @@ fn a_friction_force_along_the_way_holds_no_more_at_once() {
     assert_close!(lost(&path, LossKind::Corner).load.resultant()[0], limit);
 }
 
-/// Rates of (N, F_x, F_y, λ) for one unit of slip on a path with the slope α, by hand. Along the path `λ + F_x = N tan α`, and N changes
-/// with the displacement t by `k̄ sin α t'`, where k̄ is the stiffness of the normal springs in series.
+/// Rates of (N, F_x, F_y, λ) for one unit of slip if the body moves along a line with the slope α, by hand. Along this line `λ + F_x = N tan α`, and
+/// N changes with the displacement t by `k̄ sin α t'`, where k̄ is the stiffness of the normal springs in series.
 fn rates(alpha: f64, [_, fx, fy, _]: [f64; 4]) -> [f64; 4] {
     let (sin, cos) = alpha.sin_cos();
     let (normal, guides, across) = (in_series(KN, 3.0 * GUIDE), 3.0 * GUIDE, in_series(KT, 2.0 * GUIDE));
@@ -109,7 +110,7 @@ fn rates(alpha: f64, [_, fx, fy, _]: [f64; 4]) -> [f64; 4] {
     [n, x, -across * py, n * sin / cos - x]
 }
 
-/// The maximum of the load, by the classical Runge–Kutta method.
+/// The maximum of the load λ, integrated by the classical Runge–Kutta method.
 fn maximum(alpha: f64, start: [f64; 4]) -> f64 {
     const STEP: f64 = 1e-4;
     let add = |y: [f64; 4], h: f64, k: [f64; 4]| std::array::from_fn(|i| y[i] + h * k[i]);
@@ -132,7 +133,7 @@ fn maximum(alpha: f64, start: [f64; 4]) -> f64 {
     step(y, low)[3]
 }
 
-/// On a path that slopes away from the finger, N decreases while the friction force turns towards the path, so the load has a maximum.
+/// If the line of motion slopes away from the finger, N decreases while the friction force turns towards the line, so the load has a maximum.
 #[test]
 fn a_body_that_slides_away_from_the_finger_folds() {
     for (alpha, across) in [(-0.1, 0.8), (-0.02, 0.8), (-0.1, 0.95)] {
@@ -142,7 +143,7 @@ fn a_body_that_slides_away_from_the_finger_folds() {
         let path = pulled(&grasp, across * MU * normal / k, 2.0 * MU * normal);
         let loss = lost(&path, LossKind::Fold);
 
-        // Sliding begins where the forces, affine in the load, reach the cone.
+        // Sliding begins where the forces, which grow linearly with the load, reach the cone.
         let onset = path.state_at(1, 0.0).unwrap();
         assert_close!(onset.contacts[0].force_world[1].abs(), across * MU * normal);
         let slides = forces_at_onset(&path);
@@ -151,7 +152,7 @@ fn a_body_that_slides_away_from_the_finger_folds() {
     }
 }
 
-/// (N, F_x, F_y, λ) at the onset of sliding, extrapolated from two sticking states.
+/// (N, F_x, F_y, λ) at the first slip, extrapolated from two states before it.
 fn forces_at_onset(path: &LoadPath<'_>) -> [f64; 4] {
     let at = |fraction: f64| {
         let state = path.state_at(1, fraction).unwrap();

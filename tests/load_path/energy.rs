@@ -7,8 +7,8 @@ use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
 use support::samples::assert_met;
 
-/// Checks the balance of work, stored energy and heat, integrated by trapezoids between the ends of straight pieces, where this is exact,
-/// and compares it with the energies that the path reports for each leg.
+/// Checks the balance of work, stored energy and heat, integrated by trapezoids between the ends of straight pieces, where this is exact. Compares
+/// the sums with the energies that the path reports for each leg.
 fn energy_balances<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,
@@ -23,7 +23,7 @@ fn energy_balances<const D: usize, const C: usize>(
         let there = |fraction: f64| path.state_at(leg, fraction).map(|state| (fraction, state));
         let mut states: Vec<_> = there(0.0).into_iter().collect();
         for event in events.iter().filter(|event| event.leg == leg) {
-            // A jump at constant load has a state before and a state after it.
+            // Where the object jumps at a constant load, both the state before and the state after the jump count.
             states.push((event.fraction, event.state.clone()));
             states.extend(event.jump.iter().map(|jump| (event.fraction, jump.state.clone())));
         }
@@ -52,7 +52,7 @@ fn energy_balances<const D: usize, const C: usize>(
         let told = path.energies()[leg];
         prop_assert!(told.residual().abs() <= 1e-12, "leg {leg}: {told:?}");
         prop_assert!(told.dissipated >= -1e-12 * turnover, "leg {leg}: {told:?}");
-        // Where the object snaps over, dampers of an unknown history take part of the work.
+        // If the object snaps over, dampers of an unknown history take part of the work, so that this leg is not compared.
         if events.iter().any(|event| event.leg == leg && event.jump.as_ref().is_some_and(|jump| jump.snaps)) {
             continue;
         }
@@ -74,7 +74,8 @@ fn energy_balances<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Checks that the reported energies balance and the heat is not negative. On turning legs heat and work are independent integrals.
+/// Checks that the energies reported for each leg balance and the heat is not negative. If the load turns, the library integrates heat and work
+/// independently.
 fn closes<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,

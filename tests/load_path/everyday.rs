@@ -117,14 +117,14 @@ impl Everyday {
     }
 }
 
-/// The largest force of an equilibrium, and the norm of the difference of its twist from the twist of another equilibrium.
+/// The largest force of an equilibrium, and the norm of the difference between its twist and that of another equilibrium.
 fn away(state: &Equilibrium, from: &Equilibrium) -> [f64; 2] {
     let largest = state.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
     [largest, (state.twist.to_vector() - from.twist.to_vector()).norm()]
 }
 
-/// Checks a path that ends at its start. At a limit load no equilibrium exists just beyond. At a snap an equilibrium exists just beyond, but does not
-/// return to the start when the load does.
+/// Checks a path that is lost at its start. At a limit load no equilibrium exists just beyond. At a snap there may be one, but as the load decreases
+/// to zero, its forces or its twist do not converge to those of the start.
 fn check_end_at_rest(scene: &Everyday, grasp: &Grasp, beyond: &Beyond) {
     let start = grasp.solve(Wrench::ZERO).unwrap();
     let start = start.equilibrium().unwrap();

@@ -8,7 +8,7 @@ use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::scene::Scene;
 use grasp_lcp::spatial::{ContactState, Equilibrium, Event, Grasp, Leg, Wrench};
 
-/// The bottle of the example scenes under a pull along x at the origin: its last state, and where it snaps over.
+/// The bottle of the example scenes under a pull along x at the origin. Returns the last state, and the event at which the bottle snaps over.
 fn pulled(
     grasp: &Grasp,
     pull: f64,
@@ -30,8 +30,8 @@ fn a_path_that_turns_back_snaps_over_however_little_changes() -> Result<(), Box<
     let snap = pulled(&grasp, 100.0, &settings)?.1.ok_or("snaps over")?;
     let (last, most) = (&snap.state, 100.0 * snap.fraction);
 
-    // At a fold the forces approach the forces at the end like the square root of the distance, up to a linear term. A failure of the integration
-    // would not show this.
+    // At a fold the difference of the forces from those at the end is proportional to the square root of the remaining load. If the integration
+    // merely failed there, it would not be.
     let away = |distance: f64| -> Result<f64, Box<dyn Error>> {
         let (state, snaps) = pulled(&grasp, most - distance, &settings)?;
         assert!(snaps.is_none());
@@ -42,7 +42,7 @@ fn a_path_that_turns_back_snaps_over_however_little_changes() -> Result<(), Box<
         assert!((quotient - 2.0).abs() < 0.05, "{distance}: {quotient}");
     }
 
-    // In the equilibrium beyond the fold, the thumb has opened.
+    // In the equilibrium at a slightly larger load than that of the fold, the thumb has opened.
     assert!(last.contacts[0].normal_force() > 6e-4);
     let solved = grasp.solve(Wrench::force([most * (1.0 + 1e-9), 0.0, 0.0]))?;
     let solved = solved.equilibrium().ok_or("three fingers")?;
@@ -54,7 +54,7 @@ fn a_path_that_turns_back_snaps_over_however_little_changes() -> Result<(), Box<
         }
     }
 
-    // The fold does not depend on the error of the steps.
+    // The load of the fold does not depend on the error of the steps.
     for step_error in [1e-6, 1e-8, 1e-10] {
         let coarse = pulled(&grasp, 100.0, &settings.with_step_error(step_error))?.1.ok_or("snaps over")?;
         assert!((coarse.fraction / snap.fraction - 1.0).abs() < step_error, "{step_error}");

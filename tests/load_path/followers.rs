@@ -1,4 +1,4 @@
-//! A program followed from event to event and the same program followed in steps reach the same state, leg by leg or at once.
+//! A load program followed from event to event and the same program followed in steps reach the same states, leg by leg or at once.
 
 use std::mem::discriminant;
 
@@ -68,12 +68,12 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
             assert_eq!(path.place().0, number);
             snaps |= events.iter().any(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps));
             if snaps {
-                // The path in steps ends where the other path snaps over.
+                // The path in steps ends where the path from event to event snaps over.
                 assert!(steps.place() <= path.place() && matches!(steps.end(), Some(PathEnd::Lost(_))));
                 break;
             }
             let state = path.state().expect("on the way");
-            // At a limit load the object is lost between two steps.
+            // If the path ends at a limit load, it ends between two steps, whose states are not compared.
             let whole = number + 1 < legs.len();
             stepwise =
                 stepwise.max(if whole { apart(&state, &steps.state().expect("on the way")) } else { 0.0 });
@@ -89,7 +89,8 @@ fn they_stand_at_the_same_place() -> Result<(), Error> {
         let ends = [path.end(), steps.end()].map(|end| end.map(discriminant));
         assert!(ends[0] == ends[1], "{:?} {:?}", path.end(), steps.end());
         lost += usize::from(matches!(path.end(), Some(PathEnd::Lost(_))));
-        // A motion proves the limit load. Without it, and with too many states to enumerate, the path ends where no rates exist.
+        // Both paths give the same kind of end. A motion proves the limit load; without this proof, and with too many contact states to enumerate, a
+        // path ends where no rates exist.
         let beyond = [path.beyond(), steps.beyond()];
         let kinds = beyond.each_ref().map(|beyond| beyond.as_ref().map(discriminant));
         assert!(kinds[0] == kinds[1], "{beyond:?}");

@@ -8,9 +8,9 @@ use support::ends::limit_load;
 use support::jaws::jaw;
 use support::programs::numbers;
 
-/// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
-/// body by as much. Unloaded, it touches without force. Lowered further, it separates from the body, which does not move.
-/// Guides at y = ±1 carry a side load P at the origin and a moment M with (P ± M)/2 each, whatever the height.
+/// A body between two frictionless guides rests with its weight w on a foot of stiffness k. The foot is lowered by b, and the body moves down with
+/// it. When the body is unloaded, the foot touches it without force. Lowered further, the foot separates from the body, which does not move. Guides
+/// at y = ±1 carry a side load P at the origin and a moment M with (P ± M)/2 each, whatever the height of the body.
 #[test]
 fn a_foot_that_parts_leaves_the_height_free() {
     let (k, w, a, b, p, m) = (40.0, 1.2, 0.05, 0.3, 0.7, 0.2);
@@ -26,7 +26,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     let away = [command(a - b), load(0.0, 0.0, 0.0), command(a - 2.0 * b), load(p, 0.0, m)];
     for (last, way) in [
         (load(p, 1.0, m), Some(1.0)),
-        // The foot is below at the distance b, and no contact resists a downward motion.
+        // The foot is lower by b, and no contact resists a downward motion of the body.
         (load(p, -1.0, m), Some(-1.0)),
         (load(-p, 0.0, 2.0 * m), None),
     ] {
@@ -67,7 +67,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
             (end, way) => panic!("{end:?}, expected {way:?}"),
         }
     }
-    // The foot returns, touches where it separated, and then moves the unloaded body along.
+    // The foot returns, touches the body where it separated, and then moves the unloaded body along.
     let mut path = grasp.follow(start, &away).unwrap();
     path.run();
     path.continue_with(&[command(a)]).unwrap();
@@ -79,7 +79,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
     assert_close!(end.twist.translation()[1], a);
     assert_close!(end.contacts[0].gap, 0.0);
     assert_close!(end.contacts[0].force[0], 0.0);
-    // With a load the foot carries the body again, without an event.
+    // Under a load the foot carries the body again, without an event.
     path.continue_with(&[load(0.0, -w, 0.0)]).unwrap();
     path.run();
     assert!(completed(path.end()), "{:?}", path.end());
@@ -88,10 +88,10 @@ fn a_foot_that_parts_leaves_the_height_free() {
     assert_close!(end.twist.translation()[1], a - w / k);
 }
 
-/// Two pairs of fingers on the same two points are pressed with N = k a each. One pair is dragged up, the other down, by b each: at
-/// kt b = μN all four slide at once. Then nothing resists a vertical motion or a rotation. Yet all forces are known, ±μN, and the body stays.
-/// Under a load -w the pair that was dragged down sticks again while the other pair slips on: y = -w/(2 kt). At w = 4μN, the limit load, the
-/// friction of each finger of the first pair has changed from -μN to μN.
+/// Two pairs of fingers on the same two points press with N = k a each. One pair is dragged up, the other down, by b each. At kt b = μN all four
+/// fingers slide at once. Then nothing resists a vertical motion or a rotation. Yet all friction forces are known, ±μN, and the body stays. Under a
+/// load -w the pair that was dragged down sticks again while the other pair slips on: y = -w/(2 kt). At w = 4μN, the limit load, the friction of each
+/// finger of the first pair has changed from -μN to μN.
 #[test]
 fn fingers_dragged_both_ways_hold_all_the_same() {
     let (k, kt, mu, a) = (50.0, 20.0, 0.35, 0.1);
@@ -99,7 +99,7 @@ fn fingers_dragged_both_ways_hold_all_the_same() {
     let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([a, 0.0]);
     let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), finger(1.0), finger(-1.0)]).unwrap();
     let edge = mu * n / kt;
-    // t is up at x = 1 and down at x = -1.
+    // The tangent t of a finger points up at x = 1 and down at x = -1.
     let drag = |b: f64| planar::Leg::commands_to(vec![[a, b], [a, -b], [a, -b], [a, b]]);
     let down = |w: f64| planar::Leg::load_to(planar::Wrench::force([0.0, -w]));
     let up = |state: &planar::Equilibrium| {
@@ -137,7 +137,8 @@ const K: f64 = 45.0;
 const KT: f64 = 30.0;
 const A: f64 = 0.1;
 
-/// Two fingers pinch a body along x, a third presses from below, with command A: N₃ = k(A - y) = 2 kt y at rest.
+/// Two fingers pinch a body along x, and a third finger presses from below with the command A. At rest the body is at the height y, and the force of
+/// the third finger is k(A - y) = 2 kt y.
 fn three_fingers(mu: f64) -> spatial::Grasp {
     let finger = |point: [f64; 3], normal: [f64; 3]| {
         spatial::Contact::new(point, normal)
@@ -154,8 +155,9 @@ fn third(a: f64) -> spatial::Leg {
     spatial::Leg::commands_to(vec![[A, 0.0, 0.0], [A, 0.0, 0.0], [a, 0.0, 0.0]])
 }
 
-/// The third finger is withdrawn and separates at a = 0. Then the body can turn about the line through the other two fingers. A force f through this
-/// line and a moment M perpendicular to it are held, with f/2 and ∓M/2 each. A moment about the line, or a force that misses it, turns the body.
+/// The third finger is withdrawn and separates from the body when its command is zero. Then the body can turn about the line through the other two
+/// fingers. These hold a force f through the line, with f/2 each, and a moment M perpendicular to the line, with ∓M/2. A moment about the line, or a
+/// force that misses it, turns the body.
 #[test]
 fn a_pinch_may_turn_about_its_line() {
     let grasp = three_fingers(0.8);
@@ -185,7 +187,7 @@ fn a_pinch_may_turn_about_its_line() {
         for (i, side) in [(0, 1.0), (1, -1.0)] {
             let f = open.contacts[i].force_world;
             assert_close!(f[0], -side * K * A - force[0] / 2.0);
-            // Moments about y and z: Σ x F_z = M_y, Σ x F_y = -M_z.
+            // Moments about y and z, with the fingers at x = ±1: Σ x F_z = M_y and Σ x F_y = -M_z.
             assert_close!(f[1], -force[1] / 2.0 - side * moment[2] / 2.0);
             assert_close!(f[2], -force[2] / 2.0 + side * moment[1] / 2.0);
         }
@@ -203,8 +205,9 @@ fn a_pinch_may_turn_about_its_line() {
     }
 }
 
-/// With a moment m about the line, only the third finger can carry it, with T₃ = m at the arm 1, on a corner of its polygon.
-/// It is withdrawn, N₃ = N₀(1 - 2f), and the grasp is lost at μN₃ = m, before the finger separates.
+/// A moment m about the line of the two fingers is carried by the third finger alone, with the tangential force T₃ = m at the arm 1, on a corner of
+/// its polygon. The third finger is withdrawn, so that its normal force is N₃ = N₀(1 - 2f) at the fraction f of the leg. The grasp is lost at μN₃ =
+/// m, before this finger separates.
 #[test]
 fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
     let (mu, m) = (0.8, 0.6);
@@ -225,7 +228,7 @@ fn a_moment_about_the_line_is_lost_while_the_finger_still_presses() {
     }
 }
 
-/// A slider on two guides: no load along the guides is held, every perpendicular load is.
+/// A slider on two guides holds no load along the guides, and every load across them.
 #[test]
 fn a_load_that_nothing_resists_has_a_limit_of_zero() -> Result<(), grasp_lcp::Error> {
     let guide = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).kept_closed();

@@ -35,9 +35,10 @@ fn turn(moment: f64) -> Leg {
     Leg::load_to(Wrench::new([0.0; 3], [0.0, 0.0, moment]))
 }
 
-/// Two pairs of opposite fingers of strengths f = μN, 1/2 and 1/4 of their normal force. First loading: M = V(θ) = 2 min(kt θ, f₁) + 2 min(kt θ, f₂) + B θ.
-/// From a turning point (θ₁, M₁) on, unloading follows the same curve twice as large, M = M₁ - 2 V((θ₁ - θ)/2). The weaker pair slides back
-/// at θ₁ - 2 f₂/kt, the stronger at θ₁ - 2 f₁/kt. A full cycle dissipates Σ 4 f (θ₁ - f/kt). A smaller loop inside closes where it began.
+/// Two pairs of opposite fingers have the friction limits f = μN of 1/2 and 1/4 of their normal force. During the first loading, M = V(θ) = 2 min(kt
+/// θ, f₁) + 2 min(kt θ, f₂) + B θ with the stiffness B of the base. After a turning point (θ₁, M₁), unloading follows the same curve twice as large,
+/// M = M₁ - 2 V((θ₁ - θ)/2). The weaker pair slides back at θ₁ - 2 f₂/kt, the stronger pair at θ₁ - 2 f₁/kt. A full cycle dissipates Σ 4 f (θ₁ -
+/// f/kt). A smaller loop inside closes where it began.
 #[test]
 fn torsion_follows_masing() {
     let strengths = [0.5 * N, 0.25 * N];
@@ -62,7 +63,7 @@ fn torsion_follows_masing() {
         expected.push((leg, back(weak), pair(1, "slides")));
         expected.push((leg, back(strong), pair(0, "slides")));
     }
-    // Only the weak pair slides in the small loop. Loading beyond the loop would slide both pairs again.
+    // Only the weaker pair slides in the small loop. Loading beyond this loop would slide both pairs again.
     expected.extend([(3, 0.0, all("sticks")), (3, part(weak), pair(1, "slides"))]);
     expected.extend([(4, 0.0, pair(1, "sticks")), (4, part(weak), pair(1, "slides"))]);
     assert_story(&events, &expected);
@@ -86,8 +87,9 @@ fn torsion_follows_masing() {
     }
 }
 
-/// Six fingers (f = μN each) drag the body about its axis against its base by c and back to -c: they carry it to θ* = 6f/B, where they slide, at
-/// c* = θ* + f/kt, and back when they have moved by 2c*. Each cycle costs the fingers 6·4 f (c - c*), all of it heat.
+/// Six fingers (friction limit f = μN each) drag the body about its axis by c, against the elastic base, and back to -c. They carry the body to θ* =
+/// 6f/B, where they slide, at c* = θ* + f/kt. On the way back they slide when they have moved by 2c*. In each cycle the fingers do the work 6·4 f (c
+/// - c*), and all of it becomes heat.
 #[test]
 fn fingers_drag_the_body_to_and_fro() {
     let mu = 0.3;
@@ -118,9 +120,10 @@ fn fingers_drag_the_body_to_and_fro() {
     assert!(path.energies().iter().all(|e| e.load_work == 0.0 && e.residual().abs() < 1e-13));
 }
 
-/// A table on four frictionless feet at (±1, ±1), with a weight w at (e, e). F = w/4 (1 + e (x + y)): the far foot lifts at e = 1/2. Then three feet
-/// carry it: w e at the foot nearest to the weight, and w (1 - e)/2 at each of its two neighbours. The neighbours lift together at e = 1. Beyond, the
-/// nearest foot alone does not hold the table. If the weight returns before e = 1, the far foot comes down where it lifted, at e = 1/2.
+/// A table on four frictionless feet at (±1, ±1), with a weight w at (e, e). The foot at (x, y) carries F = w/4 (1 + e (x + y)), so that the far foot
+/// lifts at e = 1/2. Then three feet carry the table: w e at the foot nearest to the weight, and w (1 - e)/2 at each of its two neighbours. The
+/// neighbours lift together at e = 1. Beyond, the nearest foot alone does not hold the table. If the weight returns before e = 1, the far foot comes
+/// down where it lifted, at e = 1/2.
 #[test]
 fn a_table_lifts_its_feet_and_tips() {
     let (k, w) = (70.0, 5.0);
@@ -146,7 +149,7 @@ fn a_table_lifts_its_feet_and_tips() {
     for (c, expected) in three.contacts.iter().zip([0.8 * w, 0.1 * w, 0.0, 0.1 * w]) {
         assert_close!(c.normal_force(), expected);
     }
-    // The tops of the three loaded feet define a plane; the gap at the fourth follows from opposite corners, (0.8 w - 2·0.1 w) / k.
+    // The three loaded feet define the plane of the table. The gap at the fourth follows from opposite corners, (0.8 w - 2·0.1 w) / k.
     assert_close!(three.contacts[2].gap, (0.8 * w - 0.2 * w) / k);
     for c in &path.state_at(1, 1.0).unwrap().contacts[..4] {
         assert_close!(c.normal_force(), w / 4.0);
@@ -158,9 +161,9 @@ fn a_table_lifts_its_feet_and_tips() {
     assert!(work.abs() < 1e-13, "{work}");
 }
 
-/// A weight along the axis of a grip. With one coefficient of friction all fingers slide at once: onset and limit are w = n μN. With different
-/// coefficients they slide pair by pair as the weight sinks, at kt z = μ_i N, and the limit Σ μ_i N is beyond the onset. For up to eight fingers
-/// the limit is proved.
+/// A weight along the axis of a grip. With one coefficient of friction all n fingers slide at once: the first slip and the limit load are at w = n
+/// μN. With different coefficients they slide pair by pair as the weight sinks by z, at kt z = μ_i N, and the limit load Σ μ_i N is larger than that
+/// of the first slip. For up to eight fingers the limit is proved.
 #[test]
 fn a_grip_loses_its_weight_at_once_or_one_after_the_other() {
     let cases: [(&[f64], &[f64]); 5] = [

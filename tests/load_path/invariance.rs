@@ -15,7 +15,7 @@ use support::programs::{Scene, direction};
 use support::programs::{changes, numbers};
 use support::samples::assert_met;
 
-/// Tolerance of fractions.
+/// Tolerance of the fractions of legs at which events occur.
 const FRACTION: f64 = 1e-12;
 
 fn told<const C: usize>(events: &[Event<C>], path: &LoadPath<'_, C>) -> String {
@@ -54,7 +54,7 @@ fn tells_the_same<const D: usize, const C: usize>(
             return Ok(());
         }
     }
-    // Whether an equilibrium in space is found may also depend on the order of contacts.
+    // In space, the solver may find the equilibrium at the start for one order of contacts and leave it undecided for another.
     let undecided = |end: Option<&PathEnd<C>>| matches!(end, Some(PathEnd::NoStart(why)) if matches!(**why, Outcome::Undecided(_)));
     if C == 3 && (undecided(path.end()) || undecided(path_there.end())) {
         return Ok(());
@@ -85,7 +85,7 @@ fn tells_the_same<const D: usize, const C: usize>(
     }
     let ends = [path.end(), path_there.end()];
     prop_assert!(ends[0].map(discriminant) == ends[1].map(discriminant), "{both}");
-    // With too many contacts no equilibrium is sought beyond a loss.
+    // With too many contacts the library seeks no equilibrium beyond a loss.
     let beyond = [path.beyond(), path_there.beyond()];
     let unsearched = beyond.iter().any(|beyond| matches!(beyond, Some(Beyond::Ends { .. })));
     let alike = beyond[0].as_ref().map(discriminant) == beyond[1].as_ref().map(discriminant);
@@ -102,7 +102,7 @@ fn tells_the_same<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// The correspondence in which every contact stays a single contact.
+/// The correspondence of contacts if each contact of the scene is a single contact of the other description.
 fn each<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Vec<Vec<usize>> {
     (0..scene.spots.len()).map(|i| vec![i]).collect()
 }
@@ -115,7 +115,7 @@ fn seen<const D: usize, const C: usize>(
     tells_the_same(scene, &view.scene(scene), &each(scene), view, tally)
 }
 
-/// Units that are powers of 4, whose roots are exact, or powers of ten.
+/// A view of the scene in other units of length and force: powers of 4, whose roots are exact, or powers of ten.
 fn units<const C: usize>(ten: bool, [length, force]: [i32; 2]) -> View<C> {
     let base = if ten { 10.0_f64 } else { 4.0 };
     View::in_units(base.powi(length), base.powi(force))

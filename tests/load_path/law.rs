@@ -10,7 +10,8 @@ use support::programs::tally::Tally;
 use support::programs::{Scene, brief, corners, sizes, tangential};
 use support::samples::assert_met;
 
-/// States along a path: the ends of its straight pieces (first and last, continuous from one piece to the next) and inside.
+/// States along a path, for each straight piece between two events: its first and last state, which are continuous from one piece to the next, and
+/// states inside.
 fn sampled<const C: usize>(
     path: &LoadPath<'_, C>,
     events: &[Event<C>],
@@ -23,7 +24,7 @@ fn sampled<const C: usize>(
         marks.extend(events.iter().filter(|e| e.leg == leg).map(|e| e.fraction));
         marks.push(end);
         for ends in marks.windows(2) {
-            // Slips on shorter pieces are below rounding.
+            // On shorter pieces slips are smaller than rounding.
             if ends[1] - ends[0] > 1e-6 {
                 let at = |x: f64| ends[0] + (ends[1] - ends[0]) * x;
                 let here = |f: f64| path.state_at(leg, f).map(|state| (leg, f, state));
@@ -34,8 +35,8 @@ fn sampled<const C: usize>(
     pieces
 }
 
-/// Checks the law at every sample. Within a piece a sticking contact keeps its slip, and a sliding one dissipates as much as
-/// possible: (F_t - p)·Δs >= 0 for every corner p of the cone, so that F_t·Δs >= 0.
+/// Checks the contact law at every sampled state. Between two states of a piece a sticking contact keeps its slip. The slip Δs of a sliding contact
+/// dissipates as much as possible: (F_t - p)·Δs >= 0 for every corner p of the cone, so that F_t·Δs >= 0.
 fn law_holds<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     tally: &mut Tally,

@@ -1,5 +1,5 @@
-//! If a leg ends exactly where a contact reaches an edge, no event is reported yet. The event comes at the beginning of the next leg if that crosses
-//! the edge, once, and not at all if it turns back. The paths are planar and computed by hand.
+//! If a leg ends exactly where a contact reaches an edge of its cone, no event is reported yet. If the next leg crosses the edge, one event is
+//! reported at its beginning. If the next leg turns back, none is reported. The paths are planar and computed by hand.
 //!
 //! One foot (k, kt, μ, pressed with N₀ = k a) stands under a body on two bonded springs, of total stiffness kb in both directions. The body does not
 //! turn. A shear force P moves it by x = P/(kt + kb) while the foot sticks, up to kt x = μN. A lift Λ moves it by y = Λ/(k + kb), so that N = N₀ -
@@ -74,7 +74,7 @@ fn sliding_at_the_end_of_a_leg() {
     for body in scenes() {
         let edge = body.slides_at();
         let slides = |leg| (leg, 0.0, vec![(0, "slides")]);
-        // A further leg in the same program, or added later, has the same event.
+        // The next leg has the same event, whether it is part of the program from the start or added later.
         let legs = [edge, 1.5 * edge].map(|p| body.leg(p, 0.0));
         let mut path = body.grasp.follow(body.load(0.0, 0.0), &legs).unwrap();
         assert_story(&path.run(), &[slides(1)]);
@@ -84,13 +84,13 @@ fn sliding_at_the_end_of_a_leg() {
         assert!(stands.contacts[0].margin.abs() < 1e-12 * body.n);
         path.continue_with(&[body.leg(1.5 * edge, 0.0)]).unwrap();
         assert_story(&path.run(), &[slides(1)]);
-        // The springs carry the shear force minus μN, as without the cut.
+        // At the end the springs carry the shear force minus μN, as they do without the cut of the leg.
         let end = path.state().unwrap();
         assert_close!(
             end.twist.translation()[0] * body.kb / body.n,
             (1.5 * edge - body.mu * body.n) / body.n
         );
-        // While the foot slides, a cut or a leg without change causes no event.
+        // While the foot slides, a new leg causes no event, nor does a leg without a change of load.
         path.continue_with(&[
             body.leg(1.7 * edge, 0.0),
             Leg::load_by(Wrench::ZERO),
@@ -98,7 +98,8 @@ fn sliding_at_the_end_of_a_leg() {
         ])
         .unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
-        // If the load returns from the edge, no slip is reported. A leg without change at the edge has no event, and a further leg slides.
+        // If the load returns from the edge, no slip is reported. A leg without change at the edge has no event either; on a further leg with more
+        // load the foot slides.
         let mut path = body.up_to_the_edge(edge, 0.0);
         path.continue_with(&[Leg::load_by(Wrench::ZERO)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
@@ -108,7 +109,7 @@ fn sliding_at_the_end_of_a_leg() {
         let rest = [body.leg(edge, 0.0), Leg::load_by(Wrench::ZERO), body.leg(1.1 * edge, 0.0)];
         let mut path = body.grasp.follow(body.load(0.0, 0.0), &rest).unwrap();
         assert_story(&path.run(), &[slides(2)]);
-        // If T grows no faster than μN, the foot stays without slip.
+        // If the tangential force T grows no faster than μN, the foot stays on the edge without slip.
         let press = 0.1 * body.opens_at();
         let more = body.mu * body.k * press / (body.k + body.kb) * (body.kt + body.kb) / body.kt;
         for (pull, expected) in [(0.99, vec![]), (1.01, vec![slides(1)])] {
@@ -127,21 +128,22 @@ fn opening_at_the_end_of_a_leg() {
         assert!(path.state().unwrap().contacts[0].force.norm() < 1e-12 * body.n);
         path.continue_with(&[body.leg(0.0, 2.0 * edge)]).unwrap();
         assert_story(&path.run(), &[(1, 0.0, vec![(0, "opens")])]);
-        // The body rises by a until the foot opens, and then only the springs resist.
+        // Until the foot opens, the body rises by a. From then on only the bonded springs resist, so that the gap is the further load over their
+        // stiffness.
         let gap = |lift: f64| (lift - edge) / body.kb;
         let open = path.state().unwrap();
         assert_close!(open.contacts[0].gap / gap(2.0 * edge), 1.0);
-        // Lowered to the closing point and raised again, the foot has no event.
+        // The body is lowered to the point where the foot would close, and raised again. This causes no event.
         path.continue_with(&[body.leg(0.0, edge), body.leg(0.0, 1.5 * edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         assert_close!(path.state().unwrap().contacts[0].gap / gap(1.5 * edge), 1.0);
-        // Lowered to the closing point, and further.
+        // The body is lowered to the point where the foot would close, without an event, and then further.
         path.continue_with(&[body.leg(0.0, edge)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert_story(&path.run(), &[(5, 0.0, vec![(0, "closes")])]);
         assert_close!(path.state().unwrap().contacts[0].force[0] / body.n, 1.0);
-        // If the load returns at the opening point, no opening is reported.
+        // If the load returns from the point where the foot would open, no opening is reported.
         let mut path = body.up_to_the_edge(0.0, edge);
         path.continue_with(&[body.leg(0.0, 0.0)]).unwrap();
         assert!(path.run().is_empty() && completed(path.end()));
@@ -168,8 +170,8 @@ fn closing_at_the_end_of_a_leg_elsewhere() {
     }
 }
 
-/// Two fingers pinch a body (N = k a each) under a load of exactly 2μN. They hold it, also over a leg without change, and with less load. With
-/// more load the loss is reported at this point.
+/// Two fingers pinch a body (N = k a each) under a load of exactly 2μN. They hold this load, also over a leg without change, and a smaller load. With
+/// more load the path is lost at the start of that leg.
 #[test]
 fn a_limit_load_at_the_end_of_a_leg() {
     for [k, kt, _, mu, a] in SCENES {

@@ -1,4 +1,5 @@
-//! From each of 400 measured pushes of a block on three supports the path finds the coefficient of friction that another method found.
+//! For each of 400 measured pushes of a block on three supports, the limit load of a load path gives the coefficient of friction. It agrees with the
+//! coefficient that another method found.
 
 use support::Failure;
 use support::measured_pushes::{blocks, limit, normal_forces, pushes, supports};
@@ -9,7 +10,7 @@ fn each_push_tells_the_coefficient_found_elsewhere() -> Result<(), Failure> {
     assert_eq!(pushes.len(), 400);
     for (number, push) in pushes.iter().enumerate() {
         let told = 1.0 / limit(&blocks, push)?.factor;
-        // The other method used loads of the supports rounded to 0.01 N, of 14.88 N in total.
+        // The other method used loads of the supports that were rounded to 0.01 N, with a sum of 14.88 N.
         assert!((told / push.friction - 1.0).abs() <= 3e-4, "{number}: {told} {}", push.friction);
     }
     Ok(())

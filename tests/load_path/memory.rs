@@ -1,5 +1,5 @@
-//! A path without sticking again ends at the equilibrium of the one-shot law, and a path without events can be reversed. Random paths in the plane
-//! confirm this.
+//! A path without sticking again ends at an equilibrium of the one-shot law, in which every slip is parallel to the friction force at the end. A path
+//! without events can be reversed. Random paths in the plane confirm this.
 
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::Wrench;
@@ -9,8 +9,8 @@ use support::programs::draw::{over, planar_scenes};
 use support::programs::same_state;
 use support::samples::assert_met;
 
-/// If nothing snaps over and no contact sticks again, closes or reverses, all slips point along the friction at the end. So the end is an equilibrium
-/// of the one-shot law. If by enumeration this law has only one equilibrium, the path ends at this equilibrium.
+/// If nothing snaps over and no contact sticks again, closes or reverses, all slips are along the friction at the end. So the end is an equilibrium
+/// of the one-shot law. If enumeration finds only one equilibrium of this law, the path ends there.
 #[test]
 fn without_sticking_the_path_ends_at_the_one_shot_equilibrium() {
     let t = over(600, &planar_scenes(), |scene, tally| {

@@ -41,7 +41,7 @@ impl Springs {
         self.0.iter().map(|square| K * (depth - square / DIAMETER).max(0.0)).collect()
     }
 
-    /// `[P, Q]` at the start and after each leg, and `[n, t]` of each spring after each.
+    /// The loads `[P, Q]` (normal and shear) at the start and after each of three legs, and the forces `[n, t]` of each spring after each leg.
     fn closed_form(&self) -> ([[f64; 2]; 4], [Vec<[f64; 2]>; 3]) {
         let [before, pressed] = DEPTHS.map(|depth| self.pressures(depth));
         let [start, total] = [&before, &pressed].map(|n| n.iter().sum::<f64>());
@@ -77,7 +77,7 @@ fn spring<const C: usize>(contact: Contact<C>, square: f64) -> Contact<C> {
     contact.series_stiffness(K, KT).friction(MU).clearance(square / DIAMETER)
 }
 
-/// Largest error of forces against the closed form `[n, t]`, relative to the largest force. Friction acts on the ball against the shear.
+/// Largest difference of forces from the closed form `[n, t]`, relative to the largest force. Friction acts on the ball against the shear.
 fn off<const C: usize>(forces: &[SVector<f64, C>], shear: &SVector<f64, C>, exact: &[[f64; 2]]) -> f64 {
     let largest = forces.iter().map(Matrix::norm).fold(0.0, f64::max);
     let mut up = SVector::zeros();

@@ -30,7 +30,7 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
     if matches!(path.end(), Some(PathEnd::NoStart(_))) {
         return Ok(());
     }
-    // An object that snaps over rests again under a slightly larger load; there is no state between both, and there is one at every place after it.
+    // Between a snap and the larger load at which the object rests again, the path has no state. At every other place before the end it has one.
     let has_just_snapped = |place: (usize, f64), last: Option<(usize, f64)>| {
         let before = events.iter().rev().find(|event| (event.leg, event.fraction) < place);
         let snap = before.filter(|event| event.jump.as_ref().is_some_and(|jump| jump.snaps));
@@ -48,7 +48,7 @@ fn followed<const C: usize>(odd: &OddPath<C>) -> Result<(), String> {
             }
         }
     }
-    // Without normal forces, the remaining forces are rounding of earlier forces, or of relaxed springs.
+    // If nothing presses, the forces that remain are rounding errors of earlier forces, or of relaxed springs. So tolerances are relative to both.
     let springs = odd
         .grasp
         .contacts()
@@ -115,7 +115,8 @@ fn odd_paths_in_the_plane_are_decided() {
     all_are_followed("in the plane", 400, || in_the_plane(&mut random).unwrap());
 }
 
-/// A finger pushes an object without normal forces past another finger. That contact slides with zero force, so its direction is undefined.
+/// A finger pushes an object without normal forces past another finger. The contact of the other finger slides with zero force, so that its direction
+/// is undefined.
 #[test]
 fn what_slides_without_force_is_followed() {
     let mut random = Random(1);
@@ -123,8 +124,8 @@ fn what_slides_without_force_is_followed() {
     followed(&handled).unwrap();
 }
 
-/// When the last of three feet begins to slide, the block has almost no resistance. The correction onto the cones then turns directions so much that
-/// second-order terms matter, and it must be repeated.
+/// When the last of three feet begins to slide, the block has almost no resistance. The correction of forces onto the cones then turns the sliding
+/// directions so much that second-order terms matter, and it must be repeated.
 #[test]
 fn what_slides_away_is_on_its_cones() {
     for (seed, number) in [(0x12e, 1863), (912, 297)] {
@@ -132,25 +133,27 @@ fn what_slides_away_is_on_its_cones() {
     }
 }
 
-/// A path that was lost or undecided. The seeds come from `GRASP_LCP_SEED`.
+/// A path of random programs that was once lost or undecided. The seed is the value of `GRASP_LCP_SEED` at which it was found.
 fn of_a_seed(odd: Odd, seed: u64, number: usize) -> OddPath<3> {
     let mut random = Random(0xb ^ (seed << 32));
     (0..=number).map(|_| in_space(odd, &mut random).unwrap()).last().unwrap()
 }
 
-/// Three fingers take up a load that grows from nothing, and a fourth touches without force. It opens, since its direction would be rounding.
+/// Three fingers take up a load that grows from zero, and a fourth touches without force. The fourth opens, because its direction of friction would
+/// be rounding.
 #[test]
 fn what_rubs_without_force_opens() {
     followed(&of_a_seed(IN_SPACE[1], 902, 749)).unwrap();
 }
 
-/// The normal force of a contact all but vanishes, and its direction of friction is blurred by the steps: the contact opens.
+/// The normal force of a contact nearly vanishes, and the errors of the steps blur its direction of friction. The contact must open.
 #[test]
 fn what_has_almost_no_force_opens() {
     followed(&of_a_seed(IN_SPACE[0], 901, 589)).unwrap();
 }
 
-/// A finger closes and slides, and right after it another begins to slide, within the straight step from the apex of the cone of the first.
+/// A finger closes and slides. Right after it another finger begins to slide, within the straight step that the first makes from the apex of its
+/// cone.
 #[test]
 fn what_slides_right_after_a_contact_closes_is_seen() {
     for (seed, number) in [(923, 675), (928, 3500)] {
@@ -158,7 +161,7 @@ fn what_slides_right_after_a_contact_closes_is_seen() {
     }
 }
 
-/// Towards an asymptote an object slides under a load that is constant within rounding. The path has a state at its end.
+/// Near an asymptote an object slides under a load that is constant up to rounding. The path has a state at its end.
 #[test]
 fn what_slides_away_has_a_state_at_its_end() {
     for (seed, number) in [(926, 3644), (929, 2710)] {
@@ -166,7 +169,7 @@ fn what_slides_away_has_a_state_at_its_end() {
     }
 }
 
-/// Three fingers without force take up a load, stick and snap over until the end of the leg, under whose load the object rests.
+/// Three fingers without force take up a load, stick and snap over until the end of the leg. Under the load at the end of the leg the object rests.
 #[test]
 fn what_snaps_over_up_to_the_end_of_a_leg_goes_on() {
     let handled = of_a_seed(IN_SPACE[1], 901, 549);
@@ -175,7 +178,7 @@ fn what_snaps_over_up_to_the_end_of_a_leg_goes_on() {
     assert!(is_decided(path.end()), "{:?} at {:?}", path.end(), path.place());
 }
 
-/// Fingers without force take up a load. Their first forces are larger than rounding of their displacements.
+/// Fingers without force take up a load. Their first forces are larger than rounding of their displacements would cause.
 #[test]
 fn what_begins_without_force_is_followed() {
     for (seed, number) in [(902, 883), (906, 1380), (908, 510)] {
@@ -185,7 +188,7 @@ fn what_begins_without_force_is_followed() {
     }
 }
 
-/// A contact sticks and snaps over again and again within a thousandth of the leg. The object is held far beyond that.
+/// A contact sticks and snaps over again and again within a thousandth of the leg. The object is held far beyond this part of the leg.
 #[test]
 fn what_sticks_and_snaps_over_again_and_again_is_held() {
     let handled = of_a_seed(IN_SPACE[1], 909, 620);

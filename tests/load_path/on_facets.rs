@@ -40,7 +40,7 @@ fn block() -> Grasp {
     block.with(&Settings::default().on_the_polygon())
 }
 
-/// The block is pulled by -Q, so that friction points along +Q.
+/// The block is pulled by -Q, so that the friction on it points along +Q.
 fn pulled(q: Vector2<f64>) -> Wrench {
     Wrench::force([-q[0], -q[1], -4.0 * N])
 }
@@ -93,11 +93,11 @@ fn foot(state: &grasp_lcp::spatial::Equilibrium) -> (Vector2<f64>, Vector2<f64>)
     (state.contacts[0].force_world.xy(), Vector2::new(x, y))
 }
 
-/// Pulled at the angle π/8 + δ, 0 < δ < π/8. Stuck, u = -Q/(4KT + KB), F = KT Q/(4KT + KB), until the part of F across the facet
-/// at π/8 is r: Q₁ = r (4KT + KB)/(KT cos δ). From Q₁ on all feet slide across that facet. Along the facet the springs still stick, so F
-/// moves along it to the corner, at the distance r tan π/8: Q₂ = r tan(π/8)(4KT + KB)/(KT sin δ). Then F stays at the corner, F = μN at(π/4),
-/// and the block slips in the direction of the pull. During unloading F follows -ΔQ KT/(4KT + KB) from the corner and first meets
-/// the opposite facet, where its part across is -r: ΔQ = 2r(4KT + KB)/(KT cos δ).
+/// The pull is at the angle π/8 + δ, 0 < δ < π/8. While the feet stick, u = -Q/(4KT + KB) and F = KT Q/(4KT + KB). They slide when the part of F
+/// across the facet at π/8 is r, from Q₁ = r (4KT + KB)/(KT cos δ) on. Along the facet the springs still stick, so that F moves along the facet to
+/// its corner, at the distance r tan π/8. F reaches this corner at Q₂ = r tan(π/8)(4KT + KB)/(KT sin δ). Then F stays at the corner, F = μN at(π/4),
+/// and the block slips in the direction of the pull. During unloading F moves from the corner by -ΔQ KT/(4KT + KB) and first meets the opposite
+/// facet, where the part of F across is -r: ΔQ = 2r(4KT + KB)/(KT cos δ).
 #[test]
 fn a_pad_slides_along_a_facet_to_its_corner() {
     let grasp = block();
@@ -125,8 +125,8 @@ fn a_pad_slides_along_a_facet_to_its_corner() {
     }
 }
 
-/// Under a pull towards a corner (π/4) all feet slide at once on both of its facets at KT Q/(4KT + KB) = μN. Under a pull perpendicular to a facet
-/// (π/8) they slide at r and never turn. In both cases they slide back after twice this load.
+/// Under a pull Q towards a corner (at π/4) all feet slide at once on both facets of this corner, at KT Q/(4KT + KB) = μN. Under a pull perpendicular
+/// to a facet (at π/8) they slide where this force is r, and never turn. In both cases they slide back after twice this load.
 #[test]
 fn pulled_at_a_corner_and_at_a_facet_nothing_turns() {
     let grasp = block();
@@ -146,10 +146,10 @@ fn pulled_at_a_corner_and_at_a_facet_nothing_turns() {
     }
 }
 
-/// Pulled at the corner π/4 beyond sliding, the load then turns to the angle ψ: Q + λ P at(ψ). Within the normal cone of the
-/// corner (|ψ - π/4| < π/8) the feet stay on it and only their slip turns: no event. Between π/8 and 5π/8 from it they turn to the
-/// facet at 3π/8 and slide along it, across at r, while along it the springs take KT/(4KT + KB) of λP, until the next corner at π/2,
-/// 2r tan π/8 away: λP sin(ψ - 3π/8) KT/(4KT + KB) = 2r tan π/8. Beyond, they stick.
+/// The block is pulled towards the corner at π/4 until it slides. Then a load at the angle ψ is added: Q + λ P at(ψ). If |ψ - π/4| < π/8, within the
+/// normal cone of the corner, the forces stay at the corner and only the slip turns, without an event. If |ψ - π/4| is between π/8 and 5π/8, they
+/// move along the facet at 3π/8. Across this facet they remain at r, and along it the springs take KT/(4KT + KB) of λP. They reach the next corner,
+/// at π/2 and the distance 2r tan π/8, where λP sin(ψ - 3π/8) KT/(4KT + KB) = 2r tan π/8. With larger angles the feet stick.
 #[test]
 fn the_load_turns_and_the_feet_follow() {
     let grasp = block();
@@ -176,9 +176,9 @@ fn the_load_turns_and_the_feet_follow() {
     assert_eq!(events.len(), 2);
 }
 
-/// n fingers press on a cylinder of radius R at half its height, with an elastic torsion stop of two pairs of frictionless guides
-/// (kg R_g² each side). Turned about the axis by θ all friction forces are KT R θ along the circumference, a corner of every
-/// polygon; all n let go at θ = μN/(KT R), torque n R μN + 2 kg θ: one event, back and forth.
+/// n fingers press on a cylinder of radius R at half its height. Two pairs of frictionless guides form an elastic torsion stop (kg R_g² each side).
+/// If the cylinder is turned about its axis by θ, all friction forces are KT R θ along the circumference, towards a corner of every polygon. All n
+/// fingers let go at θ = μN/(KT R) and the torque n R μN + 2 kg θ. So there is one event on the way there, and one on the way back.
 #[test]
 fn a_ring_turned_about_its_axis_has_one_event() {
     for n in [2_u32, 3, 4, 7, 12, 33, 64] {

@@ -1,4 +1,4 @@
-//! After short steps the steps along sliding arcs grow again, so that a path does not use up the steps of its leg.
+//! After short steps, the steps along sliding arcs grow again. So a path does not use up the number of steps that a leg may take.
 
 use std::f64::consts::TAU;
 
@@ -33,7 +33,7 @@ pub(crate) fn undecided(grasp: &Grasp, sides: &[u8], settings: &Settings) -> usi
     count
 }
 
-/// A step length that differs only by rounding is not treated as shortened, so that all of these paths are decided.
+/// A step length that is smaller only by rounding is not treated as shortened, so that all of these paths are decided.
 #[test]
 fn a_length_that_lost_its_last_digits_was_not_cut_short() {
     let settings = Settings::default().with_step_error(1e-13);

@@ -6,7 +6,7 @@ use grasp_lcp::planar::{Grasp, Pressure, SoftFingertip, Wrench};
 use support::jaws::jaw;
 use support::samples::{samples, seeded};
 
-/// Fraction of the leg before and after an event at which states are compared; other events are farther away.
+/// States are compared at this distance before and after an event, as a fraction of the leg. Only events without others so near are used.
 const BESIDE: f64 = 1e-7;
 
 /// Number of points in a range of contacts that touch, and that slide.

@@ -105,8 +105,8 @@ fn sticks(change: &Change) -> bool {
     *change == Change::Sticks
 }
 
-/// Sheared until it gives way: the pairs i, N-1-i let go from the rim inwards, each pair at once at x = μN_i / c and load Q_N(x), the last pair at
-/// the limit load μP. Between, the load–displacement curve is Q_N, and within 2 μP/N² Mindlin's.
+/// The pad is sheared until it gives way. The pairs of springs i and N-1-i slide from the rim inwards, each pair at once, at x = μN_i / c and the
+/// load Q_N(x). The last pair slides at the limit load μP. Between, the load–displacement curve is Q_N, and within 2 μP/N² of Mindlin's.
 #[test]
 fn the_pad_slips_from_the_rim_inwards() {
     for n in [2_usize, 8, 33, 200] {
@@ -121,7 +121,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(x_of(event), x);
             assert_close!(event.load.to_vector()[0], pad.virgin(x));
             assert_close!(event.fraction, pad.virgin(x) / (1.25 * most));
-            // The continuation is unique. With more than 64 contacts on an edge this is not checked.
+            // The continuation is unique. With more than 64 contacts on an edge the library does not check this.
             assert!(event.other_continuations == Some(0) || (i > 31 && event.other_continuations.is_none()));
             for (answer, limit) in event.state.contacts.iter().zip(&pad.limits) {
                 assert_close!(answer.normal_force(), limit / MU);
@@ -141,7 +141,7 @@ fn the_pad_slips_from_the_rim_inwards() {
             assert_close!(pad.virgin(x), q);
             let mindlin = full * (1.0 - (1.0 - (x / X_STAR).min(1.0)).powf(1.5));
             assert!((q - mindlin).abs() <= within, "N = {n}, x = {x}: {q} against {mindlin} ± {within}");
-            // The stick zone reaches to (1 - Q/μP)^{1/3}, up to half a cell and the error of the load.
+            // The zone of sticking springs reaches to (1 - Q/μP)^{1/3}, up to half the distance of springs and the error of the load.
             let stuck = state.contacts.iter().filter(|c| c.margin > 1e-9).count();
             let zone = (1.0 - x / X_STAR).max(0.0).sqrt();
             assert!((real(stuck) / real(n) - zone).abs() <= 1.0 / real(n) + 1e-12, "{stuck} of {n}, {zone}");
@@ -151,14 +151,14 @@ fn the_pad_slips_from_the_rim_inwards() {
     }
 }
 
-/// Mindlin and Deresiewicz: to Q₁, back to -Q₁, and again. Everything sticks at a turning point. From the turning point on, each spring has
-/// twice its strength (Masing). During unloading Q = Q₁ - 2 Q_N((x₁ - x)/2), and the pairs that had slid slide back from x₁ - 2 μN_i/c on. The loop
+/// Shear to Q₁, back to -Q₁, and again (Mindlin and Deresiewicz). Everything sticks at a turning point. From there on each spring slides at twice its
+/// friction limit (Masing). During unloading Q = Q₁ - 2 Q_N((x₁ - x)/2), and the pairs that had slid slide back from x₁ - 2 μN_i/c on. The loop
 /// closes exactly. Friction dissipates Σ 4 μN_i (x₁ - μN_i/c) per cycle.
 #[test]
 fn reversed_loading_follows_masing_and_the_loop_closes() {
     let n = 40;
     let pad = Pad::new(n);
-    // Half of the pairs slide: x₁ lies between the strengths of the ninth and the tenth.
+    // Half of the pairs slide: c x₁ lies between the friction limits of the ninth and the tenth pair.
     let slid = 9;
     let x1 = 0.5 * (pad.limits[slid - 1] + pad.limits[slid]) / pad.c;
     let q1 = pad.virgin(x1);
@@ -191,7 +191,8 @@ fn reversed_loading_follows_masing_and_the_loop_closes() {
     let work: f64 = path.energies()[1..3].iter().map(|e| e.load_work).sum();
     assert_close!(work, pad.loop_area(x1));
     assert!(path.energies().iter().all(|e| e.residual().abs() < 1e-13));
-    // The continuum loop, 8 ∫Q dx - 4 x₁Q(x₁) with Mindlin's law: the same within the springs' error.
+    // The area of the loop for the continuum is 8 ∫Q dx - 4 x₁Q(x₁) with Mindlin's law. The springs have the same area within the error of their
+    // number.
     let (full, rest) = (MU * P0 * 4.0 / 3.0, 1.0 - x1 / X_STAR);
     let integral = full * (x1 - 0.4 * X_STAR * (1.0 - rest.powf(2.5)));
     let area = 8.0 * integral - 4.0 * x1 * full * (1.0 - rest.powf(1.5));
@@ -200,9 +201,9 @@ fn reversed_loading_follows_masing_and_the_loop_closes() {
     assert!(within < 0.2 * area);
 }
 
-/// A smaller loop inside: to Q₁, back to Q₂ > -Q₁, and on to Q₃ > Q₁. During unloading only the outer pairs, μN_i < c (x₁ - x₂)/2, slide. During
-/// reloading the same pairs slide at x₂ + 2 μN_i/c. At x₁, every other pair that slid before x₁ was first reached is on its edge again. All these
-/// pairs slide in one event. Beyond x₁ the first loading continues as without the loop, whose memory is erased.
+/// A smaller loop inside: the shear goes to Q₁, back to Q₂ > -Q₁, and on to Q₃ > Q₁. During unloading only the outer pairs with μN_i < c (x₁ - x₂)/2
+/// slide. During reloading the same pairs slide at x₂ + 2 μN_i/c. At x₁, every other pair that had slid before is on its edge again, and all these
+/// pairs slide in one event. Beyond x₁ the path is that of the first loading, without a memory of the loop.
 #[test]
 fn a_loop_inside_is_forgotten_where_it_was_left() {
     let n = 40;
@@ -234,7 +235,7 @@ fn a_loop_inside_is_forgotten_where_it_was_left() {
         assert_close!(x_of(event), pad.limits[i] / pad.c);
         assert_close!(event.load.to_vector()[0], pad.virgin(pad.limits[i] / pad.c));
     }
-    // The end of the path equals the end of a single leg.
+    // The end is the same as after a single leg from zero to Q₃.
     let (straight, _) = pad.follow(&[q3]);
     let (a, b) = (path.state().unwrap(), straight.state().unwrap());
     for (a, b) in a.contacts.iter().zip(&b.contacts) {

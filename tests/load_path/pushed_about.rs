@@ -32,7 +32,7 @@ fn a_finger_turns_a_rod_without_force() {
             prop_assert!((state.contacts[0].normal_force() - PRESS).abs() < 1e-12);
             prop_assert!(state.contacts[2].force.norm() < 1e-12);
         }
-        // The third finger resists a moment that turns the rod towards it.
+        // The third finger resists a moment that turns the rod against this finger.
         let moment = 0.1 * arm;
         let mut held = grasp.follow(Wrench::ZERO, &[down(), turn(moment)]).unwrap();
         held.run();

@@ -56,7 +56,7 @@ fn pushes_end_at_their_limit_loads() {
             [point[0], point[1], contact.friction_coefficient() * first.contacts[i].normal_force()]
         });
         let ([x, y, _], [.., about]) = (loss.load.resultant(), loss.load.moment());
-        // The load at the end equals the limit load in its direction.
+        // The load at the end of the path is the limit load, so that the limit factor of this load is one.
         let factor = limit(&feet, [x, y, about]);
         assert!((factor - 1.0).abs() < 1e-7, "{number}: {:e}", factor - 1.0);
     }

@@ -37,17 +37,17 @@ fn follow<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<grasp_lcp::p
     (path, events)
 }
 
-/// Pressed and dragged from zero force (e b > μ c a), the foot slides from the start. Released while it is dragged on, it slides until
-/// N = 0 at the end of the leg. Pressed and dragged back from this end, it slides in the other direction at once. It can reverse only
-/// where all its forces vanish. Friction dissipates ∫ μN |ds|, with
-/// s = b - μN/e: on a leg with N from 0 to N₁ (or back) and b over L it is μN₁ L/2 ∓ (μN₁)²/(2e).
+/// If the foot is pressed and dragged from zero force (e b > μ c a), it slides from the start. On the second leg it is released while it is dragged
+/// on, and slides until N = 0 at the end of the leg. On the third leg it is pressed and dragged back, and slides in the other direction at once. It
+/// can reverse only where all its forces vanish. Friction dissipates ∫ μN |ds| with s = b - μN/e. On a leg with N from 0 to N₁ (or back) and b over L
+/// this is μN₁ L/2 ∓ (μN₁)²/(2e).
 #[test]
 fn it_reverses_where_its_force_vanishes() {
     let (a, l) = (0.2, 0.5);
     let grasp = body(MU);
     let (path, events) = follow(&grasp, &[to(a, l), to(0.0, 2.0 * l), to(a, l), to(0.0, l)]);
     let n = C * a;
-    // Last leg: it sticks at T = -μN₁ as it is released, and slides as soon as μ N is less than the tangential force, at once.
+    // On the last leg the foot sticks at T = -μN₁, and slides as soon as μN is less than |T|. As the foot is released, this is at once.
     assert_story(&events[..2], &[(0, 0.0, vec![(0, "slides")]), (2, 0.0, vec![(0, "reverses")])]);
     let [(0, Change::Reverses { direction })] = changes(&events[1])[..] else { panic!() };
     // The tangent is t = (1, 0), and the foot is dragged back to -x.
@@ -80,9 +80,9 @@ fn it_sticks_where_its_force_vanishes() {
     assert_eq!(end.contacts[0].state, ContactState::Sticking);
 }
 
-/// Lifted past N = 0, the foot first slides, at T = e b = μ c a, then opens, moves, and is lowered at another place. If it is dragged
-/// far enough while it is pressed (e Δb > μ c Δa after closing), it closes sliding. Otherwise it closes and sticks, with T = e (b - b₀) from
-/// the closing point.
+/// The foot is lifted past N = 0. It first slides, where T = e b = μ c a, then opens, moves, and is lowered at another place. If it is dragged far
+/// enough while it is pressed again (e Δb > μ c Δa after closing), it closes sliding. Otherwise it closes and sticks, with T = e (b - b₀) for its
+/// position b₀ at the closing point.
 #[test]
 fn it_closes_without_tangential_force() {
     let (a, b) = (0.2, 0.03);
@@ -94,7 +94,7 @@ fn it_closes_without_tangential_force() {
         // On the first leg the foot sticks. Then it is lifted to -a, moved along, and lowered while it is dragged.
         let legs = [to(a, b), to(-a, b), to(-a, 1.0), to(a, 1.0 + 2.0 * drag)];
         let (path, events) = follow(&grasp, &legs);
-        // Up, a(1 - 2f): it slides when μ c a(1 - 2f) = e b and opens at f = ½.
+        // On the second leg its command is a(1 - 2f) at the fraction f: the foot slides when μ c a(1 - 2f) = e b and opens at f = ½.
         assert_story(
             &events,
             &[(1, slides / 2.0, vec![(0, "slides")]), (1, 0.5, vec![(0, "opens")]), (3, 0.5, vec![(0, how)])],
@@ -110,14 +110,14 @@ fn it_closes_without_tangential_force() {
     }
 }
 
-/// With a clearance the finger closes when its command a equals the clearance. From then on N = c (a - clearance).
+/// With a clearance the foot closes when its command a equals the clearance. From then on N = c (a - clearance).
 #[test]
 fn a_clearance_is_travelled_first() {
     let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(K, KT).friction(MU).clearance(0.3);
     let spring = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(KB / 2.0, KB / 2.0).bonded();
     let grasp = Grasp::new([foot, spring(-1.0), spring(1.0)]).unwrap();
     let (path, events) = follow(&grasp, &[to(0.4, 0.0), to(0.4, 0.02), to(0.0, 0.02)]);
-    // Back: stuck T = e·0.02; N = c (0.1 - 0.4f) = T/μ, then N = 0 at f = ¼.
+    // On the last leg T stays e·0.02 while the foot sticks. It slides where N = c (0.1 - 0.4f) = T/μ, and opens where N = 0, at f = ¼.
     let slides = 0.25 - E * 0.02 / (MU * C * 0.4);
     assert_story(
         &events,
@@ -144,8 +144,8 @@ fn letting_go_drops_the_body() {
     assert_close!(path.state().unwrap().twist.translation()[1], -w / (2.0 * kt));
 }
 
-/// In space and without a load: a finger slides on a body that three bonded springs carry, is drawn off it while it slides, and comes
-/// back. All forces vanish together when its command along the normal has gone from 1 to 0 of 1 to -1/2, and return at the same place.
+/// In space and without a load, a finger slides on a body that three bonded springs carry. While it slides, it is drawn off the body, and then comes
+/// back. All forces vanish together when its normal command, on the way from 1 to -1/2, is zero. They return at the same place.
 #[test]
 fn drawn_off_while_it_slides_in_space() {
     use grasp_lcp::spatial::{Contact, Grasp, Leg, PathEnd, Wrench};

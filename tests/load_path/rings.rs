@@ -51,7 +51,8 @@ fn a_torque_takes_all_at_once() {
             let leg = planar::Leg::load_to(planar::Wrench::new([0.0; 2], 1.6 * sign * limit));
             let mut path = grasp.follow(planar::Wrench::ZERO, &[leg]).unwrap();
             assert!(path.run().is_empty(), "{n}");
-            // With up to 7 contacts all states are enumerated beyond the loss; with more it is unknown whether another equilibrium exists.
+            // With up to 7 contacts the library enumerates all states beyond the loss. With more contacts it is unknown whether another equilibrium
+            // exists.
             let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{n}: {:?}", path.end()) };
             assert!(n > 7 || matches!(path.beyond(), Some(Beyond::LimitLoad)), "{n}");
             assert_close!(loss.fraction, 1.0 / 1.6);
@@ -63,9 +64,9 @@ fn a_torque_takes_all_at_once() {
     }
 }
 
-/// Squeezed to 2a, turned by M (shared by n fingers and an elastic base, kt θ = kt M/(n kt + B) each), let go to a/2: all slide at once where μka' =
-/// kt θ and turn on, θ = (M - n μ k a/2)/B. Squeezed again to 2a: all stick. Then the torque goes, and each springs back by
-/// kt M/(n kt + B).
+/// The ring is squeezed to the command 2a and turned by M. Each of n fingers carries kt θ = kt M/(n kt + B), with the stiffness B of the elastic
+/// base. Then the squeeze is reduced to a/2. All fingers slide at once, at the command a' with μka' = kt θ, and turn on to θ = (M - n μ k a/2)/B.
+/// When the ring is squeezed again to 2a, all fingers stick. When the torque is removed, the tangential force of each changes by kt M/(n kt + B).
 #[test]
 fn squeezed_turned_let_go_and_squeezed_again() {
     for n in 2..=64 {
@@ -81,7 +82,7 @@ fn squeezed_turned_let_go_and_squeezed_again() {
         let mut path = grasp.follow(planar::Wrench::ZERO, &legs).unwrap();
         let events = path.run();
         assert!(completed(path.end()), "{n}: {:?}", path.end());
-        // 2a - 3a/2 f = 1.2 a.
+        // The command 2a - 3a/2 f on this leg reaches a' = 1.2 a at the fraction f.
         assert_story(&events, &[(2, 0.8 / 1.5, all(n, "slides")), (3, 0.0, all(n, "sticks"))]);
         let loose = path.state_at(2, 1.0).unwrap();
         assert_close!(loose.twist.rotation(), (torque - size * MU * K * 0.5 * A) / BASE);
@@ -115,7 +116,8 @@ fn assert_mirrored<const C: usize>(n: usize, events: &[Event<C>]) {
     }
 }
 
-/// The displacement at first slip under a side load along x, and the contacts that slide: N_i = N + k x cos φ, T_i = kt x |sin φ|.
+/// The displacement x at first slip under a side load along x, and the contacts that slide. At the angle φ a contact has N_i = N + k x cos φ and T_i
+/// = kt x |sin φ|.
 fn first_to_let_go(n: usize) -> (f64, Vec<usize>) {
     let at = |(c, s): (f64, f64)| {
         let x = MU * K * A / (KT * s.abs() - MU * K * c);
@@ -144,7 +146,7 @@ fn a_side_load_goes_through_mirror_images() {
         assert_close!(events[0].fraction, 1.0 / 3.0);
         assert_eq!(changes(&events[0]).iter().map(|(i, _)| *i).collect::<Vec<_>>(), who, "{n}");
         assert_mirrored(n, &events);
-        // Each contact slides, sticks, opens and closes a few times a leg.
+        // In each leg every contact slides, sticks, opens and closes at most a few times.
         assert!(events.len() <= 3 * 4 * (n / 2 + 1), "{n}: {} events", events.len());
         let end = path.state().unwrap();
         assert!(
@@ -156,7 +158,8 @@ fn a_side_load_goes_through_mirror_images() {
     }
 }
 
-/// A ring in space about the axis z, first tangents along it, with guides that make an elastic base of BASE along and about the axis.
+/// A ring in space about the axis z, with first tangents along this axis. Guides form an elastic base with the stiffness BASE along and about the
+/// axis.
 fn ring_in_space(n: usize) -> spatial::Grasp {
     let finger =
         |i: usize| around::<3>(i, n, 1.0, [K, KT], MU).tangent([0.0, 0.0, 1.0]).command([A, 0.0, 0.0]);
@@ -169,9 +172,9 @@ fn ring_in_space(n: usize) -> spatial::Grasp {
     spatial::Grasp::new((0..n).map(finger).chain(ring(4).map(seat)).chain(ring(4).map(stop))).unwrap()
 }
 
-/// Pulled along and turned about the axis at once, all fingers are dragged the same way in their frames, at an angle π/8 + δ to the first
-/// tangent. With r = μN cos π/8 (the polygon) they slide along the facet at π/8 when the drag per finger KT|Q|/(n KT + B) cos δ is r, turn at
-/// its corner when its part along the facet is r tan π/8, stick when the load turns back and slide back after twice the first load.
+/// A force along and a moment about the axis act together and drag all fingers alike, at an angle π/8 + δ to their first tangent. On the polygon,
+/// with r = μN cos π/8, they slide along the facet at π/8 when the drag per finger KT|Q|/(n KT + B) cos δ is r. They turn at the corner of this facet
+/// when the drag along the facet is r tan π/8. When the load is taken back they stick, and slide back after twice the load of first slip.
 #[test]
 fn a_ring_on_facets_slides_and_turns_as_one() {
     for n in 2..=64 {
@@ -259,7 +262,7 @@ fn a_side_load_in_space_goes_through_mirror_images() {
     for n in [2, 3, 4, 5, 6, 8, 11, 16, 31, 64] {
         let grasp = ring_in_space(n);
         let (x, who) = first_to_let_go(n);
-        // Two of the stops lie across.
+        // Two of the four stops resist a force along x.
         let stiffness = 0.5 * BASE + if n == 2 { 2.0 * K } else { 0.5 * n as f64 * (K + KT) };
         let most = 2.0 * x * stiffness;
         let push = |f: f64| spatial::Leg::load_to(spatial::Wrench::force([f, 0.0, 0.0]));

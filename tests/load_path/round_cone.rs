@@ -21,7 +21,8 @@ fn to_all_digits() -> Settings {
     Settings::default().with_step_error(1e-13)
 }
 
-/// Checks the law at events and samples, and that slips point along the friction force over shorter and shorter pieces.
+/// Checks the contact law at events and at sampled states. Checks that slips point along the friction force, over shorter and shorter pieces of the
+/// path.
 fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError> {
     let grasp = scene.grasp();
     let asked = grasp.with(&to_all_digits());
@@ -59,8 +60,8 @@ fn the_law_holds(scene: &Spatial, tally: &mut Tally) -> Result<(), TestCaseError
     Ok(())
 }
 
-/// Checks that a contact that slides in two neighbouring states has slipped along the friction force, except for its rotation, and that
-/// one that sticks in both has not slipped.
+/// Checks two neighbouring states. If a contact slides in both, it has slipped along the friction force, up to the change of its direction. If it
+/// sticks in both, it has not slipped.
 fn slips_along_friction(a: &Equilibrium<3>, b: &Equilibrium<3>) -> Result<usize, TestCaseError> {
     let (_, motion) = sizes(a);
     let mut sliding = 0;
@@ -90,8 +91,7 @@ fn the_law_holds_along_arcs() {
     assert_met(&[(t.checked, 83), (t.slides, 26), (t.sticks, 16), (t.opens, 3), (t.closes, 1)]);
     assert_met(&[(t.completed, 10), (t.limits, 3)]);
     assert!(t.undecided == 0 && t.admitted == 0, "{t:?}");
-    // At a loss the step error grows. On other paths errors exceed 1e-10 only with very large displacements,
-    // where rounding allows no less.
+    // Near a loss the error of steps grows. On other paths the error exceeds 1e-10 only with very large displacements, where rounding allows no less.
     assert!(t.inaccurate <= samples(2), "{t:?}");
 }
 
@@ -128,8 +128,8 @@ fn clear(events: &[Event<3>]) -> bool {
     events.windows(2).all(|w| w[0].leg != w[1].leg || w[1].fraction - w[0].fraction > APART)
 }
 
-/// The direction of a contact that slides while its normal force vanishes turns faster and faster, and ends as rounding. This limits the accuracy
-/// of the load at which it opens, and of all later events.
+/// If a contact slides while its normal force vanishes, its direction turns faster and faster, and at last is rounding. This limits the accuracy of
+/// the load at which the contact opens, and of all later events.
 const AFTER_OPENING: f64 = 1e-8;
 
 fn same_story(
@@ -138,7 +138,7 @@ fn same_story(
     error: f64,
 ) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.len(), b.len(), "{:?} against {:?}", a, b);
-    // Step errors become errors of event loads, larger where forces change slowly.
+    // Errors of steps become errors of the loads of events. These are larger where forces change slowly with the load.
     let mut within = 1e-10_f64.max(1e4 * error);
     for (x, y) in a.iter().zip(b) {
         if x.2.iter().any(|what| what.ends_with("opens")) {
@@ -150,7 +150,7 @@ fn same_story(
     Ok(())
 }
 
-/// Whether another view of a scene starts from the same equilibrium; if several equilibria exist, it may start from another.
+/// Whether another view of a scene starts from the same equilibrium. If several equilibria exist, the solver may find another one.
 fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press: f64) -> bool {
     let outcome = other.grasp().solve(other.start()).unwrap();
     let Some(there) = outcome.equilibrium() else { return false };
@@ -161,9 +161,8 @@ fn same_start(start: &Equilibrium<3>, other: &Spatial, contacts: &[usize], press
     })
 }
 
-/// Another frame, contacts in another order, tangents turned about the normals, a contact given as two of half its stiffness: the same
-/// story. Whether a loss is proved to be a limit may depend
-/// on rounding.
+/// The events are the same in another frame, with contacts in another order, and with tangents turned about the normals. They are also the same if a
+/// contact is given as two of half its stiffness. Whether a loss is proved to be a limit load may depend on rounding.
 #[test]
 fn frames_and_order_do_not_matter() {
     let t = over(27, &spatial_scenes(), |scene, tally| {
@@ -265,7 +264,7 @@ fn cutting_legs_changes_nothing() {
             .collect();
         same_story(&story(&events, &path, &own), &in_halves, path.step_error().max(pieces.step_error()))?;
         prop_assert_eq!(path.end().map(|e| e.loss().is_some()), pieces.end().map(|e| e.loss().is_some()));
-        // Near a loss the state changes like the square root of the distance.
+        // Near a loss the state changes like the square root of the remaining load, so the end is compared only if the path was completed.
         let completed = matches!(path.end(), Some(PathEnd::Completed));
         if let (Some(a), Some(b), true) = (path.state(), pieces.state(), completed) {
             same_state(&scene, &a, &b, 1e-9)?;
@@ -302,7 +301,7 @@ fn small_steps(scene: &Spatial, legs: usize, steps: u32) -> Option<Vec<SVector<f
         }
         forces = state.contacts.iter().map(|c| c.force).collect();
         for (slip, contact) in slips.iter_mut().zip(&state.contacts) {
-            // Open contacts too, so that they close without friction.
+            // Slips of open contacts are updated too, so that these close without friction.
             if !matches!(contact.state, ContactState::Sticking | ContactState::Frictionless) {
                 *slip += contact.slip;
             }
@@ -368,6 +367,7 @@ fn the_law_holds_along_arcs_under_loads_that_turn() {
     let t = over(80, &turning(spatial_scenes(), 12.0), |scene, tally| the_law_holds(&scene, tally));
     println!("{t:?}");
     assert_met(&[(t.checked, 62), (t.slides, 20), (t.sticks, 12), (t.opens, 2), (t.closes, 1)]);
-    // Exceptions are contacts that slide with almost no normal force, and directions that turn within a billionth of a leg.
+    // Up to one path may be undecided or inaccurate: contacts that slide with almost no normal force, and directions that turn within a billionth of
+    // a leg.
     assert!(t.undecided <= samples(1) && t.admitted <= samples(1), "{t:?}");
 }

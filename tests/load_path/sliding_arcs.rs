@@ -47,7 +47,8 @@ fn normal_force() -> f64 {
     in_series(K) * A
 }
 
-/// The distance between the finger and the dragged contact point, the leash.
+/// The length of the leash, an imaginary line from the finger to the contact point that it drags along. It is the deflection of the springs at which
+/// the contact slides.
 fn leash() -> f64 {
     MU * normal_force() / in_series(KT)
 }
@@ -59,8 +60,8 @@ fn drag(x: f64, y: f64) -> Leg {
     Leg::commands_by(commands)
 }
 
-/// The finger moves straight, starting perpendicular to its leash L. The dragged point follows a tractrix, and the friction force points along the
-/// leash, at the angle θ to the path with
+/// The finger moves straight, starting perpendicular to its leash of length L (see [`leash`]). The dragged point follows a tractrix, and the friction
+/// force points along the leash, at the angle θ to the path with
 ///
 /// ```text
 /// tan(θ/2) = tan(θ₀/2) exp(-x/L)
@@ -78,12 +79,13 @@ fn what_is_dragged_follows_a_tractrix() {
             let mut path = asked.follow(Wrench::ZERO, &legs).unwrap();
             let events = path.run();
             assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
-            // There is one event, when the leash is tight. At the end of a leg it belongs to the beginning of the next.
+            // There is one event, when the leash is tight and the contact slides. If this is at the end of a leg, the event belongs to the beginning
+            // of the next leg.
             let [event] = &events[..] else { panic!("{events:?}") };
             assert!(matches!(changes(event)[..], [(0, Change::Slides { .. })]));
             let at = event.leg as f64 + event.fraction;
             assert_close!(at, 1.0 / ahead);
-            // The rounding error grows with the length of the path in leashes.
+            // The rounding error grows with the length of the path, measured in leash lengths.
             let most = 1e-11_f64.max(1e-15 * way);
             assert!(path.step_error() > 0.0 && path.step_error() < most, "{}", path.step_error());
             for f in [0.01, 0.2, 0.5, 0.77, 1.0] {
@@ -115,13 +117,14 @@ fn the_heat_of_a_tractrix() {
         let asked = grasp.with(&to_all_digits());
         let mut path = asked.follow(Wrench::ZERO, &[drag(0.0, l), drag(way * l, 0.0)]).unwrap();
         path.run();
-        // ln cosh without overflow.
+        // The logarithm of cosh(way), written so that it does not overflow.
         let heat = MU * normal_force() * l * (way + (0.5 * (1.0 + (-2.0 * way).exp())).ln());
         assert_close!(path.energies()[1].dissipated, heat);
     }
 }
 
-/// If the finger moves on a circle of radius R, the dragged point ends on a circle of radius ρ with ρ² + L² = R², to which the leash is tangent.
+/// If the finger moves on a circle of radius R, the dragged point ends on a circle of radius ρ with ρ² + L² = R². The leash of length L is tangent to
+/// this smaller circle.
 #[test]
 fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     let grasp = dragged();
@@ -151,7 +154,7 @@ fn round_in_a_circle_what_is_dragged_keeps_to_a_smaller_one() {
     assert!(force.normalize().dot(&place.normalize()).abs() < 2e-3 + 1.0 / f64::from(sides));
 }
 
-/// Coarser steps have larger errors, below the estimate.
+/// Coarser steps have larger errors, which stay below the estimate of the path.
 #[test]
 fn the_error_of_the_steps_is_what_was_asked_for() {
     let grasp = dragged();
@@ -208,7 +211,8 @@ fn springs_that_differ_along_the_tangents() {
     assert!(reference[0] > 0.5 * r && reference[1] > 0.01 * r);
 }
 
-/// The force after n steps along two legs: F = S (a - s) with S = (K⁻¹ + λ)⁻¹, λ by bisection; then s grows by λF.
+/// The force after n steps along two legs. In each step F = S (a - s) with S = (K⁻¹ + λ)⁻¹, the command a and the slip s. λ is found by bisection so
+/// that F is on the cone, and then s grows by λF.
 fn returned(k1: f64, k2: f64, r: f64, first: [f64; 2], second: [f64; 2], n: u32) -> [f64; 2] {
     let (mut a, mut s, mut f) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     for leg in [first, second] {

@@ -1,8 +1,8 @@
 //! Every event of a path lies where small implicit steps find it. If a path is lost, the steps find no equilibrium nearby.
 //!
 //! The steps ([`support::programs::steps`]) take only the initial state from the crate. At the end of each step they solve the contact law with the
-//! previous slip by trying all combinations of states. At every step without an event in it or in the previous step, contact states and forces must
-//! agree.
+//! previous slip by trying all combinations of contact states. Contact states and forces must agree with the path, except in a step with an event and
+//! in the step after it.
 
 use grasp_lcp::load_path::PathEnd;
 use proptest::prelude::*;
@@ -73,8 +73,8 @@ fn follows(scene: &Scene<3, 2>, tally: &mut Tally) -> Result<(), TestCaseError> 
             let steps = scene.steps_to(loss.leg, loss.fraction + ahead, last).into_iter();
             steps.take_while(|next| last.apart(next) <= JUMP).collect()
         };
-        // And a longer one after it: in the step in which a contact closes it has no friction yet, and where its friction is infinite
-        // that step may exist though the force it gains is lost again while it sticks.
+        // Just beyond a loss a step may still have an equilibrium, for example with a contact that closes in this step and has no friction yet. So a
+        // second, longer step follows, which must have none.
         for next in near(&end, AHEAD) {
             let after = near(&next, 30.0 * AHEAD);
             prop_assert!(after.is_empty(), "{:?}, but {next:?} and {:?}", path.end(), after[0]);

@@ -54,7 +54,8 @@ impl Finger {
         self.normal * self.normal.transpose() * along + self.tangent() * self.tangent().transpose() * across
     }
 
-    /// The force on the object, whose contact point has moved by `moved`. `slip`, the accumulated slip of the finger along its tangent, is updated.
+    /// The force of the finger on the object after its contact point has moved by `moved`. The accumulated slip of the finger along its tangent,
+    /// `slip`, is updated.
     fn force(&self, moved: Vector2<f64>, slip: &mut f64) -> Vector2<f64> {
         let [along, across] = self.stiffness;
         let press = (along * (self.command - self.normal.dot(&moved))).max(0.0);
@@ -92,7 +93,7 @@ fn it_comes_to_rest_where_viscous_contacts_do() -> Result<(), Failure> {
         let ([x, y], angle) = ([0, 1].map(|_| random.between(-0.3, 0.3)), random.between(0.0, TAU));
         let load = Wrench::force_at([30.0 * angle.cos(), 30.0 * angle.sin()], [x, y]);
         let verdict = grasp.hold(load)?;
-        // A finger whose force is not balanced at rest would start from another position.
+        // Only scenes whose first slip comes after the start are used. A finger that slides at rest would start from another position.
         let starts = verdict.first_slip.as_ref().is_some_and(|first| first.factor > 1e-3);
         let (Some(state), true) =
             (&verdict.state, starts && verdict.caught.iter().any(|caught| caught.snaps))

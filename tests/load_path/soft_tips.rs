@@ -6,8 +6,8 @@ use grasp_lcp::spatial::{Leg, SoftFingertip, Wrench};
 use support::samples::{samples, seeded};
 use support::soft_tips::{TWO, draw, pinch};
 
-/// Rings of six springs, μF = 5/6 N at each. Springs at (y, z) move by (-z ω, v + y ω), and the load does the work `m ω - f v`. The limit is the
-/// least ratio of friction work to load work over all motions.
+/// Two rings of six springs, with a friction limit of 5/6 N each. Under a motion with velocity v and angular velocity ω, the spring at (y, z) moves
+/// by (-z ω, v + y ω), and the load does the work `m ω - f v`. The limit factor is the least ratio of friction work to load work over all motions.
 #[test]
 fn a_pinch_spins_where_friction_works_no_more_than_the_load() {
     let tip = SoftFingertip::ring(0.006, 6).expect("valid");
@@ -19,7 +19,7 @@ fn a_pinch_spins_where_friction_works_no_more_than_the_load() {
             let works: f64 = places.iter().map(|(y, z)| 5.0 / 6.0 * z.hypot(v + y)).sum();
             works / (m - f * v)
         };
-        // The ratio has one minimum where the work of the load is positive.
+        // Among the motions on which the load does positive work, this ratio has one minimum.
         let (mut low, mut high) = (-1.0, m / f - 1e-9);
         for _ in 0..200 {
             let [a, b] = [2.0 / 3.0, 1.0 / 3.0].map(|part: f64| part * low + (1.0 - part) * high);

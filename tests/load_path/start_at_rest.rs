@@ -24,12 +24,12 @@ fn follow(grasp: &Grasp, load: Wrench) -> LoadPath<'_> {
     path
 }
 
-/// A plate on contacts that touch it from below carries every load within friction and footprint, and no other.
+/// A plate lies on contacts that touch it from below. They carry every load within the friction cone that acts within the footprint, and no other.
 #[test]
 fn a_plate_without_weight_holds_all_or_nothing() {
     for count in 3..=6 {
         let plate = around(count, true);
-        // Forces: down, down and sideways within friction, and down off the middle.
+        // Held loads: a force down, a force down and sideways within friction, and a force down off the middle.
         for load in [
             Wrench::force([0.0, 0.0, -1.0]),
             Wrench::force([0.8 * MU, 0.0, -1.0]),
@@ -39,7 +39,7 @@ fn a_plate_without_weight_holds_all_or_nothing() {
             let end = path.end().unwrap();
             assert!(matches!(end, PathEnd::Completed), "{count} {load:?}: {end:?}");
         }
-        // Forces up, sideways, down and sideways beyond friction, and down outside the plate. Then a torque.
+        // Lost loads: forces up, sideways, down and sideways beyond friction, and down outside the plate, and a torque.
         for load in [
             Wrench::force([0.0, 0.0, 1.0]),
             Wrench::force([1.0, 0.0, 0.0]),
@@ -64,8 +64,7 @@ fn fingers_that_do_not_press_carry_nothing() {
     }
 }
 
-/// If forces can grow in proportion to the load, an equilibrium exists at every load. The path may be undecided, but it is
-/// never lost.
+/// If the forces can grow in proportion to the load, an equilibrium exists under every load. The path may be undecided, but it is never lost.
 #[test]
 fn what_grows_from_nothing_is_not_lost() {
     for count in 3..=6 {
@@ -77,9 +76,9 @@ fn what_grows_from_nothing_is_not_lost() {
     }
 }
 
-/// A cylinder of weight w and radius r rolls freely on a floor and just touches a rough wall. A couple that rolls it into the wall is held up to
-/// `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide. Nothing holds a couple that rolls it away from the wall. At the start the cylinder is at
-/// its given position along the floor.
+/// A cylinder of weight w and radius r rolls freely on a floor and just touches a rough wall. A couple that rolls the cylinder into the wall is held
+/// up to `w r μ(1 + μ)/(1 + μ²)`, where floor and wall slide. Nothing holds a couple that rolls it away from the wall. At the start the cylinder is
+/// at its given position along the floor.
 #[test]
 fn a_cylinder_that_touches_a_wall_is_held_by_it() {
     use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};

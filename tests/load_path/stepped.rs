@@ -1,4 +1,5 @@
-//! Paths in steps end where paths from event to event end, within the requested error. With thousands of contacts they agree with closed forms.
+//! Paths followed in steps end where paths from event to event end, within the requested error. With thousands of contacts they agree with closed
+//! forms.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +19,7 @@ fn table(feet: usize, across: f64, numbers: &mut Random) -> Result<Grasp, Error>
         let (sin, cos) = (TAU * i as f64 / feet as f64 + 0.4 * numbers.signed()).sin_cos();
         let k = 1000.0 * (1.0 + 0.3 * numbers.signed());
         let normal = [0.1 * numbers.signed(), 0.1 * numbers.signed(), 1.0];
-        // With `across` below 0.8 they are softer along one tangent.
+        // If `across` is less than 0.8, the feet are softer along their second tangent.
         Contact::new([cos, sin, 0.0], normal)
             .series_stiffness_axes([k, 0.8 * k, across * k])
             .friction(0.5 + 0.2 * numbers.signed())
@@ -105,8 +106,8 @@ fn disc(count: usize) -> Result<(Grasp, Vec<[f64; 2]>), Error> {
 
 #[test]
 fn errors_are_as_large_as_estimated() -> Result<(), Error> {
-    // Shear, additional torsion, reversal beyond the start, and unloading; for an even patch, an uneven patch, and a patch with springs softer along
-    // one tangent.
+    // Four legs: shear, additional torsion, reversal beyond the start, and unloading. Three patches: an even one, an uneven one, and one whose
+    // springs are softer along one tangent.
     let legs = [([3.0, 0.0], 0.0), ([3.0, 0.0], 1.5), ([-2.0, 0.5], -1.0), ([0.0; 2], 0.0)]
         .map(|(shear, moment)| Leg::load_to(pulled(shear, moment)));
     let (mut numbers, mut times) = (seeded(17), Vec::new());
@@ -147,12 +148,12 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
                 "{uneven} {across}, {error:e}: {steps} steps, {off:.1e} off, {estimated:.1e} estimated, {:.1} times",
                 estimated / off
             );
-            // The error at the ends of four legs may be small by chance.
+            // The errors at the ends of four legs may be small by chance, so the estimate may be up to 30 times as large.
             assert!(off <= estimated && estimated < 30.0 * off && off < error);
             made.push(steps);
             times.push(estimated / off);
         }
-        // For a hundredth of the error, second-order steps need ten times the number, and fewer where old errors decay.
+        // For a hundredth of the error, steps of second order must be ten times as many, or fewer where old errors decay.
         assert!(made[3] < 12 * made[1] && made[2] < 12 * made[0], "{made:?}");
     }
     times.sort_by(f64::total_cmp);
@@ -162,7 +163,7 @@ fn errors_are_as_large_as_estimated() -> Result<(), Error> {
 
 #[test]
 fn torsion_slides_ring_by_ring() -> Result<(), Error> {
-    // M(θ) = Σ r min(k r θ, μ F_n) during loading, and Masing's rule during unloading.
+    // During loading M(θ) = Σ r min(k r θ, μ F_n), and unloading follows Masing's rule.
     let (grasp, rings) = disc(400)?;
     let moment =
         |turn: f64| -> f64 { rings.iter().map(|[r, press]| r * (2.0 * r * turn).min(0.5 * press)).sum() };
@@ -173,7 +174,7 @@ fn torsion_slides_ring_by_ring() -> Result<(), Error> {
         let turn = path.state().expect("on the way").twist.rotation()[2];
         let exact = if step.leg == 0 { moment(turn) } else { 2.0 - 2.0 * moment(0.5 * (there - turn)) };
         let told = step.load.moment()[2];
-        // A millionth of the largest force for each of 400 springs, at arms up to 1 m.
+        // The tolerance: a millionth of the largest force for each of 400 springs, at arms of up to 1 m.
         assert!((told - exact).abs() < 400.0 * 1e-6 * largest(path.forces().iter()), "{told} {turn} {exact}");
         if step.leg == 0 {
             there = turn;
@@ -187,7 +188,7 @@ fn torsion_slides_ring_by_ring() -> Result<(), Error> {
 
 #[test]
 fn a_ring_that_slides_at_once_holds_to_its_limit() -> Result<(), Error> {
-    // Springs around a jar, each pressed with 1 N, μ = 0.5: they slide at n/2 N, all at once.
+    // Springs around a jar press with 1 N each, μ = 0.5. All n springs slide at once, at the force n/2 newtons.
     for count in [64, 1024] {
         let spring = |i: usize| around::<3>(i, count, 1.0, [1e3, 8e2], 0.5).pressed_with(1.0);
         let ring = Grasp::new((0..count).map(spring))?;
@@ -226,7 +227,7 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
                 if exact.kind == loss.kind {
                     alike += 1;
                 } else {
-                    // One method may find a corner just before a maximum, the other just after it.
+                    // A corner lies close to a maximum of the load. One method may find the corner before it, and the other the maximum.
                     assert!(
                         ![exact.kind, loss.kind].contains(&LossKind::Asymptote),
                         "{scene}: {exact:?} {loss:?}"
@@ -235,7 +236,7 @@ fn they_are_lost_where_paths_from_event_to_event_are() -> Result<(), Error> {
                 }
             }
             [_, PathEnd::Undecided { .. }] => undecided += 1,
-            // Infinitely many events before a limit.
+            // The path from event to event has infinitely many events before its limit load, and remains undecided.
             [PathEnd::Undecided { fraction, .. }, PathEnd::Lost(loss)] => {
                 worst = worst.max((fraction - loss.fraction).abs());
                 undecided += 1;

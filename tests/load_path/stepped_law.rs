@@ -1,6 +1,6 @@
 //! At the end of every step the contact law holds. Random grasps and programs have commands, clearances, openings and closings; [`support::programs`]
-//! writes the law out from points, normals and springs. If the path from event to event reports its continuation as unique, this path and the path in
-//! steps end at the same forces and motions within the error, or are lost at the same load.
+//! computes the law from points, normals and springs. The path from event to event is compared if it reports that its continuation is unique. Both
+//! paths then end with the same forces and motions within the error, or are lost at the same load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::PathEnd;
@@ -50,7 +50,7 @@ fn the_law_holds<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// A scene joined with its mirror image, so that a contact and its image change at once.
+/// A scene that contains the given scene and its mirror image, so that each contact and its image change at once.
 fn with_its_image(scene: &Scene<3, 2>) -> Scene<3, 2> {
     let image = View::mirrored().scene(scene);
     let goal = |(a, b): (&Goal<3, 2>, &Goal<3, 2>)| Goal {

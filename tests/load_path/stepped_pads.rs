@@ -98,8 +98,8 @@ fn a_pad_gives_way_when_every_spring_slides() {
     }
 }
 
-/// Pairs of springs at ±x with clearances that grow from the middle outwards. Pair j touches when the block has moved by the clearance of this pair.
-/// The load is then the force that the inner pairs carry at this displacement. On unloading the pairs separate at the same loads.
+/// Pairs of springs at ±x have clearances that grow from the middle outwards. Pair j touches when the block has moved by the clearance of this pair.
+/// The load of this event is the force that the inner pairs carry at this displacement. On unloading the pairs separate at the same loads.
 #[test]
 fn pairs_touch_and_part_at_known_loads() {
     let (n, deepest) = (100, 0.5);

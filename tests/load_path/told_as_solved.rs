@@ -1,5 +1,5 @@
-//! A state on a path reports the same free motions as a solution at its load, if both are the same equilibrium. Two point contacts in space leave a
-//! rotation about their line free.
+//! A state on a path reports the same free motions as the solved equilibrium at its load, if both are the same equilibrium. Two point contacts in
+//! space leave a rotation about their line free.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;
@@ -41,7 +41,8 @@ fn is_one<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> bool {
     a.contacts.iter().zip(&b.contacts).all(|(a, b)| (a.force - b.force).norm() <= 1e-7 * largest)
 }
 
-/// Compares states on a path to a load with solutions. Counts states equal to a solution, and how many of these states have a free motion.
+/// Compares states on a path to a load with solved equilibria at the same loads. Counts states equal to a solution, and how many of these states have
+/// a free motion.
 fn compared<const C: usize>(contacts: Vec<Contact<C>>, load: Wrench<C>, counts: &mut [usize; 2]) {
     let grasp = Grasp::new(contacts).unwrap();
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_by(load)]).unwrap();

@@ -10,8 +10,9 @@ use support::programs::changes;
 
 #[test]
 fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
-    // Two feet press with 1 N together. A pull P sin θ meets a spring of 20 N/m and feet that stick on 50 N/m up to μ. They slide where they carry μ,
-    // 5/7 of the pull, then where 5/7 of the way back from a turning point have used up 2 μ.
+    // Two feet press with 1 N together. A pull P sin θ acts against a spring of 20 N/m and against the feet, which stick with 50 N/m up to the
+    // friction limit μ N = 0.3 N. The feet take 5/7 of the pull, and slide where this is the friction limit. After a turning point they stick, and
+    // slide back where 5/7 of the change of the pull is twice the friction limit.
     let (mu, pull, turns) = (0.3, 0.9, 5_u32);
     let foot = |x: f64| {
         Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 25.0).friction(mu).command([1.5e-3, 0.0])
@@ -39,7 +40,7 @@ fn a_block_on_a_spring_goes_round_its_hysteresis() -> Result<(), Error> {
         }
         assert_eq!(event.changes.len(), 2);
     }
-    // Slip from rest to the first turning point, twice as much in each half turn, and the rest of the last half turn.
+    // The whole slip: `once` from rest to the first turning point, twice as much in each half turn, and the rest of the last half turn.
     let once = pull / 20.0 - 0.07 * mu;
     let slipped = once + (2.0 * f64::from(turns) - 1.0) * 2.0 * once + once - 0.07 * mu;
     let energy = path.energies()[0];
@@ -76,7 +77,7 @@ fn a_shaft_creeps_with_each_turn_of_its_load() -> Result<(), Error> {
     let [on, back] = [creep(1.0, 6)?, creep(-1.0, 6)?];
     let each: Vec<f64> = on.windows(2).map(|two| two[1] - two[0]).collect();
     println!("{on:?} {each:?}");
-    // From the third turn on the creep is constant, and its mirror image is opposite.
+    // From the third turn on, the creep per turn is constant. The creep of the mirror image is opposite.
     assert!(each[3].abs() > 1e-4 && (each[4] - each[3]).abs() < 1e-12, "{each:?}");
     for (on, back) in on.iter().zip(&back) {
         assert!((on + back).abs() < 1e-15, "{on} {back}");
@@ -107,7 +108,7 @@ fn chords_close_in_on_a_turn_in_the_plane() -> Result<(), Error> {
         path.run();
         Ok((path.state().expect("has passed").twist.rotation() - exact).abs())
     };
-    // The error depends on the position of events within a chord, so the largest error over neighbouring numbers of chords is used.
+    // The error depends on the place of events within a chord of the turn, so the largest error over neighbouring numbers of chords is used.
     let worst = |about: i32| {
         (about..about + 6).try_fold(0.0, |most: f64, n| Ok::<_, Error>(most.max(chord_error(n)?)))
     };
@@ -181,7 +182,8 @@ fn what_cannot_be_followed_exactly_is_refused() {
     assert!(what.starts_with("angle") && value.is_nan(), "{what} {value}");
 }
 
-/// The load of a turn acts before its leg, or the leg is refused: else only its change would act.
+/// If a turning load starts at another load than the one that acts before its leg, the leg is refused. Otherwise only the change of the turning load
+/// would be applied.
 #[test]
 fn a_turn_does_not_begin_with_a_jump() -> Result<(), Error> {
     let grasp = shaft(1.0);
@@ -194,7 +196,7 @@ fn a_turn_does_not_begin_with_a_jump() -> Result<(), Error> {
     assert_eq!(refused(none, std::slice::from_ref(&light)), jump(0, 2.4, 0.0));
     assert_eq!(refused(pull, &[Leg::load_by(pull * -1.0), light.clone()]), jump(1, 2.4, 0.0));
     assert_eq!(refused(none, &[Leg::load_to(pull), light.clone()]), None);
-    // Six written digits are enough.
+    // The start of the turn may differ from the acting load by no more than the rounding of six written digits.
     assert_eq!(refused(pull * (1.0 + 4e-7), std::slice::from_ref(&light)), None);
     assert_eq!(grasp.shake(pull * 3.0, std::slice::from_ref(&light)).err(), jump(0, 2.4, 2.4 * 3.0));
     let mut path = grasp.follow(pull, &[Leg::load_to(pull * 2.0), heavy.clone()])?;

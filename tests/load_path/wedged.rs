@@ -19,7 +19,7 @@ const MU: f64 = 0.5;
 const GUIDE: f64 = 7.0;
 const COUPLE: f64 = 9.0;
 
-/// θ, and the half width of the interval of heights.
+/// The angle θ of the body, and the half width of the interval of heights at which it may be.
 fn by_hand(turning: f64) -> (f64, f64) {
     let theta = (COUPLE - 2.0 * MU * KN * PRESS) / turning;
     (theta, theta - MU * KN * PRESS / KT)
@@ -60,7 +60,7 @@ fn planar_grasp() -> planar::Grasp {
 fn in_the_plane_the_height_is_anything_in_an_interval() {
     let grasp = planar_grasp();
     let load = planar::Wrench::new([0.0, 0.0], COUPLE);
-    // Without a history the solver may return an end of the interval, where one contact has no slip.
+    // Without a history of slip the solver may return an end of the interval of heights, where one contact has no slip.
     let Outcome::Equilibrium(state) = grasp.solve(load).unwrap() else { panic!("it holds") };
     let (theta, room) = by_hand(2.0 * GUIDE);
     assert_close!(state.twist.rotation(), theta);
@@ -72,7 +72,7 @@ fn in_the_plane_the_height_is_anything_in_an_interval() {
     path.run();
     let state = path.state_at(0, 1.0).unwrap();
     check(&state, by_hand(2.0 * GUIDE), 2);
-    // With a history the height is known: the body has turned in place.
+    // With a history of slip the height is known: the body has turned without moving up or down.
     assert!(state.twist.translation()[1].abs() < 1e-15);
 }
 

@@ -29,7 +29,7 @@ const ALL: [(Quantity, Demand); 4] = [
     (Quantity::Load, Demand::Sticks),
 ];
 
-/// Jaws hold 2 μ N for every tangential direction of the load. From this force follow the needed load and the needed squeeze.
+/// Two jaws hold 2 μ N for every tangential direction of the load. This gives the largest load and the least squeeze.
 #[test]
 fn jaws_need_what_the_closed_form_says() {
     let rows: Vec<Row> = (1..30)
@@ -97,7 +97,7 @@ fn amounts_are_those_of_single_grasps() {
     assert_met(&[(bounds, 20)]);
 }
 
-/// Rows with a base load, malformed contacts or other questions are computed by the general method, and each has its own error.
+/// Rows with a base load, with malformed contacts or with other questions are computed by the general method. An error belongs to its own row.
 #[test]
 fn errors_are_of_their_row() {
     let good = || vec![jaw(-0.03, 0.5), jaw(0.03, 0.5)];

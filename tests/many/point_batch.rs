@@ -1,5 +1,5 @@
-//! In batches of any number of points, grasps of up to five contacts have the onsets of single grasps to the last bit. Larger grasps and pads have
-//! the onsets of `Grasp::onset` to 1e-9.
+//! Batches of grasps with any number of contact points. For up to five contacts their factors of first slip are those of single grasps to the last
+//! bit. For larger grasps and pads they are those of `Grasp::onset` to 1e-9.
 
 use grasp_lcp::screening::{Fingers, PointBatch, Pull, Screened, ScreeningVerdict};
 use grasp_lcp::spatial::{Contact, Grasp, Pressure, Ramp, SoftFingertip, Wrench};
@@ -47,7 +47,7 @@ fn few_contacts_have_the_bits_of_single_grasps() {
     let own = batch.own_onsets(pulls.clone());
     assert!(own.iter().map(bits).eq(alone.iter().map(bits)));
     assert!(alone.iter().filter(|onset| onset.factor().is_some()).count() > samples(100));
-    // Common loads give the same onsets. Own loads must be as many as grasps.
+    // Loads common to all grasps give the same factors. If each grasp has its own load, there must be as many loads as grasps.
     let mut common = Vec::new();
     batch.onsets_into(&pulls[..2], &mut common);
     assert_eq!(
@@ -96,7 +96,7 @@ fn pads_and_many_contacts_slide_where_the_grasp_does() {
     }
 }
 
-/// A batch refuses fingers with other numbers of points, too many points or fingers, and contacts that screening does not support.
+/// A batch refuses grasps with another number of points than the first one, too many points or fingers, and contacts that screening does not support.
 #[test]
 fn what_does_not_fit_is_left_out() {
     let mut random = seeded(43);

@@ -1,4 +1,5 @@
-//! A reserve in standard deviations is safe: at the load with this reserve, samples slide no more often than it states.
+//! A grasp holds a load with a reserve of some standard deviations of its uncertain data. At this load, samples slide no more often than the reserve
+//! states.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use std::f64::consts::TAU;
@@ -15,7 +16,7 @@ const SAMPLES: u64 = 20_000;
 /// Deviations 2 and 3, and the probabilities Φ(-2) and Φ(-3).
 const TAILS: [(f64, f64); 2] = [(2.0, 0.022_750_131_948_179_21), (3.0, 0.001_349_898_031_630_094_5)];
 
-/// Checks that no more samples slide below the reserve than it states, within four standard deviations of their number.
+/// Checks that no more samples slide below the reserve load than the reserve states, within four standard deviations of their number.
 fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<C>, off: &Uncertainty) {
     let ramp = grasp_lcp::load_path::Ramp::load(base, direction);
     let known = grasp.onset(&ramp).unwrap().factor().unwrap_or(0.0);
@@ -29,7 +30,7 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
         let below = onsets.iter().filter(|onset| **onset < held).count() as f64;
         let expected = tail * SAMPLES as f64;
         assert!(below <= expected + 4.0 * expected.sqrt(), "{below} {expected} {known}");
-        // The reserve is not too small either, unless about as many samples already slide at rest.
+        // The reserve load is not far too small either. This is not checked if about as many samples already slide at rest.
         let at_rest = onsets.iter().filter(|onset| **onset == 0.0).count() as f64;
         if at_rest < 0.2 * expected {
             let quantile = onsets[onsets.len() * (if sigmas == 2.0 { 2275 } else { 135 }) / 100_000];
@@ -42,9 +43,9 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
 #[derive(Debug, Default)]
 struct Compared {
     asked: usize,
-    /// Reserves below which more samples slide than chance allows.
+    /// Number of reserve loads below which more samples slide than chance allows.
     unsafe_ones: usize,
-    /// Reserves below four fifths of the quantile, including reserves of zero.
+    /// Number of reserve loads below four fifths of the quantile of the samples, including reserve loads of zero.
     far_below: usize,
 }
 
@@ -71,7 +72,7 @@ impl Compared {
     }
 }
 
-/// If friction, stiffness and squeeze are known to 20 % or better, no reserve is unsafe, and few are far below the quantile.
+/// If friction, stiffness and squeeze are known to 20 % or better, no reserve load is unsafe, and few are far below the quantile of samples.
 #[test]
 fn reserves_come_near_to_quantiles() {
     let (mut random, mut plane, mut space) = (seeded(62), Compared::default(), Compared::default());
@@ -138,7 +139,8 @@ fn reserves_come_near_to_quantiles() {
     }
 }
 
-/// If only friction is uncertain, by 20 %, margins with rare failures are strongly nonlinear. The search for the failure must not end too early.
+/// If only friction is uncertain, by 20 %, margins for rare failures are strongly nonlinear in the data. The search for the most likely failure must
+/// not end too early.
 #[test]
 fn a_reserve_is_smooth_where_friction_is_hardly_known() {
     let jaw = |x: f64| {
@@ -152,7 +154,7 @@ fn a_reserve_is_smooth_where_friction_is_hardly_known() {
         let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
         reserve.along(&planar::Wrench::force([cos, sin]))
     };
-    // Quantiles of 60 000 samples.
+    // The quantiles come from 60 000 samples.
     for (degrees, quantile) in [(247, 3.91), (248, 3.89)] {
         let held = at(degrees);
         assert!(held > 0.95 * quantile && held < 1.02 * quantile, "{degrees} {held} {quantile}");
@@ -168,8 +170,8 @@ fn everything() -> Uncertainty {
 }
 
 proptest! {
-    // The grasps are always the same. Some have a reserve of zero, because contacts that almost slide at rest are treated as sliding.
-    // This errs on the safe side. The report `reserve` prints how conservative reserves are.
+    // The random grasps are the same in every run. Some have a reserve load of zero, because contacts that almost slide at rest are treated as
+    // sliding, which errs on the safe side. The report `reserve` prints how conservative reserves are.
     #![proptest_config(config(6))]
 
     #[test]
@@ -213,7 +215,8 @@ proptest! {
     }
 }
 
-/// Each of two fingers carries half of the weight. If only friction is uncertain, each slides at `2 μ N exp(σ z)`, which gives the reserve in closed form.
+/// Each of two fingers carries half of the weight. If only friction is uncertain, each finger slides at `2 μ N exp(σ z)` with a normal variable z,
+/// which gives the reserve load in closed form.
 #[test]
 fn of_two_fingers_either_may_be_the_bad_one() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
@@ -224,16 +227,16 @@ fn of_two_fingers_either_may_be_the_bad_one() {
         .reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1).with_friction(sigma), 3.0)
         .unwrap()
         .along(&down);
-    // Φ(-3.2052) is half of Φ(-3).
+    // Either finger may fail, and Φ(-3.2052) is half of Φ(-3).
     let exact = 10.0 * (-3.2052 * sigma).exp();
     assert!(held <= exact && held > 0.98 * exact, "{held} {exact}");
-    // Without uncertainty the reserve is the onset.
+    // Without uncertainty the reserve load is the load of first slip.
     let held = grasp.reserve(planar::Wrench::ZERO, &Uncertainty::seeded(1), 3.0).unwrap().along(&down);
     assert!((held - 10.0).abs() < 1e-7, "{held}");
 }
 
-/// A soft finger presses an object onto a stiff table, which slides at `μ k c` with three uncertain factors. The logarithm is normally distributed,
-/// which gives the reserve in closed form.
+/// A soft finger with stiffness k and command c presses an object onto a stiff table. The object slides at the force `μ k c`, a product of three
+/// uncertain factors. Its logarithm is normally distributed, which gives the reserve load in closed form.
 #[test]
 fn stiffness_and_command_are_off_together() {
     let table = planar::Contact::new([0.0; 2], [0.0, 1.0]).series_stiffness(1e9, 1e9).friction(0.5);
@@ -242,7 +245,8 @@ fn stiffness_and_command_are_off_together() {
     let off = Uncertainty::seeded(1).with_friction(0.15).with_stiffness(0.2).with_squeeze(0.15);
     let held =
         grasp.reserve(planar::Wrench::ZERO, &off, 3.0).unwrap().along(&planar::Wrench::force([1.0, 0.0]));
-    // Φ(-3.16) is six tenths of Φ(-3): joint effects are estimated from above, and a quarter is kept for what is neglected.
+    // The result may be too low by as much as 3.16 instead of 3 deviations; Φ(-3.16) is six tenths of Φ(-3). Effects of several data together are
+    // estimated from above, and a quarter of the probability is kept for neglected effects.
     let [least, most] = [3.16, 3.0].map(|sigmas| 5.0 * (-sigmas * 0.085_f64.sqrt()).exp());
     assert!(least < held && held < most, "{least} {held} {most}");
 }
@@ -277,7 +281,7 @@ fn any_way_around_a_round_cone() {
             grasp.onset_of_samples(grasp_lcp::load_path::Ramp::load(down * weight, down), &off, 40_000);
         samples.into_iter().filter(|onset| onset.as_ref().is_ok_and(|onset| onset.factor().is_none())).count()
     };
-    // The least weight with which the pad sticks with two deviations, by bisection of the base load.
+    // The least weight with which the pad sticks at two standard deviations in reserve, by bisection of the base load.
     let sticks = |weight: f64| grasp.reserve(down * weight, &off, 2.0).unwrap().along(&down) > 0.0;
     let (mut no, mut yes) = (0.0, 10.0);
     for _ in 0..40 {
@@ -285,11 +289,11 @@ fn any_way_around_a_round_cone() {
         if sticks(weight) { yes = weight } else { no = weight }
     }
     let fails = is_far_below(yes) as f64 / 40_000.0;
-    // The sum over both ends counts common failures twice.
+    // Failures under the base load and under the whole load are added, so that a failure under both counts twice.
     assert!((0.2..1.0).contains(&(fails / TAILS[0].1)), "{fails} at {yes}");
 }
 
-/// The reserve is continuous over directions.
+/// The reserve load changes continuously with the direction of the load.
 #[test]
 fn a_reserve_is_continuous_over_directions() {
     let finger = |x: f64, y: f64| {

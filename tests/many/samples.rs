@@ -1,4 +1,4 @@
-//! Samples of uncertain data have their stated distributions, and so has an onset with a closed form.
+//! Samples of uncertain data have their stated distributions, and so has a load of first slip with a closed form.
 
 use std::f64::consts::PI;
 
@@ -50,7 +50,8 @@ fn sampled<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>, off: &Uncertainty) 
     moments(&factors)
 }
 
-/// The onset is 2 P min(μ₁, μ₂). The minimum of two equal normal variables has the mean μ (1 - σ/√π) and the variance σ² μ² (1 - 1/π).
+/// The load of first slip is 2 P min(μ₁, μ₂), with the squeeze P. The minimum of two equal normal variables has the mean μ (1 - σ/√π) and the
+/// variance σ² μ² (1 - 1/π).
 #[test]
 fn the_lesser_of_two_that_leave_together() {
     let finger = |x: f64| jaw::<2>(x, [1000.0, 800.0], 0.4).pressed_with(10.0);
@@ -64,7 +65,7 @@ fn the_lesser_of_two_that_leave_together() {
     assert!((found - mean).abs() < 0.1 * deviation && (off_by / deviation - 1.0).abs() < 0.05);
 }
 
-/// The σ of other data do not change the samples of friction, stiffness and squeeze.
+/// The standard deviations of other data do not change the samples of friction, stiffness and squeeze.
 #[test]
 fn other_uncertainties_do_not_change_a_sample() {
     let (grasp, _) = in_space();

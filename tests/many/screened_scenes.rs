@@ -23,7 +23,7 @@ pub(crate) fn contacts<const C: usize, const N: usize>(data: &[Datum<C>], holds:
         let mut datum = data[i];
         datum.stiffness[C - 1] = datum.stiffness[1];
         if C == 3 && datum.friction < 10.0 {
-            // So fewer contacts slide at once.
+            // With less inclined normals and more friction, fewer contacts slide at once.
             datum.normal -= 2.0 * datum.point;
             datum.friction *= 2.0;
             datum.command.rows_range_mut(1..).fill(0.0);
@@ -46,7 +46,7 @@ pub(crate) fn firmer<const C: usize>(mut data: Vec<Datum<C>>) -> Vec<Datum<C>> {
     data
 }
 
-/// The contacts with relative changes of points and stiffnesses of this size and alternating sign.
+/// The contacts with small changes of points and stiffnesses. `part` is the relative size of the changes, whose sign alternates.
 pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<C>> {
     let mut sign = part;
     let mut data = data.to_vec();
@@ -60,8 +60,8 @@ pub(crate) fn shaken<const C: usize>(data: &[Datum<C>], part: f64) -> Vec<Datum<
     data
 }
 
-/// Whether an answer agrees with a reference. It must agree to a relative tolerance, or as closely as answers to questions whose twelfth digits are
-/// changed. A search may end slightly too low, because it ends when the missing part may be rounding.
+/// Whether a number agrees with a reference, to a relative tolerance. A larger difference is accepted if changes of the twelfth digits of the data
+/// change the reference as much. A search may also end slightly too low, because it ends when what is missing may be rounding.
 pub(crate) fn agrees(
     [found, exact]: [f64; 2],
     close: f64,

@@ -1,9 +1,10 @@
-//! Screening agrees with `Grasp::onset`, which finds the onset in another way: it solves the base and walks along the ramp.
+//! Screening (the fast test of many small grasps) finds the factor of first slip as `Grasp::onset` does, which solves the equilibrium at factor zero
+//! and walks along the ramp.
 //!
 //! Scenes have contacts of every kind: with zero, finite and infinite friction, kept closed, bonded, and with a clearance. They are planar and
 //! spatial, with and without a base load, with stiffnesses and coefficients of friction over many decades. If screening gives a factor, it is the
-//! factor of the onset. If it gives no factor, the onset states why. Every lane of a batch, full or not, gives the answer of the single grasp to the
-//! last bit.
+//! factor of `Grasp::onset`. If it gives no factor, `Grasp::onset` states why. Every grasp of a batch has the answer of the single grasp to the last
+//! bit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
@@ -21,7 +22,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::{assert_met, samples};
 
-/// Checks screening against the onset, with a relative tolerance for factors.
+/// Compares screening with `Grasp::onset`, with a relative tolerance for factors.
 fn check<const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
     [base, direction]: [Wrench<C>; 2],
@@ -40,7 +41,8 @@ fn check<const C: usize, const N: usize>(
             let factor = screened.factor().unwrap();
             prop_assert!((factor - event.factor).abs() <= close * event.factor, "{factor} {}", event.factor);
             prop_assert!(screened.holds_up_to(0.999 * factor) && !screened.holds_up_to(1.001 * factor));
-            // Screening names these contacts too. At a tie some of them may stay, depending on the rates.
+            // Screening also names every contact that `Grasp::onset` names. If several contacts reach their limit together, some that it names may
+            // still stick.
             for leaving in &event.leaving {
                 prop_assert!(
                     screened.leaving().any(|i| i == leaving.contact.index),
@@ -52,7 +54,7 @@ fn check<const C: usize, const N: usize>(
         (ScreeningVerdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
         | (ScreeningVerdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
         | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
-        // A contact that is open at the base may close along the ramp.
+        // A contact that is open under the base load may close along the ramp.
         (ScreeningVerdict::NotSticking, onset) => {
             let state = grasp.solve(base).unwrap();
             let open = state
@@ -60,7 +62,7 @@ fn check<const C: usize, const N: usize>(
                 .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));
             prop_assert!(open, "{onset:?}");
         }
-        // Contacts on the edge, or extreme numbers. Callers count them.
+        // Some contact is on the edge of its cone, or numbers are extreme. Callers limit the number of such scenes.
         (ScreeningVerdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
         (verdict, onset) => prop_assert!(false, "{verdict:?} {onset:?}"),
     }
@@ -73,7 +75,7 @@ fn a_finger_without_force_does_not_hide_one_that_slides() {
     let finger = |point: [f64; 3], normal: [f64; 3], command: [f64; 3]| {
         Contact::<3>::new(point, normal).series_stiffness(1e3, 1e3).friction(0.5).command_world(command)
     };
-    // Two jaws press with 10 N and are dragged with 10 N each. The finger above balances both drags.
+    // Two jaws press with 10 N each, and commands drag them with 10 N each along the same tangent. The finger above balances both drags.
     let fingers = [
         finger([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.01, 0.01, 0.0]),
         finger([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [-0.01, 0.01, 0.0]),
@@ -181,8 +183,8 @@ fn far_pressed_fingers_with_stiff_tangents() {
     assert_eq!(tally.borrow()["Leaves"], 4);
 }
 
-/// One of two contacts is frictionless, with its normal along the line through both. The object turns about the other contact, whatever the rounding of the
-/// normal. The nearly singular balance must not be accepted.
+/// One of two contacts is frictionless, with its normal along the line through both. The object turns about the other contact, even if the normal is
+/// off the line by rounding. The nearly singular balance must not be accepted.
 #[test]
 fn a_pair_with_a_slippery_jaw_opposite() {
     for turn in [0.0, 1.3e-16, -1e-14, 1e-10] {
@@ -196,8 +198,8 @@ fn a_pair_with_a_slippery_jaw_opposite() {
     }
 }
 
-/// In space the factor at which a force leaves its cone is computed from squares of forces times rates. If they underflow in some units, screening
-/// gives no factor. In all other units the factor is the same.
+/// In space screening computes the factor at which a force leaves its cone from squares of forces times rates. If these underflow in some units,
+/// screening gives no factor. In all other units the factor is the same.
 #[test]
 fn units_in_space() {
     let onset = |exponent: i32| {
@@ -338,7 +340,7 @@ fn tangents_turned_round() {
         planar::Contact::new([side, 0.1], [-side, slant]).series_stiffness(1e3, 8e2).friction(0.7)
     };
     let plain = [jaw(-1.0, 0.1).command([0.01, 0.002]), jaw(1.0, 0.2).command([0.01, -0.001])];
-    // t = (n_y, -n_x) of the second is (0.2, 1) apart from its length.
+    // The second jaw's tangent t = (n_y, -n_x) is (0.2, 1) apart from its length. Here it is reversed.
     let turned = [plain[0].clone(), jaw(1.0, 0.2).tangent([-0.2, -1.0]).command([0.01, 0.001])];
     let factor = |contacts: &[planar::Contact; 2]| {
         Fingers::<2, 2>::new(contacts).unwrap().onset(&pull).factor().unwrap()

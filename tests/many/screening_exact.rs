@@ -1,8 +1,8 @@
 //! The factor of screening agrees with exact rational arithmetic for planar scenes.
 //!
-//! With Pythagorean normals every number of a planar scene is rational. Forces at factor zero, their rates and the first facet reached are computed
-//! exactly while every contact sticks. The error of the factor is at most the rounding of the forces divided by the rate of the slack of this facet,
-//! over twelve decades of stiffness.
+//! With Pythagorean normals every number of a planar scene is rational. Forces at factor zero, their rates and the first facet of a cone that is
+//! reached are computed exactly while every contact sticks. The error of the factor is at most the rounding of the forces divided by the rate at
+//! which the force approaches this facet, over twelve decades of stiffness.
 
 use std::cell::Cell;
 
@@ -125,7 +125,8 @@ fn datum(decades: f64, normals: Vec<[i32; 3]>) -> impl Strategy<Value = Datum> {
     ([unit(), unit()], normal, [stiffness(), stiffness()], 0.2..3.0_f64, [0.1..0.3_f64, -0.1..0.1_f64])
 }
 
-/// The largest ratio of error to the error that rounding of forces allows, over all scenes with an onset, and the number of these scenes.
+/// The largest ratio of the error of the factor to the error that rounding of forces allows, over all scenes with a first slip, and the number of
+/// these scenes.
 fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], across: bool) -> (f64, usize) {
     let (worst, count) = (Cell::new(0.0_f64), Cell::new(0));
     let question = (
@@ -134,7 +135,7 @@ fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], acros
     );
     for_all(file!(), cases, &question, |(mut data, direction)| {
         if across {
-            // Opposite normals, so that most pairs hold.
+            // Opposite normals are drawn, so that most pairs hold.
             let [i, j, length] = data[0].1;
             data[1].1 = [-i, -j, length];
             let along = [0, 1].map(|a| f64::from([i, j][a]) / f64::from(length));
@@ -156,7 +157,8 @@ fn worst<const N: usize>(decades: f64, cases: usize, normals: &[[i32; 3]], acros
                 worst.set(worst.get().max(error));
                 count.set(count.get() + 1);
             }
-            // Rounding in a single pass; screening must report it.
+            // Rounding is too large for the single pass of screening, which reports this. It must happen only if stiffnesses differ by more than four
+            // decades.
             (ScreeningVerdict::Unclear, _) => prop_assert!(decades > 4.0, "unclear"),
             (verdict, Truth::Never) => prop_assert!(false, "{verdict:?}, exactly never"),
             (verdict, Truth::Leaves(factor, _)) => {
@@ -172,7 +174,7 @@ fn exact_of(factor: Option<f64>) -> Rational {
     exact(factor.expect("leaves"))
 }
 
-/// Unit normals that are exact doubles, and others.
+/// Normals of unit length: STRAIGHT have components that are exact doubles, SLANTED have others.
 const STRAIGHT: [[i32; 3]; 4] = [[0, 1, 1], [1, 0, 1], [0, -1, 1], [-1, 0, 1]];
 const SLANTED: [[i32; 3]; 5] = [[3, 4, 5], [-5, 12, 13], [8, -15, 17], [0, 1, 1], [-4, -3, 5]];
 

@@ -1,8 +1,9 @@
 //! At the factor of screening, contacts in exact rational arithmetic are on or inside their cones, for three contacts in space.
 //!
 //! With rational normals the numbers of a scene are rational. Forces at factor zero and their rates are computed exactly while every contact sticks.
-//! At the factor, up to rounding of the forces, no contact is outside its cone and one contact is on the edge. Triangles of contacts are even or
-//! slim, with stiffnesses over twelve decades. Some grasps are computed from the edges of their triangle, others from motions.
+//! At the factor that screening finds, up to rounding of the forces, no contact is outside its cone and one contact is on the edge. Triangles of
+//! contacts are even or slim, with stiffnesses over twelve decades. Screening computes some grasps from the edges of their triangle, and others from
+//! motions.
 
 use std::cell::Cell;
 
@@ -50,7 +51,7 @@ struct Exact {
 impl Exact {
     fn new(point: [f64; 3], &(_, [i, j, k, length], stiffness, friction, [press, shear]): &Datum) -> Self {
         let normal = [i, j, k].map(|c| Rational::new(c.into(), length.into()));
-        // Along the given tangent.
+        // The shear command acts along the contact's given tangent.
         let tangent = tangent([i, j, k]).map(|c| exact(f64::from(c)));
         let command = [0, 1, 2].map(|a| exact(press) * &normal[a] + exact(shear) * &tangent[a]);
         Self { point: point.map(exact), normal, k: stiffness.map(exact), command, friction }
@@ -141,7 +142,7 @@ fn size(forces: &[Vector]) -> f64 {
 /// Results of the scenes of one kind.
 #[derive(Default)]
 struct Worst {
-    /// Largest margin at the factor, relative to the forces.
+    /// Largest deviation from zero of the margin `μ F_n - |F_t|` of the sliding contact, relative to the forces.
     off: Cell<f64>,
     leaving: Cell<usize>,
     unclear: Cell<usize>,
@@ -201,7 +202,7 @@ fn worst(decades: f64, narrow: f64, cases: usize, normals: &[[i32; 4]]) -> Worst
     worst
 }
 
-/// Unit normals that are exact doubles, and others.
+/// Normals of unit length: STRAIGHT have components that are exact doubles, SLANTED have others.
 const STRAIGHT: [[i32; 4]; 6] =
     [[1, 0, 0, 1], [-1, 0, 0, 1], [0, 1, 0, 1], [0, -1, 0, 1], [0, 0, 1, 1], [0, 0, -1, 1]];
 const SLANTED: [[i32; 4]; 6] =

@@ -48,7 +48,7 @@ fn contacts<const C: usize, const N: usize>(random: &mut Random, place: f64) -> 
 
 fn load<const D: usize, const C: usize>(random: &mut Random, size: f64, place: f64) -> Wrench<C> {
     let mut load = vector::<D>(random) * size;
-    // Moments about this point.
+    // The drawn moments are about the point at `place`. The moments of a wrench are about the origin.
     if C == 2 {
         load[2] += place * (load[1] - load[0]);
     } else {
@@ -62,7 +62,7 @@ fn load<const D: usize, const C: usize>(random: &mut Random, size: f64, place: f
 /// The largest difference of two fields, relative to their largest number. Fields with NaN in screening are left out and counted.
 struct Compared {
     off: f64,
-    /// Smaller fields are rounding: statically determinate forces do not depend on springs.
+    /// Fields with smaller numbers are rounding errors alone. For example, statically determinate forces do not depend on springs.
     least: f64,
     left_out: usize,
     numbers: usize,
@@ -122,7 +122,7 @@ fn compare<const C: usize>(
     let loads = ours.base_load().iter().enumerate();
     compared.field(loads.map(|(component, ours)| (*ours, by(Parameter::Load { component }))));
     for i in all {
-        // The derivative along the normal is zero.
+        // The derivative with respect to a change of the normal along itself is zero.
         let normal = along(frames[i], ours.normal(i));
         assert!(normal[0].is_nan() || normal[0].abs() <= 1e-9 * normal.norm(), "{normal}");
     }
@@ -181,16 +181,16 @@ fn pairs_in_space_know_what_leaves_their_line() {
     let gradients = fingers.onset_gradients(&pull);
     let gradient = gradients.get(0).unwrap();
     assert_eq!((gradient.contact(), gradient.is_one_sided()), (Some(1), false));
-    // 2 μ N: 8 N.
+    // The finger with less friction slides at 2 μ N = 8 N.
     assert!((gradient.screened().factor().unwrap() - 8.0).abs() < 1e-13);
     assert!((gradient.friction(1) - 20.0).abs() < 1e-12);
-    // A larger command of one finger adds half of it times the stiffness to the normal force.
+    // A larger command of one finger increases the normal force by half of the change times the stiffness.
     assert!((gradient.command(0)[0] - 400.0).abs() < 1e-10);
     assert!(gradient.point(0).iter().chain(gradient.base_load()).all(|number| number.is_nan()));
 }
 
-/// For every pair in space, a load with a moment about its line gives way. A load without this moment has a factor, or none for another reason.
-/// Derivatives with respect to loads are never finite.
+/// For every pair in space, screening finds that a load with a moment about its line gives way. A load without this moment has a factor, or none for
+/// another reason. Derivatives with respect to loads are never finite.
 #[test]
 fn the_free_motion_of_a_pair_in_space_is_always_seen() {
     let mut random = seeded(68);
@@ -257,7 +257,7 @@ fn ties_are_told_and_each_has_its_gradient() {
     assert_eq!(first.get(1), None);
 }
 
-/// A finger under a pure pull leaves through the apex of its cone. With some tangential force it would slide before.
+/// A finger under a pure pull opens: its force leaves through the apex of the cone. With a small tangential force it would slide before.
 #[test]
 fn a_finger_pulled_off_leaves_through_the_apex() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
@@ -267,11 +267,11 @@ fn a_finger_pulled_off_leaves_through_the_apex() {
     let gradient = gradients.get(0).unwrap();
     assert!(gradient.is_one_sided() && gradients.len() == 1);
     assert!((gradient.screened().factor().unwrap() - 20.0).abs() < 1e-12);
-    // F_n = 10 - τ/2, and a larger command by d adds 500 d.
+    // At the load factor τ the normal force is F_n = 10 - τ/2. A command that is larger by d adds 500 d.
     assert!((gradient.command(0)[0] - 1000.0).abs() < 1e-9);
 }
 
-/// If the screening gives no factor of the onset, it gives no gradient either.
+/// If screening gives no load factor of first slip, it gives no gradient either.
 #[test]
 fn without_a_factor_no_gradient() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);

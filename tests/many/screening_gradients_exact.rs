@@ -137,7 +137,7 @@ impl Scene {
         base.iter().zip(&self.direction).map(|(base, direction)| base + factor * direction).collect()
     }
 
-    /// The difference of m between both sides of a change.
+    /// The difference of the margin m between both sides of a change of the data.
     fn difference(
         &self,
         change: impl Fn(&mut Vec<Exact>, &mut Vec<Rational>, &mut Rational, Rational),

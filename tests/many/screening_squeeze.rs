@@ -1,8 +1,8 @@
 //! Screening for the least squeeze agrees with `Grasp::least_squeeze`, which finds it by cutting planes, and with closed forms.
 //!
 //! Scenes have two to five contacts of every kind, in the plane and in space, with and without clearances, under one to four loads. If screening
-//! gives a factor, it is the factor that the search finds. If it gives no factor, the search states why. Every lane of a batch gives the answer of
-//! the single grasp to the last bit.
+//! gives a factor, `Grasp::least_squeeze` gives the same. If screening gives no factor, the search states why. Every grasp of a batch has the answer
+//! of the single grasp to the last bit.
 
 use std::cell::RefCell;
 
@@ -21,7 +21,7 @@ use support::facts;
 use support::jaws::jaw;
 use support::samples::assert_met;
 
-/// Checks screening against the search. `contacts` gives the scene with relative changes of its data of the given size.
+/// Compares screening with the search. `contacts` gives the scene after relative changes of its data of the given size.
 fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     loads: &[Wrench<C>],
@@ -41,7 +41,7 @@ fn check<const C: usize, const N: usize>(
     let whole = needed(0.0, loads);
     count(tally, &format!("{:?}", screened.verdict()));
     match (screened.verdict(), &whole) {
-        // If the object moves away from contacts with clearances, no forces remain, but the search takes rounding errors for forces.
+        // If the object moves away from contacts with clearances, no contact forces remain. The search then mistakes rounding errors for forces.
         (
             SqueezeVerdict::Suffices,
             LeastSqueeze::NoFactor { load, factor, .. }
@@ -59,7 +59,7 @@ fn check<const C: usize, const N: usize>(
             prop_assert!(agrees([found, *factor], close, shaken, tally), "{found} {factor}");
             match (screened.binding(), binding) {
                 (Some((contact, load)), Some((other, wrench))) => {
-                    // If several contacts need the same squeeze, like both of a pair, each is right.
+                    // Several contacts may need the same squeeze, like both of a pair. Each of them is a right answer.
                     count(
                         tally,
                         if contact == *other && loads[load] == *wrench { "binding" } else { "tied" },
@@ -74,7 +74,7 @@ fn check<const C: usize, const N: usize>(
         (SqueezeVerdict::NoFactor, LeastSqueeze::NoFactor { .. })
         | (SqueezeVerdict::GivesWay, LeastSqueeze::GivesWay { .. }) => {}
         (SqueezeVerdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
-        // If commands do not help, the last step of the search may be only rounding.
+        // If commands do not help, the last step of the search may be too small to be told from rounding.
         (_, LeastSqueeze::Undecided) => count(tally, "search undecided"),
         _ => prop_assert!(false, "{screened:?} {whole:?}"),
     }
@@ -141,8 +141,8 @@ fn agrees_on_wide_ranges() {
     assert!(2 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
 }
 
-/// Palms press with s newtons each. A perpendicular load w needs `s = w / 2μ`, a load w along the line `s = w/2`, both together `μ (s - w/2) = w/2`, for all
-/// stiffnesses.
+/// Palms press with s newtons each, for all stiffnesses. A perpendicular load w needs `s = w / 2μ`, and a load w along the line of the palms `s =
+/// w/2`. Both loads together need an s with `μ (s - w/2) = w/2`.
 #[test]
 fn palms_of_any_stiffness() {
     for (k, kt) in [(1e3, 8e2), (1e12, 1.0), (1e-6, 1e9), (1e9, 1e-12)] {
@@ -166,8 +166,8 @@ fn palms_of_any_stiffness() {
     }
 }
 
-/// One finger has the clearance c. Both palms touch from the factor s on at which the commands close it, `s (a₁ + a₂) = c`, and hold a weight
-/// if `μ k (s (a₁ + a₂) - c) / 2 = w / 2`.
+/// One palm has the clearance c, and commands a₁ and a₂ close the palms. Both touch from the factor s on with `s (a₁ + a₂) = c`, and hold a weight w
+/// from the factor on with `μ k (s (a₁ + a₂) - c) / 2 = w / 2`.
 #[test]
 fn clearances_stay() {
     let palm =
@@ -181,8 +181,8 @@ fn clearances_stay() {
     assert!((needed(-4.0) - 1.9).abs() < 1e-13, "{}", needed(-4.0));
 }
 
-/// Two palms press with `10 s` and lift by `2 mm · s`, while a support below carries part of the weight w. All springs are equal. The support opens
-/// beyond `s = w/4`, and the palms need `s = w / (30 μ - 2)`, so some factor is large enough if μ > 0.2.
+/// At the factor s, two palms press with `10 s` newtons and lift the object by `2 mm · s`. A support below carries a part of the weight w until it
+/// opens at `s = w/4`. All springs are equal. The palms need `s = w / (30 μ - 2)`, so some factor is large enough if μ > 0.2.
 #[test]
 fn a_range_that_closes() {
     let plane = |mu: f64| {
@@ -210,7 +210,7 @@ fn a_range_that_closes() {
     }
 }
 
-/// Every lane of a batch, also in a last block that is not full, gives the bits of the single grasp, for any number of threads. Scenes with and
+/// Every grasp of a batch, also in a last block that is not full, has the bits of the single grasp, for any number of threads. Scenes with and
 /// without clearances are mixed.
 #[test]
 fn a_batch_gives_the_same_bits() {

@@ -1,4 +1,4 @@
-//! A watch over measured forces agrees with the onset and the least squeeze of the grasp whose springs produced the forces.
+//! A watch over measured contact forces agrees with the first slip and the least squeeze of the grasp whose springs produced these forces.
 
 use allocation_counter::measure;
 use grasp_lcp::ask::Grasp;
@@ -27,7 +27,8 @@ fn contacts<const C: usize, const N: usize>(random: &mut Random) -> [Contact<C>;
     })
 }
 
-/// Compares the watch with onset and least squeeze. Returns the number of sticking grasps, and how many of them need more squeeze.
+/// Compares a watch over measured forces with `Grasp::onset` and the least squeeze. Returns the number of sticking grasps, and how many of them need
+/// more squeeze.
 fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [usize; 2] {
     let (mut random, mut counts) = (seeded(3 * N as u64 + C as u64), [0, 0]);
     for _ in 0..samples(grasps) {
@@ -52,11 +53,11 @@ fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [us
             None => assert_eq!(watched.first_slip().verdict(), ScreeningVerdict::Never),
         }
         assert!(watched.first_slip().leaving().eq(onset.leaving()));
-        // The least squeeze from rest for the sum of all loads.
+        // The least squeeze, as a factor of the commands, under the base load and the further load together.
         let least = fingers.least_squeeze(&LoadCases::new(&[base + more]).unwrap());
         match (least.factor(), watched.extra_squeeze().factor()) {
             (Some(all), Some(extra)) => {
-                // A squeeze of one is already applied.
+                // The measured forces already contain the squeeze with the factor one, so the extra squeeze is the rest.
                 assert!(close(extra, (all - 1.0).max(0.0)) || all < 1.0 && extra == 0.0, "{all} {extra}");
                 counts[1] += usize::from(extra > 0.0);
             }
@@ -86,13 +87,13 @@ fn forces_of_the_springs_in_space() {
     }
 }
 
-/// Measured forces count, not the forces of the springs: a jaw with half of its force slides at half of the load.
+/// The watch uses measured forces, not the forces of the springs: a jaw with half of its normal force slides at half of the load.
 #[test]
 fn forces_are_taken_as_they_are_measured() {
     let jaw = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
     let fingers = planar::Fingers::new(&[jaw(-1.0), jaw(1.0)]).unwrap();
     let watched = fingers.watch(&[[5.0, 1.0], [-10.0, 1.0]], &planar::Wrench::force([0.0, -1.0])).unwrap();
-    // The left margin is 0.5 · 5 N - 1 N, and each newton of load takes half a newton of it. The right margin is 4 N.
+    // The left margin is 0.5 · 5 N - 1 N, and each newton of load reduces it by half a newton. The right margin is 4 N.
     assert!((watched.margin() - 1.5).abs() < 1e-14 && watched.tightest() == 0);
     assert!((watched.first_slip().factor().unwrap() - 3.0).abs() < 1e-13);
     assert_eq!(watched.extra_squeeze().factor(), Some(0.0));

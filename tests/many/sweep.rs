@@ -14,7 +14,7 @@ const MU: f64 = 0.4;
 const K: f64 = 1000.0;
 const A: f64 = 0.01;
 
-/// Two equal opposed fingers each carry half of a weight. The one with less friction slides first, at 2 μ K A.
+/// A pinch of two equal opposed fingers, of which each carries half of a weight. The finger with less friction slides first, at the weight 2 μ K A.
 fn pinch(k: f64) -> Grasp {
     let finger = |x: f64| jaw::<2>(x, [k, 0.8 * k], MU).command([A, 0.0]);
     Grasp::new([finger(1.0), finger(-1.0)]).unwrap()
@@ -78,14 +78,15 @@ fn one_bad_question_does_not_stop_the_rest() {
     assert!(matches!(pinch(K).sample(&nan, 0), Err(Error::Contact { .. })));
 }
 
-/// The onset is 2 K A min(μ₁, μ₂) with two independent coefficients: above c times its nominal value with probability Φ(-ln c / σ)².
+/// The load of first slip is 2 K A min(μ₁, μ₂) with two independent coefficients. It exceeds c times its nominal value with the probability Φ(-ln c /
+/// σ)².
 #[test]
 fn samples_are_distributed_as_they_should_be() {
     let (grasp, settings, count) = (pinch(K), Settings::default(), 4000_u64);
     let off = Uncertainty::seeded(42).with_friction(0.2);
     let onsets = grasp.with(&settings).onset_of_samples(weight(), &off, count);
     let nominal = 2.0 * MU * K * A;
-    // c and Φ(-ln c / 0.2).
+    // Pairs of c and the normal distribution Φ(-ln c / 0.2).
     for (c, phi) in
         [(1.0_f64, 0.5), ((-0.2_f64).exp(), 0.841_344_746_068_543), (0.2_f64.exp(), 0.158_655_253_931_457)]
     {
@@ -94,7 +95,7 @@ fn samples_are_distributed_as_they_should_be() {
         let deviation = (expected * (1.0 - expected) / count as f64).sqrt();
         assert!((share - expected).abs() < 4.0 * deviation, "{c}: {share} {expected}");
     }
-    // Only stiffness is uncertain. By moments each finger carries half of the weight, and the squeeze is the squeeze of springs in series.
+    // Now only stiffness is uncertain. By moments each finger carries half of the weight, and the squeeze is that of two springs in series.
     let off = Uncertainty::seeded(5).with_stiffness(0.3);
     for number in 0..200 {
         let sample = grasp.sample(&off, number).unwrap();

@@ -1,4 +1,4 @@
-//! Every verdict in a batch has the same outcome in every column as `Grasp::hold` of the single grasp, whichever method computes the row.
+//! Every verdict in a batch agrees in all its columns with `Grasp::hold` of the single grasp, whichever method computes it.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -11,7 +11,7 @@ use support::splitmix::Random;
 
 type Row<const C: usize> = (Vec<Contact<C>>, [Wrench<C>; 2]);
 
-/// Settings for verdicts that end at the whole load, like the verdicts of screening.
+/// Settings for verdicts that do not look beyond the whole load, like verdicts of screening.
 fn up_to_the_load() -> Settings {
     Settings::default().with_most_load(1.0)
 }
@@ -24,7 +24,8 @@ fn batch<const C: usize>(rows: &[Row<C>], settings: &Settings) -> Vec<Option<Sho
     Grasp::hold_batch(rows.len(), &row, settings).into_iter().map(Result::ok).collect()
 }
 
-/// Compares every column with the verdict of each row, factors up to the error of steps. Returns the number of rows for each conclusion.
+/// Compares all columns of each row with the verdict of `Grasp::hold`, load factors up to the error of steps. Returns the number of rows for each
+/// conclusion.
 fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
     let mut count = [0; 7];
     for (number, (short, (contacts, [base, load]))) in batch(rows, settings).into_iter().zip(rows).enumerate()
@@ -121,7 +122,8 @@ fn random_fingers_in_space() {
     random_fingers::<3>(32);
 }
 
-/// Fingers whose contacts slide one after another before the load is lost, or the whole load is on: most of them go the way of slips.
+/// Fingers whose contacts slide one after another before the load is lost or acts in full. The fast method whose unknowns are the slips computes most
+/// of these rows.
 fn sliding_fingers<const C: usize>(random: &mut Random, count: usize) -> Row<C> {
     let stiffness = 10.0_f64.powf(4.0 + random.signed());
     let mut contacts = Vec::new();
@@ -170,7 +172,7 @@ fn fingers_that_slide_in_space() {
     sliding::<3>(36);
 }
 
-/// Symmetric, degenerate and extreme rows: ties, free motions, nothing to put on, loose, lost at rest, far motions, numbers out of range.
+/// Symmetric, degenerate and extreme rows: ties, free motions, no load, loose objects, objects lost at rest, far motions, and numbers out of range.
 #[test]
 fn odd_rows() {
     let jaw = |x: f64, mu: f64, force: f64| {
@@ -253,7 +255,7 @@ fn threads_do_not_change_a_bit() {
         let some: Vec<_> = pool.install(|| batch(&rows, &up_to_the_load())).iter().map(bits).collect();
         assert_eq!(some, all);
     }
-    // Neither do other rows of the batch.
+    // Other rows of the batch, in another order, do not change a bit either.
     let backwards: Vec<_> = rows.iter().rev().cloned().collect();
     assert!(batch(&backwards, &up_to_the_load()).iter().rev().map(bits).eq(all));
 }

@@ -1,4 +1,5 @@
-//! Answers of scenes in which amounts fail between sufficient ones, or suffice between others. `hold` puts on amounts around each answer.
+//! Needed amounts (of load, squeeze or friction) in scenes where some amounts fail between sufficient ones, or suffice between failing ones. Verdicts
+//! of `hold` on amounts around each answer agree with it.
 
 use grasp_lcp::Error;
 use support::amounts::{self, Quantity, Scene, checked};
@@ -21,13 +22,13 @@ fn is_met<const C: usize>(
     Ok(())
 }
 
-/// With 0.69 to 0.78 of the load at rest the load that follows is lost. Both 0.19 and 0.78 of it suffice.
+/// With 0.69 to 0.78 times the load at rest, the grasp does not hold the load that is added. Both 0.19 and 0.78 times the load at rest suffice.
 #[test]
 fn a_part_of_the_load_at_rest() -> Tested {
     is_met(amounts::planar, amounts::at_rest, &[161])
 }
 
-/// Forces of 7.6 to 8.1 times the one given move a contact too far. Both 7.4 and 8.5 times it suffice.
+/// Forces of 7.6 to 8.1 times the given force move a contact too far. Both 7.4 and 8.5 times the given force suffice.
 #[test]
 fn a_force_in_space() -> Tested {
     is_met(amounts::spatial, amounts::force, &[169])
@@ -40,33 +41,33 @@ fn equilibria_that_rounding_tells_apart() -> Tested {
     is_met(amounts::spatial, amounts::at_rest, &[31])
 }
 
-/// Smaller forces have no equilibrium at rest or carry too little, and larger ones turn the object too far. A few between them suffice, in scene 298
-/// only within 0.7 %.
+/// Smaller forces of a finger give no equilibrium at rest or carry too little, and larger ones turn the object too far. Only forces in a narrow range
+/// suffice, in scene 298 a range of 0.7 %.
 #[test]
 fn between_too_little_and_too_far() -> Tested {
     is_met(amounts::planar, amounts::force, &[298, 689, 968])
 }
 
-/// Forces of 5.5 to 7.1 times the one given move a contact too far at rest. Both 4 and 16 times it suffice.
+/// Forces of 5.5 to 7.1 times the given force move a contact too far at rest. Both 4 and 16 times the given force suffice.
 #[test]
 fn fails_far_from_the_given_force() -> Tested {
     is_met(amounts::planar, amounts::force, &[895])
 }
 
-/// Amounts of a fifth of the bound suffice, with other contact states.
+/// The answer is a bound from which on amounts suffice. Amounts of a fifth of the bound suffice too, with other contact states.
 #[test]
 fn windows_below_the_bound() -> Tested {
     is_met(amounts::planar, amounts::force, &[393])?;
     is_met(amounts::planar, amounts::friction, &[555])
 }
 
-/// With the answer the load is lost 1e-12 beyond the whole load, at a normal force that vanishes.
+/// With the amount that the answer gives, equilibrium is lost only 1e-12 beyond the whole load, where a normal force vanishes.
 #[test]
 fn lost_just_beyond_the_whole_load() -> Tested {
     is_met(amounts::spatial, amounts::at_rest, &[208])
 }
 
-/// With the answer of 0.187 times the squeeze the object snaps over 1e-11 before the whole load. Smaller squeezes hold, too.
+/// With the answer of 0.187 times the given squeeze, the object snaps over when 1e-11 of the load is missing. Smaller squeezes hold, too.
 #[test]
 fn snaps_over_just_before_the_whole_load() -> Tested {
     is_met(amounts::spatial, amounts::squeeze, &[280])

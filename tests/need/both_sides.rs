@@ -1,4 +1,5 @@
-//! On random grasps a needed amount is sharp: a billionth more is enough, and a billionth less is not.
+//! On random grasps the least or greatest sufficient amount is sharp: an amount that is better by a billionth suffices, and one that is worse by a
+//! billionth does not.
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -26,13 +27,14 @@ fn scene(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
 
 type Tried<'t> = &'t dyn Fn(f64) -> Result<Option<bool>, grasp_lcp::Error>;
 
-/// With `held` whether the load is held, otherwise whether nothing slides.
+/// The verdict: if `held`, whether the grasp holds the load, otherwise whether no contact slides.
 fn verdict(grasp: &Grasp, load: Wrench, held: bool) -> Result<Option<bool>, grasp_lcp::Error> {
     let verdict = grasp.hold(load)?;
     Ok(if held { verdict.holds() } else { verdict.sticks() })
 }
 
-/// Checks bounds on squeeze, friction and load, for sticking or for holding. At least `least` bounds must exist, and at most one in `one_in` may be blurred.
+/// Checks bounds on squeeze, friction and load, for sticking or for holding. At least `least` bounds must exist. At most one in `one_in` may be
+/// blurred, which means known to less than 1e-12.
 fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(17);
     let (mut bounds, mut blurred) = (0, 0);
@@ -55,7 +57,7 @@ fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), gr
                 continue;
             };
             bounds += 1;
-            // If the verdict at the bound is undecided, an insufficient amount is sought slightly beyond.
+            // If the verdict at the bound is undecided, the answer gives an insufficient amount slightly beyond the bound.
             blurred += usize::from((sufficient - insufficient).abs() > 1e-12 * sufficient);
             assert!((sufficient - insufficient).abs() <= 1e-9 * sufficient, "{sufficient} {insufficient}");
             assert_eq!(tried(sufficient * (1.0 + more * 1e-9))?, Some(true), "{sufficient}");

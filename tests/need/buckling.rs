@@ -1,7 +1,8 @@
-//! Angles, and squeezes under a force of any direction, end where the forces buckle what they hold.
+//! Largest angles, and largest squeezes under a force of any direction, where the normal forces make the held bar buckle.
 //!
-//! Between two fingers at ±a that press with N, a bar resists turning with `2 k a²`, of which the fingers take `2 N a`. A force F at the height h below
-//! the middle adds `F h` if it points down, and takes as much if it points up.
+//! Two fingers at x = ±a with tangential stiffness k press a bar with N each. The bar resists turning with the stiffness `2 k a²`, of which the
+//! fingers' forces take away `2 N a`. A force F at the height h below the middle adds `F h` to this stiffness if it points down, and takes `F h` away
+//! if it points up.
 
 use grasp_lcp::Error;
 use grasp_lcp::need::{Amount, Need};
@@ -19,7 +20,7 @@ fn bar(press: f64) -> Result<Grasp, Error> {
     }))
 }
 
-/// Tilted by θ, the weight adds `W h cos θ`.
+/// The bar is tilted by θ. Its weight W acts at the height h below the middle and adds `W h cos θ` to the stiffness against turning.
 #[test]
 fn a_bar_that_is_tilted_over() -> Result<(), Error> {
     let (press, weight) = (97.0, 5.0);

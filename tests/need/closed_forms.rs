@@ -61,7 +61,7 @@ fn a_ladder_is_climbed() -> Tested {
     let ladder = Grasp::new([foot, top])?;
     let (own, climber) = (150.0, 800.0);
     let load = Wrench::force_at([0.0, -own], [0.5 * reach, 0.0]) + Wrench::force([0.0, -climber]);
-    // N_wall = μ_foot N_foot and N_foot + μ_wall N_wall = W, then moments about the foot.
+    // With the total weight W: N_wall = μ_foot N_foot and N_foot + μ_wall N_wall = W. Moments about the foot then give the distance of the climber.
     let wall = mu_foot * (own + climber) / (1.0 + mu_foot * mu_wall);
     let arm = (wall * height + mu_wall * wall * reach - own * 0.5 * reach) / climber;
     is(&Need::arm(load, Wrench::new([0.0, 0.0], -climber)).to_hold(), &ladder, arm)
@@ -75,7 +75,8 @@ fn box_on_feet(friction: f64) -> Result<Grasp, grasp_lcp::Error> {
 /// A block on a slope slides at tan θ = μ.
 #[test]
 fn a_block_is_tilted() -> Tested {
-    // A weight above the feet loads them unevenly. The foot with less load slides first, and both at the loss.
+    // A weight above the feet loads them unevenly. The foot with less load slides first. When the block is lost, both feet slide, at the same angle
+    // for any height.
     let turn = |height: f64| Turn::tilting([0.0, -10.0], [0.0, height]).up_to(1.0);
     is(&Need::angle(turn(0.0)), &box_on_feet(0.4)?, 0.4_f64.atan())?;
     is(&Need::angle(turn(0.01)).to_hold(), &box_on_feet(0.4)?, 0.4_f64.atan())?;
@@ -136,8 +137,8 @@ fn what_cannot_be_meant_is_refused() {
     }
 }
 
-/// A steady pull of 1.5 N is added to 8 N that tilt by θ. A jaw presses with 10 − 4 sin θ and carries half of 8 cos θ + 1.5. It slides where
-/// `8 cos θ + 4 sin θ = 8.5`.
+/// A weight of 8 N is tilted by θ, and a steady pull of 1.5 N is added. One jaw presses with 10 − 4 sin θ, in newtons, and carries half of 8 cos θ +
+/// 1.5. With μ = 0.5 it slides where `8 cos θ + 4 sin θ = 8.5`.
 #[test]
 fn an_angle_on_top_of_a_steady_pull() -> Tested {
     let tilted = Need::angle(Turn::tilting([0.0, -8.0], [0.0, 0.0])).on_top_of(Wrench::force([0.0, -1.5]));
@@ -147,7 +148,8 @@ fn an_angle_on_top_of_a_steady_pull() -> Tested {
     Ok(())
 }
 
-/// The load at rest leaves less friction for the push, `w + p <= 2 μ N`: along the same line, in any direction, and on an arm.
+/// The weight w at rest leaves less friction for a push p: `w + p <= 2 μ N` for a push along the line of the weight. Other cases are a push in any
+/// direction and a push on an arm.
 #[test]
 fn a_push_on_top_of_a_weight() -> Tested {
     let (pinch, weight) = (jaws([0.5; 2])?, Wrench::force([0.0, -6.0]));
@@ -182,7 +184,7 @@ fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
         panic!("some squeeze does")
     };
     is(&Need::squeeze(loads.clone()).to_stick(), &pinch, factor)?;
-    // Without any friction the answer says how the weight is lost.
+    // Without any friction the answer says that the weight drops at once.
     let needed = pinch.with_friction(|_, _| 0.0)?.need(&Need::squeeze(loads))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
     assert!(needed.to_string().contains("DROPS at once"), "{needed}");

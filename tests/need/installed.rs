@@ -55,8 +55,8 @@ fn a_strap_beside_a_weight() -> Tested {
     Ok(())
 }
 
-/// An oblique strap pulls a box along a wall unless μ is at least the tangent of its angle, 0.041 / 0.25. This condition determines the need, also
-/// with 10 % less friction.
+/// An oblique strap presses a box against a wall and pulls it along the wall, unless μ is at least the tangent of the strap's angle, 0.041 / 0.25.
+/// This condition determines the needed friction, also if 10 % less friction has to suffice.
 #[test]
 fn friction_with_which_a_strap_does_not_pull_the_part_off() -> Tested {
     let strapped = grasp(
@@ -71,7 +71,8 @@ fn friction_with_which_a_strap_does_not_pull_the_part_off() -> Tested {
     Ok(())
 }
 
-/// A tendon of 40 N over 10 mm closes two fingers of 80 mm with 5 N at each tip, μ = 0.5: a weight of 5.886 N needs 47.088 N.
+/// A tendon of 40 N on a lever arm of 10 mm closes two fingers of length 80 mm. Each fingertip presses with 5 N, μ = 0.5. So a weight of 5.886 N
+/// needs 47.088 N in the tendon.
 #[test]
 fn a_tendon_that_closes_a_hand() -> Tested {
     let finger = |x: f64| {

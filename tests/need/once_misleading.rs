@@ -44,7 +44,8 @@ fn planar_scene(contacts: &str) -> Result<planar::Grasp, Box<dyn std::error::Err
     Ok(Scene::from_json(text.as_bytes())?.planar().ok_or("a planar scene")?.grasp()?)
 }
 
-/// Between directions at which the object is caught, and directions at which it is lost beyond 4.82 N, it is lost before, within a small angle.
+/// A force of 4.82 N in any direction. In some directions the object is caught, in others it is lost only beyond 4.82 N. Between these directions,
+/// within a small angle, it is lost before.
 #[test]
 fn no_direction_between_samples_is_lost() -> Tested {
     let scene = |press: f64| {
@@ -58,7 +59,7 @@ fn no_direction_between_samples_is_lost() -> Tested {
     let any = Loads::AnyForce { base: load, size: 4.82, point };
     let needed = scene(16.7185)?.need(&Need::squeeze(any).if_lower_by(0.0, 0.0).with_scan(0))?;
     let least = needed.amount.bound().expect("some does");
-    // At rest without load nothing presses: only the number to enter is named.
+    // At rest without a load no contact presses, so that the answer names only the force to enter.
     let entered = grasp_lcp::words::Words::default().number(16.7185 * least);
     assert!(needed.to_string().contains(&format!("(`pressed_with` {entered} N at c2)")), "{needed}");
     for (press, holds) in [(1.0001 * least, true), (0.8 * least, false)] {
@@ -80,7 +81,8 @@ const FOUR: &str = r#"{ "name": "c0", "point": [0.04688, 0.0174], "normal": [-0.
     { "name": "c2", "point": [-0.04962, -0.00615], "normal": [0.99241, 0.12294], "stiffness": [20692, 5954], "friction": 0.3441, "kinetic_friction": 0.2444 },
     { "name": "c3", "point": [0.01167, -0.04862], "normal": [-0.2334, 0.97238], "stiffness": [4127, 23934], "friction": 0.2582, "kinetic_friction": 0.2085 }"#;
 
-/// Kinetic friction at rest: the largest squeeze is the last squeeze that `hold` confirms, and the forces at rest are the forces of a path.
+/// With kinetic friction at rest, the greatest squeeze of the answer is one that `hold` confirms, and the forces at rest are those that `follow`
+/// finds.
 #[test]
 fn kinetic_friction_at_rest() -> Tested {
     let (grasp, load) = (planar_scene(FOUR)?, planar::Wrench::force_at([1.095, 1.515], [0.0122, 0.0013]));
@@ -97,7 +99,8 @@ fn kinetic_friction_at_rest() -> Tested {
     Ok(())
 }
 
-/// A contact that presses an object against springs: at rest it has less than its `pressed_with`, and the sentence has the number to enter.
+/// A contact presses an object against springs. At rest its force is less than its `pressed_with`, and the sentence gives the value of `pressed_with`
+/// to enter.
 #[test]
 fn the_number_to_enter() -> Tested {
     let jaw = |x: f64, k: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, k).friction(0.5);
@@ -165,13 +168,14 @@ fn the_overlap_of_a_press_fit() -> Tested {
     );
     let Amount::Bound { presses, .. } = &needed.amount else { panic!("{needed}") };
     assert!(presses.iter().all(|press| press.is_set && (press.force - k * overlap).abs() < 1e-6), "{needed}");
-    // No part of it has a command, so that no part is named as a part to ask for.
+    // No contact of the press fit has a command, so the error lists no part whose force could be asked for.
     let Err(Error::Part { allowed, .. }) = grasp.need(&Need::force("g0", load)) else { panic!("no command") };
     assert!(allowed.is_empty(), "{allowed}");
     Ok(())
 }
 
-/// Two edges at x = -60 mm and +20 mm, the centre of mass 100 mm up: tilted one way the block tips at atan(20/100), the other way it slides or tips later.
+/// Two edges at x = -60 mm and +20 mm, with the centre of mass 100 mm above. Tilted one way the block tips at atan(20/100). Tilted the other way it
+/// slides, or tips at a larger angle.
 #[test]
 fn the_sense_of_a_tilt() -> Tested {
     let edge = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e7, 1e7).friction(0.8);
@@ -186,7 +190,7 @@ fn the_sense_of_a_tilt() -> Tested {
     Ok(())
 }
 
-/// A squeeze that carries the load may move contacts too far at a small multiple of the given squeeze, though its least multiple is far smaller.
+/// A squeeze that carries the load may move contacts too far at a small multiple of the given squeeze, although far smaller multiples suffice.
 #[test]
 fn the_upper_end_beyond_the_squeeze_given() -> Tested {
     let jaw = |x: f64, k: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, k).friction(0.8);

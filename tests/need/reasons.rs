@@ -9,8 +9,9 @@ fn contact(point: [f64; 2], normal: [f64; 2], friction: f64, stiffness: f64) -> 
     Contact::new(point, normal).series_stiffness(stiffness, stiffness).friction(friction)
 }
 
-/// A drawer of width 0.5 m between guides of length L, friction 0.3, is pulled at a distance x from its middle. Both normal forces N of the couple
-/// `N L = F x` rub, and jam it from `x = L / (2 μ)` on. Some of these limits lie below the distances of the contacts from each other.
+/// A drawer of width 0.5 m between guides of length L, friction 0.3, is pulled with F at a distance x from its middle. Its moment is balanced by a
+/// couple `N L = F x`. The friction of both forces N jams the drawer from `x = L / (2 μ)` on. Some of these distances are smaller than the distances
+/// between contacts.
 #[test]
 fn a_drawer_jams_from_an_arm_on() -> Tested {
     for length in [0.001, 0.05, 0.3, 0.6] {
@@ -25,7 +26,7 @@ fn a_drawer_jams_from_an_arm_on() -> Tested {
         else {
             panic!("{needed}")
         };
-        // The bracket of an end other than the bound is at most 1e-4 wide, and holds the limit.
+        // At the end of the range that is not the bound, the answer gives two amounts at most 1e-4 apart. The limit lies between them.
         let [sufficient, insufficient] = [end.sufficient, end.insufficient].map(|x| x * 0.6 / length);
         assert!(
             insufficient < 1.0 + 1e-9 && sufficient > 1.0 - 1e-9 && sufficient - insufficient < 1e-4,
@@ -61,8 +62,8 @@ fn a_turn_whose_start_is_not_held() -> Tested {
     Ok(())
 }
 
-/// A box on two feet, with its weight at their height, is tilted until it slides, at `tan θ = μ` if both feet have the same coefficient. The foot with less
-/// friction slides first. While both feet stick, each carries half of the tangential force.
+/// A box on two feet, with its weight at the height of the feet, is tilted until it slides, at `tan θ = μ` if both feet have the same coefficient.
+/// The foot with less friction slides first. While both feet stick, each carries half of the tangential force.
 #[test]
 fn a_turn_names_what_slides() -> Tested {
     let feet = |left: f64, right: f64| {

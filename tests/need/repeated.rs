@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use support::samples::{assert_met, config, samples, seeded};
 use support::shaken::in_the_plane;
 
-/// Two feet under a frictionless presser with a total force of `p` newtons.
+/// Two feet are pressed down by a frictionless contact with a total force of `p` newtons.
 fn block(p: f64, mu: f64, k_t: f64) -> Result<Grasp, Error> {
     let foot = |x: f64| {
         Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3.0 * k_t, k_t).friction(mu).pressed_with(0.5 * p)
@@ -22,7 +22,7 @@ fn block(p: f64, mu: f64, k_t: f64) -> Result<Grasp, Error> {
     ])
 }
 
-/// Rocking moments of both signs, so that each foot in turn carries `m` less.
+/// Rocking moments of both signs, so that each foot in turn carries `m` newtons less.
 fn rocked(m: f64) -> Vec<Wrench> {
     [2.0 * m, -2.0 * m].map(|moment| Wrench::new([0.0, 0.0], moment)).to_vec()
 }
@@ -35,7 +35,8 @@ fn bound(grasp: &Grasp, need: &Need<2>) -> Result<f64, TestCaseError> {
 
 proptest! {
     #![proptest_config(config(6))]
-    /// The block comes to rest up to a pull of q = μ (p - 2 m). Slips below a billionth of the spring deflections are treated as zero.
+    /// The block comes to rest under repeated moments up to a pull of q = μ (p - 2 m), where each foot in turn carries m less. Slips below a
+    /// billionth of the spring deflections are treated as zero.
     #[test]
     fn rests_up_to_what_one_foot_leaves_to_the_other(
         p in 1.0..100.0, part in 0.05..0.9, mu in 0.2..1.0, k_t in 1e2..1e5,
@@ -76,7 +77,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         else {
             continue;
         };
-        // If a finger opens, the shakedown factor is no bound.
+        // If a finger opens, the shakedown factor is not an upper bound.
         let is_closed = |load: Wrench| {
             let held = drawn.grasp.hold(load).map(|verdict| verdict.state);
             held.is_ok_and(|state| {
@@ -88,7 +89,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         }
         compared += 1;
         assert!(sufficient <= most.factor * (1.0 + 1e-9), "{sufficient} {}", most.factor);
-        // The demands grow: sticking implies rest, rest implies no walking, and this implies holding.
+        // Each demand is stricter than the next: to stick implies to come to rest, this implies not to walk, and this implies to hold.
         let bound = |need: &Need<2>| Ok::<_, Error>(drawn.grasp.need(need)?.amount.bound());
         let sticks = bound(&need.clone().to_stick())?.unwrap_or(0.0);
         let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);
@@ -101,8 +102,8 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
     Ok(())
 }
 
-/// A moment of 1.6 N m times the sine of an angle is applied and taken back. One foot carries 0.8 N less at a quarter turn. The other foot carries
-/// s · 0.8 N less at the sine -s. Under a pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) the block comes to rest up to s = 1/2.
+/// A moment of 1.6 N m times the sine of an angle is applied and taken back. At a quarter turn one foot carries 0.8 N less. Where the sine is -s, the
+/// other foot carries s · 0.8 N less. Under a pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) the block comes to rest up to s = 1/2.
 #[test]
 fn a_load_that_turns_goes_there_and_back() -> Result<(), Error> {
     let grasp = block(2.0, 0.5, 100.0)?;

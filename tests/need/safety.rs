@@ -15,8 +15,8 @@ fn jaws() -> Result<Grasp, Error> {
     Grasp::new([jaw(-0.04).name("left"), jaw(0.04).name("right")])
 }
 
-/// At the angle θ a weight W presses less on one jaw, by `W sin θ / 2`, and both carry the same friction: `W (cos θ + sin θ / 2) <= 8 N`. That of 0.5 kg
-/// is held at every angle, twice as much at none.
+/// At the angle θ a weight W presses less on one jaw, by `W sin θ / 2`, and both jaws carry the same friction. So the jaws hold if `W (cos θ + sin θ
+/// / 2) <= 8 N`. The weight of 0.5 kg is held at every angle. Twice this weight is held at no angle.
 #[test]
 fn beside_any_amount() -> Tested {
     let turn = Turn::tilting([0.0, -4.905], [0.0, 0.0]);
@@ -32,8 +32,8 @@ fn beside_any_amount() -> Tested {
     Ok(())
 }
 
-/// Fingers of constant force on sides that taper by 20° push the part out: `W/2/(sin a + μ cos a)` to `W0/2/(sin a − μ cos a)` hold it, at each end with
-/// the friction asked for.
+/// Two fingers press with a constant force on sides that taper by a = 20° and so push the part out. Forces from `5.5 / (sin a + μ cos a)` to `5 /
+/// (sin a − μ cos a)` newtons hold a weight of 10 N, with a load of 1 N added. With less friction, both ends use the lower μ.
 #[test]
 fn at_both_ends() -> Tested {
     let (sin, cos) = 20.0_f64.to_radians().sin_cos();
@@ -63,7 +63,7 @@ fn at_both_ends() -> Tested {
     Ok(())
 }
 
-/// The weight of a body is a load at rest, which the factor does not multiply.
+/// The weight of a body is a load at rest, which the safety factor does not multiply.
 #[test]
 fn not_of_the_load_at_rest() -> Tested {
     let jaw = |x: f64| {
@@ -87,7 +87,7 @@ fn not_of_the_load_at_rest() -> Tested {
     Ok(())
 }
 
-/// One of two commands, scaled alone: the jaws press with their mean, so the command is named that is to be entered.
+/// One of two commands is scaled alone. Both jaws press with the mean of their commands, so the answer names the command to enter.
 #[test]
 fn a_command_is_named() -> Tested {
     let needed = jaws()?.need(&Need::force("left", Wrench::force([0.0, -4.905])))?;

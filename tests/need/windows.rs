@@ -7,8 +7,8 @@ use grasp_lcp::scene::Scene;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// At the squeeze s a jaw presses with 4 s newtons against a wall, its motor with 6 N at most. A finger pushes from above with s newtons, and μ = 0.5:
-/// `W + s <= min(4 s, 6)`. `more` adds contacts whose commands also grow with s.
+/// At the squeeze s a jaw presses with 4 s newtons against a wall; its motor limits this force to 6 N. A finger pushes from above with s newtons, and
+/// μ = 0.5. So a weight W is held if `W + s <= min(4 s, 6)`. `more` adds contacts whose commands also grow with s.
 fn pushed_from_above(given: f64, more: &str) -> Result<Grasp, Box<dyn std::error::Error>> {
     let text = format!(
         r#"{{ "format": "grasp-lcp/1", "planar": {{
@@ -34,7 +34,7 @@ fn is(found: f64, squeeze: f64, given: f64) {
 fn a_window_is_found_from_wherever_the_search_begins() -> Tested {
     for given in [0.1, 0.4, 1.0, 1.55, 4.0, 16.0, 300.0] {
         let grasp = pushed_from_above(given, "")?;
-        // The last two intervals are far narrower than a factor of two.
+        // For the last two weights the intervals of sufficient squeezes are far narrower than a factor of two.
         for weight in [3.0, 4.4, 4.4999] {
             for demanded in [Need::to_stick, Need::to_hold] {
                 let need = demanded(Need::squeeze(Wrench::force([0.0, -weight]))).if_lower_by(0.0, 0.0);
@@ -71,7 +71,7 @@ fn both_ends_say_what_presses_there() -> Tested {
     }
     assert!(otherwise.contains("right and left") && end.otherwise.contains("right and left"), "{needed}");
     assert!(tried.count == 13 && tried.from < 0.25 && tried.to < 0.75, "{needed}");
-    // At no squeeze does friction carry load and push. At the best squeeze the jaws press with 4 N.
+    // At no squeeze does friction carry the load of 5 N and the push. At the best squeeze the jaws press with 4 N.
     let needed = pushed_from_above(4.0, "")?.need(&need(5.0))?;
     let Amount::None { best, otherwise, .. } = &needed.amount else { panic!("{needed}") };
     assert!((best * 4.0 - 1.0).abs() < 1e-6, "{needed}");
@@ -90,8 +90,8 @@ fn what_is_safe_may_not_do_as_given() -> Tested {
     Ok(())
 }
 
-/// Two more jaws close later, with the depth `e = 0.0004 s - 0.0022` m, and add force after the motor has reached its limit. They hold
-/// `6 + 1e4 (e - 2e-4)` together, which equals the push and 3 N again at s = 7.
+/// Two more jaws close later, with the depth `e = 0.0004 s - 0.0022` in metres, and add force after the motor has reached its limit. With friction
+/// 0.5 all jaws hold `6 + 1e4 (e - 2e-4)` newtons together. This equals the push s plus the weight of 3 N again at s = 7.
 #[test]
 fn a_second_window_is_told_beside_the_first() -> Tested {
     let need = Need::squeeze(Wrench::force([0.0, -3.0])).to_hold().if_lower_by(0.0, 0.0);
@@ -116,8 +116,9 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
     Ok(())
 }
 
-/// The left jaw moves 20 mm for each unit of squeeze. It presses with 10 N and drags the part 10 mm along under a pad, farther than small motions allow, so a
-/// squeeze of one is too large. Friction of both jaws carries a weight of 1 N from a tenth of it on, after the pad has opened.
+/// The left jaw moves 20 mm for each unit of squeeze. At a squeeze of one it presses with 10 N and drags the part 10 mm along under a pad, farther
+/// than small motions allow. So this squeeze is too large. After the pad has opened, friction of both jaws carries a weight of 1 N from a tenth of
+/// this squeeze on.
 #[test]
 fn less_does_where_the_squeeze_given_moves_too_far() -> Tested {
     let jaw = |side: f64, come: f64| {
@@ -131,7 +132,7 @@ fn less_does_where_the_squeeze_given_moves_too_far() -> Tested {
     let needed = grasp.need(&Need::squeeze(Wrench::force([0.0, -1.0])).if_lower_by(0.0, 0.0))?;
     let Amount::Bound { sufficient, until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
     is(*sufficient, 0.1, 1.0);
-    // The limit is a tenth of the grasp's size, the root mean square distance of contacts from their centroid.
+    // Small motions are limited to a tenth of the grasp's size, the root mean square distance of contacts from their centroid.
     let farthest = 0.1 * 0.0008_f64.sqrt();
     assert!((end.sufficient - farthest / 0.01).abs() < 1e-4, "{needed}");
     Ok(())

@@ -1,5 +1,5 @@
-//! The onsets on the inscribed and on the circumscribed polygon bracket the onset on the round cone. The width of the bracket for a sliding foot
-//! agrees with a hand calculation.
+//! The load factors of first slip for inscribed and for circumscribed polygonal friction cones bracket the factor for the round cone. The width of
+//! this bracket for a sliding foot agrees with a hand calculation.
 
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
@@ -16,19 +16,19 @@ use support::samples::samples;
 use support::scene::Scene;
 
 fn polygon(facets: usize, fit: PolygonFit) -> Settings {
-    // Sticking states need no enumeration of state combinations.
+    // States in which everything sticks are found without an enumeration of combinations of contact states.
     Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit).unwrap())
 }
 
-/// Whether everything in contact sticks. The two accepted rules use the cone only to accept or refuse a proposal. With other rules a
-/// smaller cone may give an equilibrium with fewer contacts, which then stick for longer.
+/// Whether all touching contacts stick, according to one of two rules of the solver. Both compute the equilibrium without the cones and then accept
+/// or refuse it. Other rules may find an equilibrium with fewer contacts on a smaller cone, whose contacts then stick up to a larger load.
 fn sticks(outcome: &Outcome) -> bool {
     let rule = outcome.equilibrium().map(|e| e.rule);
     matches!(rule, Some(FoundBy::EverythingSticks | FoundBy::EverythingTouchingSticks))
 }
 
-/// Checks that the factors of a bracket are in order up to rounding, from a base that sticks on the smaller cone. With contacts
-/// that touch without force the onset may be undecided; `undecided` counts these.
+/// Checks that the factors of a bracket are in order up to rounding, if the contacts stick at factor zero on the smaller cone. With contacts that
+/// touch without force, the solver may leave the first slip undecided; `undecided` counts these.
 fn check_order(
     scene: &Scene<6, 3>,
     change: &Change<6, 3>,
@@ -71,8 +71,8 @@ fn polygons_bracket_the_onset() {
     assert!(undecided.get() <= samples(4), "{} undecided", undecided.get());
 }
 
-/// Checks that the three answers are equal if everything sticks on the inscribed polygon, and that it sticks only where the
-/// others do.
+/// Checks that the answers for all three cones are equal if everything sticks on the inscribed polygon. If everything sticks on one cone, everything
+/// sticks on all larger ones.
 fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Result<(), TestCaseError> {
     let bracket = bracket(&scene.grasp().with(&polygon(5, PolygonFit::Balanced)), scene.wrench()).unwrap();
     let [inside, round, outside] = [&bracket.inscribed, &bracket.round, &bracket.circumscribed].map(sticks);
@@ -92,10 +92,10 @@ fn where_everything_sticks_the_cone_does_not_matter() {
     for_both::<6, 3>(file!(), &(1..6), check_sticking).assert_at_least(125, 0, 125);
 }
 
-/// A foot pressed by N onto the floor, its block held by a tether of stiffness c in all directions, both at the origin, drawn
-/// sideways by a force W along e. With friction f the block moves by u = (W e + f) / c. On the round cone f = -μN e by
-/// symmetry. On the inscribed polygon f = -μN d with the corner d nearest to e (on the circumscribed one 1/cos(π/m) longer) as
-/// long as the slip W e + f - (c/k) |f| d over the floor points less than π/m to the side of d.
+/// A foot presses with N on the floor at the origin. Its block is held by a tether of stiffness c in all directions, also at the origin, and drawn
+/// sideways by a force W along e. With the friction force f the block moves by u = (W e + f) / c. On the round cone f = -μ N e by symmetry. On the
+/// inscribed polygon with m corners f = -μ N d, with the corner d nearest to e. On the circumscribed one f is longer by 1/cos(π/m). This holds while
+/// the slip W e + f - (c/k) |f| d, with the foot's stiffness k, deviates from d by less than π/m.
 #[test]
 fn the_spread_of_a_sliding_foot() {
     let (mu, normal, c, k, w) = (0.5, 20.0, 300.0, 5000.0, 200.0);
@@ -106,7 +106,7 @@ fn the_spread_of_a_sliding_foot() {
     ])
     .unwrap();
     for angle in [0.3_f64, 1.9, 4.4] {
-        // Friction acts along -e, and so the nearest corner is in this direction.
+        // Friction acts along -e, so the nearest corner is that nearest to -e.
         let e = [angle.cos(), angle.sin()];
         let load = Wrench::force([w * e[0], w * e[1], -normal]);
         let mut before = f64::INFINITY;

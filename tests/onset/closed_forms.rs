@@ -1,5 +1,5 @@
-//! The onset of sliding agrees with closed forms in all its outcomes: never, from rest, already sliding, no base, free motion, after a contact
-//! closes, along commands, and at several contacts at once.
+//! The first slip agrees with closed forms in all outcomes. Contacts never slide, slide from rest, or slide already; there is no equilibrium at
+//! factor zero, or a free motion. Further cases are a contact that closes, changing commands, and several contacts that slide at once.
 
 use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Settings, spatial};
@@ -9,19 +9,19 @@ fn onset(grasp: &Grasp, base: Wrench, direction: Wrench) -> Onset {
     grasp.onset(Ramp::load(base, direction)).expect("valid loads")
 }
 
-/// Fingers at ±1 pressing inwards by `a`: N = k a each.
+/// Two fingers at ±1 with commands `a` inwards press with N = k a each.
 fn pinch(k: f64, kt: f64, mu: f64, a: f64) -> Grasp {
     Grasp::new([-1.0, 1.0].map(|x| jaw::<2>(x, [k, kt], mu).command([a, 0.0]))).unwrap()
 }
 
-/// Pushing along the pinch line loads one finger and relieves the other until it opens at w = 2 N, unless friction is
-/// infinite or the contacts are bonded: then nothing ever slides, but the relieved finger still opens unless bonded.
+/// A force w along the pinch line loads one finger and relieves the other until it opens at w = 2 N. With infinite friction nothing ever slides, but
+/// the relieved finger still opens. With bonded contacts it does not open.
 #[test]
 fn never_and_opening() {
     let sideways = Wrench::force([1.0, 0.0]);
     let grasp = pinch(10.0, 5.0, 0.5, 0.1);
     let Onset::At(event) = onset(&grasp, Wrench::ZERO, sideways) else { panic!("opens") };
-    // N_left = k (a - q), N_right = k (a + q), 2 k q = w: the left contact opens at w = 2 k a.
+    // With the displacement q of the object: N_left = k (a - q), N_right = k (a + q) and 2 k q = w. So the left contact opens at w = 2 k a.
     assert!((event.factor - 2.0).abs() < 1e-14);
     assert_eq!(event.leaving[0].contact.index, 0);
     assert_eq!(event.leaving[0].how, Departure::Opens);
@@ -31,7 +31,8 @@ fn never_and_opening() {
     assert!(matches!(onset(&sticky, Wrench::ZERO, Wrench::force([0.0, -1.0])), Onset::Never));
     let Onset::At(event) = onset(&sticky, Wrench::ZERO, sideways) else { panic!("opens") };
     assert!((event.factor - 2.0).abs() < 1e-14);
-    // A load that presses both contacts along their normals never exhausts friction: the rates stay inside the cone.
+    // A load that presses both contacts along their normals never exhausts friction, because tangential forces grow more slowly than μ times the
+    // normal forces.
     let on_two_feet = Grasp::new(
         [-1.0, 1.0].map(|x| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 5.0).friction(0.5)),
     )
@@ -81,10 +82,10 @@ fn gives_way() {
     assert!(matches!(reason.proof, spatial::Proof::FreeMotion { work, .. } if work > 0.0));
 }
 
-/// A block on two springs (k each, at ±1) sinks by w/2k. A third support waits below its middle with clearance c: it touches at w = 2 k c with F_t =
-/// 0 although the block has meanwhile been pushed sideways by b w / 2 kt, and from then on all three share. With horizontal load b w: T_i' = b/3 each
-/// after contact (equal kt), N_i' = 1/3 each. The outer contacts carry N = k c + δ, T = b k c + b δ (δ = (w - 2kc)/3): ratio b throughout. The middle
-/// one N = δ, T = b δ: the same ratio, though it began without force. So nothing slides while b < μ, and b > μ slides at once.
+/// A block on two springs of stiffness k at ±1 sinks by w/2k. A third foot waits below its middle with the clearance c. It touches at w = 2 k c with
+/// the tangential force F_t = 0, although a horizontal load b w has meanwhile pushed the block sideways by b w / 2 kt. From then on all three feet
+/// share the load equally. With δ = (w - 2 k c)/3 the outer feet carry N = k c + δ and T = b k c + b δ, the middle foot N = δ and T = b δ. All ratios
+/// T/N are b. So nothing slides while b < μ, and with b > μ the feet slide at once.
 #[test]
 fn a_contact_closes_on_the_way_without_tangential_force() {
     let (k, kt, mu, c) = (20.0, 9.0, 0.5, 0.03);
@@ -94,11 +95,12 @@ fn a_contact_closes_on_the_way_without_tangential_force() {
     // With b < μ nothing ever slides.
     let grasp = Grasp::new([foot(-1.0, 0.0), foot(1.0, 0.0), foot(0.0, c)]).unwrap();
     assert!(matches!(onset(&grasp, Wrench::ZERO, Wrench::force([0.3, -1.0])), Onset::Never));
-    // Now pre-press the outer feet by a moment-free base and load sideways only after the middle has closed:
-    // base w₀ = 4 k c presses the middle with δ₀ = 2kc/3. One-shot from rest it carries no tangential force.
+    // A base load of w₀ = 4 k c straight down closes the middle foot and presses it with δ₀ = (w₀ - 2 k c)/3 = 2 k c/3, without a tangential force.
+    // From there on the load grows sideways.
     let base = Wrench::force([0.0, -4.0 * k * c]);
     let Onset::At(event) = onset(&grasp, base, Wrench::force([1.0, 0.0])) else { panic!("finite") };
-    // Each T_i = τ/3. The horizontal load at height 0 has no moment, so N_middle stays 2kc/3, and the middle foot slides first.
+    // Each foot carries τ/3 of the horizontal load τ. This load has no moment, so the normal force of the middle foot stays 2 k c/3, and the middle
+    // foot slides first.
     let exact = 3.0 * mu * 2.0 * k * c / 3.0;
     assert!((event.factor - exact).abs() < 1e-14 * exact, "{} {exact}", event.factor);
     assert_eq!(event.leaving.iter().map(|l| l.contact.index).collect::<Vec<_>>(), [2]);
@@ -106,10 +108,10 @@ fn a_contact_closes_on_the_way_without_tangential_force() {
     assert!(matches!(&beyond, Beyond::Continues(next) if next.states[0] == ContactState::Sticking));
 }
 
-/// The same three feet under a base load that went sideways before the middle one touches, and then along (b, -1) with
-/// b > μ: the outer feet would reach their limit at (h + bτ) = μ (w₀ + τ), but the middle one closes before that, at
-/// w₀ + τ = 2kc, and slides the moment it touches, since T'/N' = b. Started with the slip of a contact that had stuck from
-/// the beginning, it would have come down with T = kt (h + bτ)/2kt instead of zero.
+/// The same three feet. The base load has the sideways part h and the weight w₀, which leaves the middle foot open. Then a load τ (b, -1) with b > μ
+/// is added. The outer feet would slide at h + b τ = μ (w₀ + τ). Before that, at w₀ + τ = 2 k c, the middle foot closes, and slides at once because
+/// its tangential force grows b times as fast as its normal force. It touches with T = 0. A contact that had stuck from the beginning would have T =
+/// kt (h + b τ)/2kt.
 #[test]
 fn a_contact_that_slides_the_moment_it_closes() {
     let (k, kt, mu, c, h, b, w0) = (20.0, 9.0, 0.5, 0.03, 0.4, 0.6, 1.0);
@@ -129,8 +131,8 @@ fn a_contact_that_slides_the_moment_it_closes() {
     assert!(state.contacts[2].gap < 1e-15);
 }
 
-/// Releasing the squeeze of a loaded pinch: N = k (a - τ), T = w/2: slides at τ = a - w/(2 μ k). With load and command
-/// together: T = w(1 + τ)/2, N = k (a - τ): τ = (μ k a - w/2) / (w/2 + μ k).
+/// The squeeze of a loaded pinch is released. With N = k (a - τ) and T = w/2 it slides at τ = a - w/(2 μ k). If the load grows at the same time, T =
+/// w (1 + τ)/2, and it slides at τ = (μ k a - w/2) / (w/2 + μ k).
 #[test]
 fn along_commands_and_both_at_once() {
     let (k, kt, mu, a, w) = (30.0, 11.0, 0.4, 0.05, 0.6);
@@ -142,7 +144,7 @@ fn along_commands_and_both_at_once() {
     assert!((alone.factor().unwrap() - (a - w / (2.0 * mu * k))).abs() < 1e-15);
     let both = grasp.with(&settings).onset(Ramp::load(load, load).with_commands(release)).unwrap();
     assert!((both.factor().unwrap() - (mu * k * a - w / 2.0) / (w / 2.0 + mu * k)).abs() < 1e-15);
-    // The state at the onset is the equilibrium with the commands of the onset.
+    // The state at the first slip is the equilibrium with the commands that act there.
     let event = both.event().unwrap();
     let state = grasp.state_at_onset(event).expect("its own event");
     assert!(state.residuals.worst() < 1e-15);

@@ -1,5 +1,5 @@
-//! Onsets for all directions of a force agree with the region without sliding, which is found here from equilibria. They have the symmetries of the
-//! grasp, and no equilibrium exists beyond a limit.
+//! Loads of first slip for all directions of a force agree with the region of loads without sliding, which is found here from equilibria. They have
+//! the symmetries of the grasp, and no equilibrium exists beyond a limit load.
 
 use std::f64::consts::TAU;
 
@@ -27,7 +27,8 @@ fn onset(grasp: &Grasp, angle: f64) -> Result<f64, Failure> {
     Ok(grasp.onset(pull(angle))?.factor().ok_or("sticks without load")?)
 }
 
-/// Half planes (c, g): nothing slides or opens while c + g·W >= 0 for all of them. They follow from the equilibria under three small loads.
+/// Half planes (c, g) of forces W: nothing slides or opens while c + g·W >= 0 for all of them. They follow from the equilibria under three small
+/// loads.
 fn half_planes(grasp: &Grasp) -> Result<Vec<(f64, [f64; 2])>, Failure> {
     let slacks = |load: [f64; 2]| -> Result<Vec<f64>, Failure> {
         let outcome = grasp.solve(Wrench::force(load))?;
@@ -56,7 +57,8 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
             let found = onset(&grasp, angle)?;
             assert!((found - expected).abs() <= 1e-11 * expected, "{angle} {found} {expected}");
         }
-        // The weakest direction is perpendicular to the nearest edge, and its onset is the distance of this edge.
+        // The weakest direction is perpendicular to the nearest edge of the region. The force of first slip in this direction is the distance of the
+        // edge.
         let distance = |(c, g): &(f64, [f64; 2])| c / g[0].hypot(g[1]);
         let nearest = rows.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).ok_or("rows")?;
         let least = distance(nearest);
@@ -69,7 +71,7 @@ fn onsets_lie_on_the_polygon_of_plain_equilibria() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The end of the load path towards a large force. Checks that no equilibrium exists beyond a loss.
+/// The end of the load path towards a large force. Checks that no equilibrium exists for larger loads if the path ends with a loss.
 fn end(grasp: &Grasp, angle: f64) -> Result<PathEnd, Failure> {
     let mut path = grasp.follow(Wrench::ZERO, &[Leg::load_to(pull(angle) * MOST)])?;
     path.by_ref().for_each(drop);
@@ -151,7 +153,7 @@ fn in_space_the_region_is_convex_and_as_symmetric_as_the_grasp() -> Result<(), F
         let turned = onset([cos * a[0] - sin * a[1], sin * a[0] + cos * a[1], a[2]])?;
         assert!((turned - wa).abs() <= 1e-11 * wa, "{a:?}: {wa} against {turned}");
         if wa.is_finite() && wb.is_finite() {
-            // Half way between two points of the boundary.
+            // Half way between two loads on the boundary nothing slides, because the region is convex.
             let between: [f64; 3] = std::array::from_fn(|k| 0.5 * (wa * a[k] + wb * b[k]));
             assert!(onset(between)? >= 1.0 - 1e-11, "{a:?} {b:?}");
         }

@@ -43,7 +43,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             load: [0.03, 0.5, 0.5].map(|size| vector::<D>(dice) * size),
         };
         scene.command.iter_mut().for_each(|a| a[0] = 0.1);
-        // Moments about the centre.
+        // The drawn moments are about the centre of the object. The moments of a wrench are about the origin.
         for load in &mut scene.load {
             let force = SVector::<f64, C>::from_fn(|a, _| load[a]);
             let moved = if C == 2 {
@@ -69,7 +69,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 .series_stiffness_axes(self.stiffness[i])
                 .friction(self.friction[i])
                 .command(self.command[i])
-                // A vacuum acts at the point along the normal, and changes with both.
+                // A vacuum acts at the contact point along the normal, so it changes with both.
                 .suction(if i == 0 { 0.1 } else { 0.0 })
         }))
         .unwrap()
@@ -126,7 +126,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 }
 
-/// Compares forces and motions. Returns the number of comparisons with a sliding contact.
+/// Compares derivatives of forces and motions with differences. Returns the number of comparisons with a sliding contact.
 fn compare_equilibria<const D: usize, const C: usize>(
     seed: u64,
     scenes: usize,
@@ -174,7 +174,8 @@ fn compare_equilibria<const D: usize, const C: usize>(
     sliding
 }
 
-/// Compares onsets of ramps with changing commands, or of turns. Returns their number.
+/// Compares derivatives of the factor of first slip with differences, for ramps with changing commands, or for turning loads. Returns the number of
+/// comparisons.
 fn compare_onsets<const D: usize, const C: usize>(
     seed: u64,
     scenes: usize,
@@ -198,7 +199,7 @@ fn compare_onsets<const D: usize, const C: usize>(
             let same = |e: &grasp_lcp::load_path::OnsetEvent<C>| {
                 e.leaving.len() == 1 && e.leaving[0].contact.index == event.leaving[0].contact.index
             };
-            // A small change of the data may change the onset strongly; such cases are skipped.
+            // A small change of the data may change the first slip strongly, for example to another contact. Such cases are skipped.
             if !same(up) || !same(down) || (up.factor - down.factor).abs() > 1e-3 * event.factor {
                 continue;
             }

@@ -12,7 +12,7 @@ fn palm(x: f64) -> planar::Contact {
     jaw::<2>(x, [800.0, 800.0], MU).pressed_with(PRESS)
 }
 
-/// The derivative of the factor of the first contact that leaves.
+/// The derivative of the load factor at which the first contact slides or opens, with respect to one datum.
 fn first_by(grasp: &planar::Grasp, event: &planar::OnsetEvent, by: Parameter) -> f64 {
     grasp.sensitivity().onset(event).unwrap().by(by).unwrap()[0]
 }
@@ -21,11 +21,12 @@ fn weight() -> planar::Ramp {
     planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]))
 }
 
-/// One finger tilts by φ towards t: the horizontal force is `H = P (1 + cos φ) / 2`, and it slides at `W = 2 H tan(atan μ - φ)`.
+/// One finger tilts by φ towards its tangent t. The horizontal force is `H = P (1 + cos φ) / 2` with the squeeze P, and the finger slides at the
+/// weight `W = 2 H tan(atan μ - φ)`.
 #[test]
 fn a_palm_that_tilts() {
     let closed = |phi: f64| PRESS * (1.0 + phi.cos()) * (MU.atan() - phi).tan();
-    // t = (n_y, -n_x) = (0, -1) at the left.
+    // The tangent of the left finger is t = (n_y, -n_x) = (0, -1).
     let tilted = |phi: f64| {
         let left = planar::Contact::new([-1.0, 0.0], [phi.cos(), -phi.sin()]);
         let left = left.series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS);
@@ -43,8 +44,8 @@ fn a_palm_that_tilts() {
     }
 }
 
-/// The weight hangs at x = 0: the left finger at -l carries the share 1 / (1 + l), and slides at `W = μ P (1 + l)`; the right finger at
-/// `μ P (1 + l) / l`.
+/// The weight W hangs at x = 0. The left finger at -l carries the share 1 / (1 + l), and slides at `W = μ P (1 + l)` with the squeeze P. The right
+/// finger slides at `W = μ P (1 + l) / l`.
 #[test]
 fn a_palm_that_is_elsewhere() {
     for l in [0.7, 1.0, 1.6] {
@@ -88,7 +89,8 @@ fn a_grasp_that_turns_as_a_whole() {
     assert!(by_load.abs() > 0.1 && (turned - by_load).abs() < 1e-11, "{turned} {by_load}");
 }
 
-/// Commands that are constant along the coordinate axes: the derivative gains the term in the docs.
+/// The command of a finger keeps its direction in space while the normal tilts. The derivative is that for a command that tilts too, plus a term from
+/// the change of the command's components.
 #[test]
 fn commands_along_the_coordinate_axes() {
     let grasp = |phi: f64| {
@@ -133,13 +135,14 @@ fn a_pinch_whose_line_leaves_the_load() {
     assert_eq!(by(1), None);
 }
 
-/// A motion is free in this geometry and resisted in all neighbouring geometries. Its first derivative does not exist.
+/// A motion that is free in this geometry is resisted in all neighbouring geometries. Its first derivative does not exist.
 #[test]
 fn a_motion_that_another_geometry_holds() {
     let at = |x: f64, n: f64| {
         spatial::Contact::new([x, 0.0, 0.0], [0.0, 0.0, n]).series_stiffness(1000.0, 700.0).friction(MU)
     };
-    // Three points on a line press along z. The third moves along z, like its force.
+    // Three points on a line press along z, so that the object may turn about the line. If the third point is moved along z, the points resist this
+    // rotation.
     let fingers = [at(-1.0, 1.0), at(1.0, 1.0), at(0.0, -1.0)].map(|c| c.pressed_with(PRESS));
     let grasp = spatial::Grasp::new(fingers).unwrap();
     let outcome = grasp.solve(spatial::Wrench::force([0.1, 0.0, 0.0])).unwrap();
@@ -165,7 +168,7 @@ fn what_there_is_not_has_no_derivative() {
     }
 }
 
-/// Twice the load slides at half the factor. With a base load and changing commands, differences give the derivative.
+/// A load that is twice as large slides at half the factor. With a base load and changing commands, differences give the derivative.
 #[test]
 fn the_whole_load_times_a_number() {
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
@@ -200,7 +203,8 @@ fn the_points_of_a_hand_have_no_derivatives() -> Result<(), Error> {
     Ok(())
 }
 
-/// A finger below moves sideways faster than the object moves down. It slides as soon as it touches, so the onset has no margin to differentiate.
+/// A finger below moves sideways faster than the object moves down. It slides as soon as it touches, so at the first slip there is no friction margin
+/// to differentiate.
 #[test]
 fn a_contact_that_slides_as_it_closes_has_no_margin() {
     let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0])

@@ -1,4 +1,4 @@
-//! The onset of sliding does not depend on coordinates, on units, or on a contact split in two.
+//! The load factor of first slip does not depend on coordinates, on units, or on a contact split in two.
 //!
 //! Each ramp is compared with its own image, so no expected numbers are needed. The factor and the sliding contacts must be the same.
 
@@ -42,7 +42,7 @@ fn check_image<const D: usize, const C: usize>(
     transform: &Transform<C>,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    // Only scenes in which the onset does not depend on rounding.
+    // Scenes are used only if all forces at factor zero are clearly inside their cones. Otherwise the first slip may depend on rounding.
     if slack(scene, Friction::Polygon).is_none_or(|slack| slack < 1e-3) {
         return Ok(());
     }
@@ -61,7 +61,7 @@ fn check_image<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Checks that the onset is the same with the first contact split into two halves.
+/// Checks that the first slip is the same if the first contact is split into two halves.
 fn check_split<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,

@@ -26,7 +26,7 @@ fn with_friction_it_would_have_to_pull() -> Tested {
     let first = verdict.first_slip.as_ref().expect("further on");
     assert_eq!(first.would_pull.iter().map(|part| part.label.as_str()).collect::<Vec<_>>(), ["left"]);
     assert!(verdict.lost.as_ref().is_some_and(|lost| (lost.factor - 2.0).abs() < 1e-13), "{verdict}");
-    // A contact that may open does so.
+    // The same left jaw without `kept_closed` opens.
     let loose = Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
     let Onset::At(event) = loose.onset(push)? else { panic!("opens at 10 N") };
     assert_eq!(event.leaving[0].how, Departure::Opens);
@@ -63,7 +63,7 @@ fn a_guide_without_friction_pulls() -> Tested {
     Ok(())
 }
 
-/// Without normal forces the guide does not resist a force along itself. The object slides, and the answer does not name the guide.
+/// A guide without normal forces does not resist a force along itself. The object slides, and the answer does not say that the guide would open.
 #[test]
 fn a_guide_without_load_is_not_told_to_open() -> Tested {
     let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).name("guide").series_stiffness(1e6, 5e5).kept_closed();

@@ -1,4 +1,4 @@
-//! The least squeeze and the weakest direction are right: dense samples on both sides confirm them.
+//! The least squeeze and the weakest direction of a force are right: dense samples of loads on both sides of each answer confirm them.
 
 use grasp_lcp::equilibrium::{FoundBy, Outcome};
 use grasp_lcp::load_path::{DepartingPart, Ramp};
@@ -101,7 +101,7 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
             1 => Loads::AnyForce { base, size: 2.0, point },
             _ => Loads::Turn(spatial::Turn::tilting([0.0, 0.0, -3.0], point, numbers.vector())?.beside(base)),
         };
-        // With 1 N for each finger the factor is in newtons.
+        // Each finger is commanded to press with 1 N, so the least factor of the commands is a force in newtons.
         let answer = ball.pressed(1.0)?.least_squeeze(&loads)?;
         let LeastSqueeze::Factor { factor, binding: Some((_, worst)), .. } = answer else { continue };
         factors[number % 3] += 1;
@@ -141,7 +141,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     let tray = planar::Grasp::new([palm(-1.0), palm(1.0)])?;
     let aside = planar::Wrench::force([3.0, -4.0]);
     assert!(matches!(tray.least_squeeze(&Loads::Each(vec![aside]))?, LeastSqueeze::NoFactor { .. }));
-    // A load that needs no squeeze.
+    // This load presses the box so much onto the palms that it needs no squeeze.
     let little = planar::Wrench::force([1.0, -4.0]);
     assert_eq!(tray.least_squeeze(&Loads::Each(vec![little]))?, factor_of_none());
     // Two fingers do not resist a rotation about their line.
@@ -160,7 +160,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
         panic!("slides")
     };
     assert!((size - 0.8_f64.sqrt()).abs() < 1e-15, "{size}");
-    // A base load under which contacts already slide.
+    // Under this base load contacts already slide.
     let heavy = spatial::Wrench::force([0.0, 0.0, -1.5]);
     assert!(matches!(pinch.weakest_direction(heavy, [0.0; 3])?, WeakestDirection::NotSticking));
     Ok(())

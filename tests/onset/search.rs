@@ -1,8 +1,8 @@
-//! The onset of sliding agrees with a bisection that does not use the library's method.
+//! The load factor of first slip agrees with a bisection that does not use the library's method.
 //!
 //! While everything sticks, the forces solve a linear least-squares problem (`support::sticking`). Bisection finds the largest load factor with all
-//! forces inside their cones. This factor must be the onset. Scenes in the plane and in space, on the round cone and on the polygon, are checked
-//! under loads and finger commands. Just below the onset the solver must find that everything sticks, and just above the onset it must not.
+//! forces inside their cones. This must be the factor of first slip. Scenes in the plane and in space, on the round cone and on the polygon, are
+//! checked under loads and finger commands. Just below this factor the solver must find that everything sticks, and just above it must not.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::{ContactState, FoundBy, Outcome};
@@ -11,14 +11,14 @@ use proptest::prelude::*;
 use support::ramps::{Change, Friction, Tally, close, for_both, slack};
 use support::scene::Scene;
 
-/// The factor at which sticking ends, by doubling and bisection. It is infinite if sticking does not end before 2^40.
+/// The load factor at which the first contact slides or opens, by doubling and bisection. It is infinite if all contacts stick up to 2^40.
 fn bisected<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,
     friction: Friction,
 ) -> Option<f64> {
     let sticks = |factor: f64| slack(&change.at(scene, factor), friction).is_some_and(|slack| slack >= 0.0);
-    // The forces at the base are clearly inside the cones, so that the outcome does not depend on rounding.
+    // Only scenes are used in which the forces at factor zero are clearly inside the cones, so that the outcome does not depend on rounding.
     if !slack(scene, friction).is_some_and(|slack| slack > 1e-3) {
         return None;
     }
@@ -62,7 +62,7 @@ fn check_bisection<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Checks that everything sticks just below the onset, and that something does not just above it.
+/// Checks that everything sticks just below the factor of first slip, and that something does not stick just above it.
 fn check_both_sides<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     change: &Change<D, C>,
@@ -78,7 +78,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     friction: Friction,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    // The base is clearly inside the cones.
+    // Only scenes are used in which the forces at factor zero are clearly inside the cones.
     if slack(scene, friction).is_none_or(|slack| slack < 1e-6) {
         return Ok(());
     }
@@ -89,7 +89,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     };
     let onset = onset.expect("a finite ramp");
     let Some(event) = onset.event() else { return Ok(()) };
-    // In a stiff scene 1e-9 of the factor may be less than the rounding of the largest force.
+    // In a stiff scene a change of the factor by 1e-9 may change forces by less than the rounding of the largest force. Such scenes are skipped.
     let beyond = slack(&change.at(scene, event.factor * (1.0 + 1e-9)), friction);
     let Some(beyond) = beyond.filter(|slack| *slack < -2e-12) else { return Ok(()) };
     let solve = |part: f64| {
@@ -106,8 +106,8 @@ fn check_both_sides_on<const D: usize, const C: usize>(
             .iter()
             .any(|c| matches!(c.state, ContactState::Sliding { .. } | ContactState::Separated)),
         Outcome::NoEquilibrium(_) => true,
-        // A nearly singular state cannot be decided so close to the edge.
-        // On the round cone no equilibrium can be excluded by a proof if the nearest one is only a millionth away.
+        // A nearly singular state cannot be decided so close to the edge of a cone. On the round cone no proof excludes all equilibria if one exists
+        // for data that differ by a millionth.
         _ => friction == Friction::Round || beyond > -3e-10,
     };
     prop_assert!(leaves, "{event:?} {above:?}");
@@ -116,7 +116,7 @@ fn check_both_sides_on<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Checks the state at the onset: the contacts that stop sticking are on the edge of their cones, all others inside.
+/// Checks the forces at the first slip: contacts that stop sticking are on the edge of their cones, all others inside.
 fn is_at_the_edge<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     event: &OnsetEvent<C>,

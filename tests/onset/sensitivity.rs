@@ -1,5 +1,5 @@
-//! Derivatives of equilibria and onsets agree with central differences of the solver. Steps of 1e-5 have an error of about 1e-10. The check is
-//! independent, because derivatives come from one linear solve on the final linear piece.
+//! Derivatives of equilibria and of factors of first slip agree with central differences of the solver. Steps of 1e-5 have an error of about 1e-10.
+//! The check is independent, because the library computes derivatives by one linear solve for the contact states at the answer.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::Equilibrium;
@@ -108,7 +108,7 @@ fn states<const C: usize>(e: &Equilibrium<C>) -> Vec<u8> {
     e.contacts.iter().map(word).collect()
 }
 
-/// Compares derivatives on random scenes. Returns their number in scenes with sliding contacts.
+/// Compares derivatives of forces on random scenes with differences. Returns the number of comparisons in scenes with sliding contacts.
 fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, contacts: usize) -> usize {
     let (mut dice, mut sliding) = (seeded(seed), 0);
     for _ in 0..samples(scenes) {
@@ -131,7 +131,8 @@ fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, 
             let scale = |x: f64| TOLERANCE * (1.0 + x.abs());
             for (i, force) in exact.forces.iter().enumerate() {
                 let difference = (up.contacts[i].force - down.contacts[i].force) / (2.0 * step);
-                // A jump means another edge of the polygon or another equilibrium.
+                // If a force jumps within the step, the contact slides along another edge of the polygon, or another equilibrium is found. Such
+                // differences are skipped.
                 if (up.contacts[i].force - here.contacts[i].force).norm() > 1e-3 {
                     continue;
                 }

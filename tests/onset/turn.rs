@@ -1,4 +1,5 @@
-//! While a load turns, the onset reports contacts that touch their edge, gaps that close, and turns that end early. Invalid turns are refused.
+//! While a load turns, the answer reports contacts that reach their friction limit without sliding, gaps that close, and turns that end early.
+//! Invalid turns are refused.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -20,7 +21,7 @@ fn box_on_its_side(weight: f64) -> (planar::Grasp, Turn) {
 
 #[test]
 fn an_edge_that_is_touched_is_told() {
-    // μ F_n = F_t where w/2 sin θ + w/4 cos θ = 5: the left side is w √5 / 4 at most.
+    // The first palm reaches μ F_n = F_t where w/2 sin θ + w/4 cos θ = 5. The left side is at most w √5 / 4.
     let least = 20.0 / 5_f64.sqrt();
     let angle = 2_f64.atan();
     for (part, touches, slides) in [
@@ -42,7 +43,8 @@ fn an_edge_that_is_touched_is_told() {
             );
         }
         if let Some(event) = answer.onset.event() {
-            // The root precedes the double root by √(2 · relative excess of the load).
+            // For a load slightly above the least one, the palm slides before the angle of the least load, by about √(2 · relative excess of the
+            // load).
             let before = angle - event.factor - (1.0 / part).acos();
             assert!(before.abs() < 1e-15 / (1.0 / part).acos().max(1e-7), "{part}: {before:e}");
         }
@@ -79,7 +81,8 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
     let leaving: Vec<_> = event.leaving.iter().map(|leaving| (leaving.contact.index, leaving.how)).collect();
     assert_eq!(leaving, [(2, planar::Departure::Opens)]);
     let angle = event.factor;
-    // The error of chords falls with the square of their number.
+    // A path of straight legs between loads on the arc approximates the turn. The error of its first slip falls with the square of the number of
+    // legs.
     let error = |chords: usize| {
         let at = |k: usize| turn.load_at(3.0 * k as f64 / chords as f64);
         let legs: Vec<_> = (1..=chords).map(|k| planar::Leg::load_to(at(k))).collect();
@@ -87,7 +90,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
         let event = path.find(|event| changes(event).contains(&(2, planar::Change::Opens))).expect("opens");
         (3.0 * (event.leg as f64 + event.fraction) / chords as f64 - angle).abs()
     };
-    // The error depends on the position within a chord, so the largest error over neighbouring numbers of chords is used.
+    // The error depends on the place of the first slip within a leg, so the largest error over neighbouring numbers of legs is used.
     let worst = |about: usize| (about..about + 8).map(error).fold(0.0, f64::max);
     let [coarse, fine] = [20, 320].map(worst);
     let order = (coarse / fine).log2() / 16_f64.log2();
@@ -102,7 +105,7 @@ fn what_nothing_resists_gives_way_at_once() {
     let off_the_line = spatial::Turn::tilting([0.0, 0.0, -2.0], [0.0, 0.0, -0.1], [1.0, 0.0, 0.0]).unwrap();
     let answer = grasp.onset_of_turn(off_the_line).unwrap();
     assert!(matches!(answer.onset, spatial::Onset::GivesWay { factor: 0.0, .. }), "{answer:?}");
-    // A weight on this line turns as in the plane.
+    // A weight on the line through both fingers turns as in the plane.
     let on_the_line = spatial::Turn::force_at([12.0, 0.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]).unwrap();
     let (plane, turn) = box_on_its_side(12.0);
     let known = plane.onset_of_turn(turn).unwrap().onset.factor().unwrap();
@@ -142,7 +145,7 @@ fn the_state_at_the_onset_and_what_comes_beyond() {
     assert!((event.load.resultant()[1] - 12.0 * event.factor.sin()).abs() < 1e-14);
     // By the balance of moments about the middle, both palms carry the same force. If one palm slides, the other slides too.
     assert!(matches!(grasp.beyond(event), Some(planar::Beyond::LimitLoad)));
-    // A path along a short chord of the turn, which starts just before the onset, also ends at the onset.
+    // A load path along a short chord of the turn, which starts just before the first slip, is lost at the first slip too.
     let near = |angle: f64| turn.load_at(event.factor + angle);
     let mut path = grasp.follow(near(-1e-4), &[planar::Leg::load_to(near(1e-4))]).unwrap();
     path.run();
@@ -217,7 +220,7 @@ fn what_is_no_turn_is_refused() {
         let refused = spatial::Turn::tilting([0.0, 0.0, -1.0], [0.0; 3], axis).unwrap_err();
         assert!(matches!(refused, Error::Argument { what, .. } if what.ends_with("the axis")), "{refused}");
     }
-    // The turn of a zero load changes nothing.
+    // A turning load of zero changes nothing.
     let still = Turn::new(Wrench::force([0.0, -1.0]), Wrench::ZERO, Wrench::ZERO).up_to(FRAC_PI_2.max(PI));
     assert!(grasp.onset_of_turn(still).unwrap().onset.factor().unwrap().is_infinite());
 }

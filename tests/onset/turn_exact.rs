@@ -1,4 +1,4 @@
-//! The onset of sliding under a turning load agrees with roots counted and isolated in exact arithmetic.
+//! The first slip under a turning load agrees with roots of the friction margins that are counted and isolated in exact arithmetic.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::FoundBy;
@@ -45,7 +45,8 @@ impl Spring {
     }
 }
 
-/// Forces of all contacts under a load while everything sticks, exact except for the last division; commands are included if `commanded`.
+/// Forces of all contacts under a load while everything sticks, exact except for the last division. Forces of the commands are included if
+/// `commanded`.
 fn forces(springs: &[Spring], load: &[f64], commanded: bool) -> Vec<Vec<Dyadic>> {
     let n = load.len();
     let mut matrix = vec![vec![Dyadic::zero(); n]; n];
@@ -144,7 +145,7 @@ fn changes(chain: &[Vec<Dyadic>], t: &Dyadic) -> usize {
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
-/// The first root in (0, 2π], and whether a second root is close to it.
+/// The first root in (0, 2π] of a trigonometric polynomial, and whether a second root is close to the first.
 fn first_root(f: &Trigonometric) -> Option<(f64, bool)> {
     let mut here = f.clone();
     for quarter in 0..4 {
@@ -172,7 +173,8 @@ fn first_root(f: &Trigonometric) -> Option<(f64, bool)> {
     None
 }
 
-/// The first root of the margin of any contact; in space on the round cone.
+/// The first angle at which the margin μ² F_n² - |F_t|² of any contact vanishes (in the plane on either edge of its cone), and whether a second root
+/// is close.
 fn reference(springs: &[Spring], parts: [&[f64]; 3]) -> Option<(f64, bool)> {
     let [constant, cosine, sine] = [(parts[0], true), (parts[1], false), (parts[2], false)]
         .map(|(load, with)| forces(springs, load, with));
@@ -193,7 +195,7 @@ fn reference(springs: &[Spring], parts: [&[f64]; 3]) -> Option<(f64, bool)> {
     first
 }
 
-/// Counts of onsets that agree.
+/// Counts of turns for which the library and the exact roots agree.
 #[derive(Debug, Default)]
 struct Tally {
     onsets: usize,
@@ -206,7 +208,7 @@ struct Tally {
 type Datum<const C: usize> = ([f64; C], [f64; 4]);
 
 impl Tally {
-    /// Compares the onset of a turn that starts with all contacts sticking.
+    /// Compares the angle of first slip under a turning load with the exact roots, if all contacts stick at the start.
     fn compare<const C: usize>(
         &mut self,
         grasp: &Grasp<C>,

@@ -1,4 +1,4 @@
-//! A workspace returns the onsets of `Grasp::onset` to the last bit, whatever it was asked before. If a single contact slides first, it allocates no
+//! A workspace returns the answers of `Grasp::onset` to the last bit, whatever was asked before. If a single contact slides first, it allocates no
 //! memory.
 
 use allocation_counter::measure;
@@ -13,7 +13,7 @@ use support::ramps::ramps;
 use support::random::{Spread, for_all};
 use support::samples::assert_met;
 
-/// Random grasps and ramps: with free motions, closing contacts, or without an equilibrium at the base.
+/// Random grasps and ramps, some with free motions, closing contacts, or without an equilibrium at factor zero.
 fn questions<const D: usize, const C: usize>(cases: usize) -> Vec<(Grasp<C>, Ramp<C>)> {
     let list = RefCell::new(Vec::new());
     for spread in [Spread::Narrow, Spread::Wide] {
@@ -50,12 +50,12 @@ fn in_space() {
     tells_the_same::<6, 3>(Settings::default().on_the_polygon());
 }
 
-/// The number of questions that allocate nothing when asked again. Their onsets are events of one contact.
+/// The number of questions that allocate nothing when they are asked a second time. In all of them a single contact slides first.
 fn without_allocation<const D: usize, const C: usize>() -> usize {
     let mut workspace = OnsetWorkspace::<C>::default();
     let mut count = 0;
     for (grasp, ramp) in &questions::<D, C>(75) {
-        // The first call factorises, and lengthens lists for a larger grasp.
+        // The first call factorises, and enlarges the lists of the workspace if the grasp is larger than earlier ones.
         assert!(workspace.onset(grasp, ramp).is_ok());
         let counted = measure(|| assert!(workspace.onset(grasp, ramp).is_ok()));
         if counted.count_total == 0 {

@@ -1,4 +1,4 @@
-//! The library reproduces the tables of the paper's two grasps to the printed digits, and the exact onset of the second.
+//! The library reproduces the tables of the paper's two grasps to the printed digits, and the exact load at which the second grasp begins to slide.
 
 use grasp_lcp::Settings;
 use grasp_lcp::equilibrium::FoundBy;
@@ -16,7 +16,7 @@ fn second_table_to_the_digits_printed() {
     for (index, row) in TWO_FINGER_TABLE.iter().enumerate() {
         let outcome = grasp.solve(down() * row[0]).unwrap();
         if row[0] > 0.125 {
-            // The QP's clamped rows: there is no equilibrium.
+            // In these rows the paper's quadratic program gives forces on the edge of the cones, but there is no equilibrium.
             let Outcome::NoEquilibrium(none) = outcome else { panic!("{outcome:?}") };
             assert_eq!(none.proof, Proof::EveryStateTried { combinations: 16 });
             continue;
@@ -29,13 +29,13 @@ fn second_table_to_the_digits_printed() {
         for (column, (a, b)) in ours.iter().zip(&row[1..]).enumerate() {
             let misprint = column == 2 && TWO_FINGER_MISPRINTS[0].0 == index;
             let print = if misprint { 0.4988 } else { *b };
-            // Truncated instead of rounded numbers are within one unit.
+            // Some printed numbers are truncated instead of rounded, so they are off by up to one unit of the last digit.
             assert!((a - print).abs() < 2.0 * PRINTED, "{index} {a} {print}");
         }
     }
 }
 
-/// F_n = 1/2 - W/(2√65), |F_t| = 1/16 + 4W/√65; friction is used up where |F_t| = F_n / 4: W* = √65/66.
+/// With F_n = 1/2 - W/(2√65) and |F_t| = 1/16 + 4W/√65, the friction limit |F_t| = F_n / 4 is reached at W* = √65/66.
 #[test]
 fn second_grasp_slides_first_at_root_65_over_66() {
     let grasp = two_fingers().unwrap();
@@ -51,7 +51,7 @@ fn second_grasp_slides_first_at_root_65_over_66() {
     }
     assert_eq!(event.leaving.iter().map(|l| l.contact.index).collect::<Vec<_>>(), [0, 1], "both at once");
     for leaving in &event.leaving {
-        // The object goes down, the fingers slip up over it.
+        // The object goes down, and so each finger slips up relative to it.
         assert!(matches!(leaving.how, Departure::Slides { direction } if direction[1] > 0.9));
     }
     let beyond = grasp.beyond(event).expect("its own event");
@@ -90,19 +90,18 @@ fn four_equilibria_below_w_star() {
     assert!(grasp.with(&settings).equilibria(down() * 0.1222).unwrap().is_empty());
 }
 
-/// Both fingers commanded deeper by the same amount raise the onset; the factor along a command ramp agrees with the
-/// onset of the grasp that has those commands.
+/// Less squeeze carries less. Along a command ramp at a constant load, the fingers begin to slide at some commands. With these commands, the grasp
+/// begins to slide at this load.
 #[test]
 fn more_squeeze_carries_more() {
     let grasp = two_fingers().unwrap();
     let exact = 65f64.sqrt() / 66.0;
-    // At 1.2 W* there is no base equilibrium. The ramp starts below W* and releases the squeeze.
+    // The ramp starts with a load below W* and releases the squeeze.
     let load = down() * (0.9 * exact);
     let release = vec![[-0.01, 0.0]; 2];
     let onset = grasp.onset(Ramp::commands(load, release.clone())).unwrap();
     let Onset::At(event) = onset else { panic!("{onset:?}") };
-    // F_n falls by 5 · 0.01 τ · (normal parts balance in x): F_n = F_n(0) - 0.05 τ, F_t rises to keep W: solve by hand
-    // for the symmetric pair with n = (8, -1)/√65, t = (-1, -8)/√65: F_n n_x + F_t t_x cancels, W = 2 (F_n n_y + F_t t_y).
+    // The commands at which the fingers begin to slide.
     let released: Vec<_> = grasp
         .contacts()
         .iter()
@@ -124,7 +123,7 @@ fn first_table_but_for_its_rounded_dy() {
     let outcome = grasp.solve(disk_load()).unwrap();
     let state = outcome.equilibrium().expect("holds");
     let parts = grasp.statics().decompose(state);
-    // dy was rounded to 0.0013 before the forces were computed: 50 N/m times the rounding error, for every contact.
+    // The paper rounded dy to 0.0013 before it computed the forces. This changes each force by 50 N/m times the rounding error.
     let rounded = 50.0 * (state.twist.translation()[1] - 0.0013);
     for (kind, printed) in &DISK_FORCES {
         for (i, print) in printed.iter().enumerate() {

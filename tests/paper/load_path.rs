@@ -10,8 +10,8 @@ fn pull(force: f64) -> Wrench {
     Wrench::force([force, 0.0])
 }
 
-/// Feet in a row under a block that a stiff bilateral guide keeps from rising: foot i is pressed by N_i, sticks with
-/// stiffness kt and slides at μ_i N_i. Pulled sideways it is a chain of Jenkins elements in parallel.
+/// Feet in a row under a block that a stiff bilateral guide keeps from rising. Foot i is pressed by N_i, has the tangential stiffness kt and slides
+/// at μ_i N_i. Pulled sideways, the feet are Jenkins elements in parallel.
 fn row_of_feet(limits: &[f64], kt: f64) -> Grasp {
     let (k, press) = (10.0, 0.1);
     let feet = limits.iter().map(|limit| {
@@ -37,8 +37,8 @@ fn run<'g>(grasp: &'g Grasp, legs: &[Leg]) -> (LoadPath<'g>, Vec<Event>) {
     (path, events)
 }
 
-/// Limits 1, 2, 4 N with kt = 8 N/m each: foot 1 slides at x = 1/8, load 3; foot 2 at x = 2/8 when the load is 1 + 2 + 2 = 5;
-/// foot 3 at x = 4/8 with 1 + 2 + 4 = 7, which is the limit load.
+/// The friction limits are 1, 2 and 4 N, with kt = 8 N/m each. Foot 1 slides from the displacement x = 1/8 on, at the load 3. Foot 2 slides from x =
+/// 2/8 on, at the load 1 + 2 + 2 = 5. Foot 3 slides at x = 4/8, at 1 + 2 + 4 = 7, the limit load.
 #[test]
 fn feet_slide_one_after_the_other_up_to_the_limit_load() {
     let grasp = row_of_feet(&[1.0, 2.0, 4.0], 8.0);
@@ -50,7 +50,7 @@ fn feet_slide_one_after_the_other_up_to_the_limit_load() {
         assert_close!(event.state.twist.translation()[0], x);
         let [(at, Change::Slides { direction })] = changes(event)[..] else { panic!("{:?}", changes(event)) };
         assert_eq!(at, contact);
-        // The body goes to +x, the foot slips over it to -x.
+        // The body moves to +x, so each foot slips relative to it to -x.
         assert_close!(direction[0], -1.0);
         assert_eq!(event.other_continuations, Some(0));
     }
@@ -68,9 +68,9 @@ fn feet_slide_one_after_the_other_up_to_the_limit_load() {
 /// Leg, displacement, and the changes of the contacts.
 type Line = (usize, f64, Vec<(usize, &'static str)>);
 
-/// Masing: limits 1 and 2, kt = 8, an elastic third foot that never slides (limit 1000). Load to x₁ = 0.5 (forces 1, 2, 4: 7 N),
-/// unload to -7 N and reload to 7 N. On the way down the feet stick at once, slide back at x₁ - 2·1/8 and x₁ - 2·2/8, and the
-/// loop closes: in each full cycle friction takes 4 f (X - f/kt) at amplitude X = 0.5: 4·1·(0.375) + 4·2·(0.25) = 3.5 J.
+/// Masing's rule for feet with friction limits 1 and 2 N, kt = 8 N/m, and a third foot that never slides (limit 1000). The load goes to 7 N at x₁ =
+/// 0.5 m (forces 1, 2 and 4), then to -7 N and back to 7 N. After each reversal both feet stick, and slide back when x has changed by 2·1/8 and by
+/// 2·2/8. In each full cycle friction takes 4 f (X - f/kt) with the amplitude X = 0.5: 4·1·(0.375) + 4·2·(0.25) = 3.5 J.
 #[test]
 fn a_hysteresis_loop_with_its_area() {
     let grasp = row_of_feet(&[1.0, 2.0, 1000.0], 8.0);
@@ -112,17 +112,17 @@ fn a_hysteresis_loop_with_its_area() {
     for energy in path.energies() {
         assert!(energy.residual().abs() < 1e-13 && energy.dissipated >= 0.0, "{energy:?}");
     }
-    // The forces along the way, without solving again: halfway down leg 1 (load 0) x = ?: elastic part 24 N/m until 0.25.
+    // The state halfway along leg 1, where the load is zero, without solving again.
     let state = path.state_at(1, 0.5).expect("passed");
     assert_close!(state.load.to_vector()[0], 0.0);
-    // From x = 0.5 down: 7 - 24·0.25 = 1 N at x = 0.25; then 16 N/m: 1 N more is 1/16.
+    // While x falls from 0.5 to 0.25, all three feet stick, and the load falls from 7 to 7 - 24·0.25 = 1 N. The last newton takes 1/16 m at 16 N/m.
     assert_close!(state.twist.translation()[0], 0.25 - 1.0 / 16.0);
     assert!(state.residuals.worst() < 1e-13, "{:?}", state.residuals);
     assert!(path.state_at(5, 0.0).is_none());
 }
 
-/// Unloading completely leaves residual forces: limits 1 and 1000, pulled to 5 N (x = 0.5, forces 1 and 4) and back to 0: the
-/// first foot sticks, x falls by 5/16 to 3/16, forces 1 - 2.5 → it slides back at -1: x = 0.25 with load 1; then 8 N/m: x = 1/8.
+/// Complete unloading leaves residual forces. The friction limits are 1 and 1000 N. At 5 N, x = 0.5 and the forces are 1 and 4. During unloading foot
+/// 1 first sticks, until x has fallen by 2/8 to 0.25 and its force is -1, at the load 1. Then it slides back, and x falls to 1/8 at 8 N/m.
 #[test]
 fn residual_forces_after_unloading() {
     let grasp = row_of_feet(&[1.0, 1000.0], 8.0);
@@ -137,7 +137,7 @@ fn residual_forces_after_unloading() {
     assert_close!(state.contacts[0].force_world[0], 1.0);
     assert_close!(state.contacts[1].force_world[0], -1.0);
     assert!(matches!(state.contacts[0].state, ContactState::Sliding { .. }));
-    // Reloading: it sticks, slides on at x = 0.375 with load 1·… = 8·0.375 + 1.
+    // During reloading foot 1 first sticks, and slides again from x = 0.375 on, at the load 8·0.375 + 1.
     let mut path = path;
     path.continue_with(&[Leg::load_by(pull(5.0))]).unwrap();
     let events = path.run();
@@ -147,7 +147,8 @@ fn residual_forces_after_unloading() {
     assert_close!(events[1].fraction, 4.0 / 5.0);
 }
 
-/// Separation and exact recovery: the bar on three frictionless supports, loaded past e = 2/3 and back.
+/// A bar on three frictionless supports at -1, 0 and 1. Its load moves outwards past e = 2/3, where the far support opens, and back. The support
+/// closes again, and the forces at the end are those at the start.
 #[test]
 fn a_support_lets_go_and_takes_hold_again() {
     let (k, w) = (80.0, 6.0);
@@ -187,7 +188,8 @@ fn regrasping_starts_without_tangential_force() {
     ];
     let (path, events) = run(&grasp, &legs);
     assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
-    // Four share the load (0.1 each); letting go, the second pair slides when 0.5 N = T, opens at N = 0, closes at N = 0.
+    // Four fingers share the load, with 0.1 N each. While the second pair lets go, it slides where μ N, with μ = 0.5, equals the tangential force. It
+    // opens where the normal force N is zero, and closes again later.
     let kinds: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
     assert_eq!(kinds.first(), Some(&(1, 2)), "{events:#?}");
     let end = path.state().unwrap();
@@ -204,12 +206,12 @@ fn regrasping_starts_without_tangential_force() {
     }
 }
 
-/// On a ring of n identical contacts under a torque all slide at one load, the limit.
+/// On a ring of n identical contacts under a torque all contacts slide at one torque, which is the limit torque.
 #[test]
 fn rings_have_one_event() {
     for n in [2, 3, 5, 8, 17, 64] {
         let finger = |i: usize| around::<2>(i, n, 1.0, [10.0, 4.0], 0.3).command([0.1, 0.0]);
-        // An elastic stop about the axis carries the torque beyond friction.
+        // An elastic stop about the axis carries the part of the torque that exceeds the friction.
         let stop = Contact::new([1.0, 0.0], [0.0, -1.0]).series_stiffness(0.5, 1.0).kept_closed();
         let counter = Contact::new([-1.0, 0.0], [0.0, 1.0]).series_stiffness(0.5, 1.0).kept_closed();
         let ring = Grasp::new((0..n).map(finger).chain([stop, counter])).unwrap();
@@ -219,12 +221,12 @@ fn rings_have_one_event() {
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
         let sizes: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
         assert_eq!(sizes, [(0, n), (1, n), (1, n), (2, n), (2, n)], "{n}");
-        // All slide when the rotation times kt is μ N. With the stop the torque is n · 0.3 · (1 + 1.0/(4 n)).
+        // All contacts slide where the rotation times kt is μ N. With the stop the torque is then n · 0.3 · (1 + 1.0/(4 n)).
         assert_close!(events[0].fraction * size, size * 0.3 + 0.3 / 4.0);
     }
 }
 
-/// The paper's second grasp: onset and limit load coincide.
+/// In the paper's second grasp the first slip and the limit load coincide.
 #[test]
 fn the_paper_ends_at_its_onset() {
     let grasp = support::paper::two_fingers().unwrap();

@@ -7,7 +7,7 @@ use grasp_lcp::{Error, PolygonCone, spatial};
 use nalgebra::{DMatrix, DVector, SVector};
 use support::printed_program::{Equality, Inequality, PrintedContact, PrintedProgram};
 
-/// k_nb, k_tb, k_nf, k_tf, all different, so that every entry shows its stiffness.
+/// Stiffnesses k_nb, k_tb (body, normal and tangential) and k_nf, k_tf (finger). All differ, so that every matrix entry shows which one it contains.
 const SPRINGS: [f64; 4] = [10.0, 8.0, 6.0, 4.0];
 const MU: f64 = 0.25;
 const COMMANDS: [[f64; 2]; 2] = [[0.1, -0.0125], [0.2, 0.025]];
@@ -24,7 +24,7 @@ fn grasp(springs: [f64; 4]) -> Grasp {
     .unwrap()
 }
 
-/// The printed program of this grasp.
+/// The matrices of the paper's quadratic program for this grasp.
 fn program(load: &Wrench) -> PrintedProgram<2> {
     let [nb, tb, nf, tf] = SPRINGS;
     let contact = PrintedContact::of(SVector::from([nb, tb]), SVector::from([nf, tf]));
@@ -82,7 +82,7 @@ fn two_fingers_as_printed() {
     assert_eq!(program.b, b);
     assert_eq!(program.d, DVector::from_vec(vec![0.0, 0.0, -q17, 0.0, 0.0, 0.0, 0.0, -q27, 0.0, 0.0]));
 
-    // C as printed. A is not printed; its order follows from C.
+    // C as printed. A is not printed; the order of its rows follows from C.
     let c = vec![alpha * q17, beta * q18, 0.0, alpha * q27, beta * q28, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert_eq!(program.c, DVector::from_vec(c));
     let a1 = rows(&[
@@ -100,7 +100,7 @@ fn two_fingers_as_printed() {
         for (axis, e) in [n, t].into_iter().enumerate() {
             let row = 6 + 2 * i + axis;
             a[(row, 6 * i + axis)] = 1.0;
-            // u_c = (dx - δz r_y, dy + δz r_x)
+            // The displacement u_c of the object at the contact: (dx - δz r_y, dy + δz r_x).
             a[(row, 12)] = -e[0];
             a[(row, 13)] = -e[1];
             a[(row, 14)] = e[0] * r[1] - e[1] * r[0];
@@ -118,8 +118,8 @@ fn two_fingers_as_printed() {
     assert_eq!(qp.inequalities[9], Inequality::Friction { contact: 1, facet: 1 });
 }
 
-/// The cost of unit stretches is the energy of the springs. This decides how the misprint must be corrected, k_tf or k_nf, but only for
-/// grasps with different stiffnesses; in the two-finger example all are 10.
+/// The cost of unit stretches is the energy of the springs. This decides that the misprinted entry must be k_tf and not k_nf. The example of the
+/// paper does not decide it, because all its stiffnesses are 10.
 #[test]
 fn the_cost_is_the_energy_of_the_springs() {
     let load = Wrench::new([0.3, -0.7], 0.2);
@@ -183,7 +183,7 @@ fn shapes_in_space_and_of_other_contacts() {
     // The clearance is the allowed approach of the surfaces.
     let gap = qp.inequalities.iter().position(|e| *e == Inequality::NoPenetration { contact: 0 }).unwrap();
     assert_eq!(program.d[gap], -0.01);
-    // A facet has μ F_n - h·F_t divided by k_nb, for the force of the body's springs.
+    // In the row of a facet, μ F_n - h·F_t is divided by k_nb, with the force of the body's springs.
     let facet =
         qp.inequalities.iter().position(|e| *e == Inequality::Friction { contact: 0, facet: 3 }).unwrap();
     let mut x = DVector::zeros(51);

@@ -1,5 +1,5 @@
-//! The paper's method reproduces the paper's tables, including the rows beyond the onset. The comparison reports that those rows are out of
-//! equilibrium.
+//! The paper's quadratic program reproduces the paper's tables, including the rows with loads above W*, at which the grasp begins to slide. The
+//! comparison reports that the forces of those rows do not balance the load.
 
 use grasp_lcp::Settings;
 use grasp_lcp::energy::{Agreement, ComparisonVerdict};
@@ -16,7 +16,7 @@ use support::reduced_program::ReducedProgram;
 /// One unit of the last printed digit, because some numbers are truncated.
 const LAST_DIGIT: f64 = 1.0001e-4;
 
-/// Contact forces from all three forms of the program.
+/// Contact forces from all three forms of the paper's quadratic program.
 fn by_every_form(grasp: &Grasp, load: &Wrench) -> [Vec<SVector<f64, 2>>; 3] {
     let settings = Settings::default();
     let accurate = grasp.with(&settings).energy().minimum(load).unwrap();
@@ -51,7 +51,8 @@ fn every_row_of_the_second_table() {
     }
 }
 
-/// Beyond W* the program returns the forces of W*, 65/132 and 65/528, and misses equilibrium by W - W* along the load.
+/// For loads W above the load W* of first slip, the program returns the forces at W*, 65/132 and 65/528. They miss equilibrium by W - W* along the
+/// load.
 #[test]
 fn beyond_the_onset_the_rows_are_out_of_equilibrium() {
     let grasp = two_fingers().unwrap();

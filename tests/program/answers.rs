@@ -89,7 +89,7 @@ fn pictures_are_written_where_they_are_wanted() {
     let named = run(&["map", &scene("paper_two_fingers.json"), "-o", &output, "--name", "all"]);
     let words = text(&named.stdout);
     assert!(words.contains("direction 299.736°: ") && words.contains(" at 0.10607 N"), "{words}");
-    // The distance of the line of loads at which finger 1 slides.
+    // The force of first slip in the weakest direction is the distance of the origin from the line of loads at which finger 1 slides.
     let map = json(&["map", &scene("paper_two_fingers.json"), "--json"]);
     let weakest = map["weakest"]["onset"].as_f64().expect("a force");
     assert!((weakest - 0.106_070_494_671_251).abs() < 1e-15, "{weakest}");
@@ -198,7 +198,7 @@ fn files_that_are_named() {
     }
 }
 
-/// 3000 equal slips of 8.2 N, on two contacts that press with 8 N each, are predicted only once.
+/// A table of 3000 equal slips of 8.2 N, for two contacts that press with 8 N each. The load of these slips is predicted only once.
 #[test]
 fn thousands_of_equal_slips() {
     let table = folder("equal").join("slips.csv").display().to_string();
@@ -217,11 +217,12 @@ fn tables_of_spreadsheets() {
         std::fs::write(&table, rows).expect("a folder");
         text(&run(&["identify", &scene("box.json"), &table]).stdout)
     });
-    // Two contacts of 8 N slip at 2 μ 8 N; the mean is that of the logarithms.
+    // Two contacts with 8 N slip at 2 μ 8 N. The identified friction is the geometric mean over all slips.
     assert!(told[0].starts_with("friction 0.512") && told.iter().all(|each| *each == told[0]), "{told:?}");
 }
 
-/// A force that acts before the push has columns or options. Both act at the origin, wherever the push acts.
+/// A force that acts before the push may be given in columns of the table or as an option. In both cases it acts at the origin, wherever the push
+/// acts.
 #[test]
 fn a_base_in_the_table_is_that_of_the_options() {
     let table = folder("based").join("slips.csv").display().to_string();

@@ -81,7 +81,7 @@ fn every_kind_of_question_is_drawn() {
             shapes(&svg).expect("is read").into_iter().filter(|s| s.ink == "#000000" && s.width == Some(3.0));
         assert_eq!(load.count(), 1, "question {}", k + 1);
     }
-    // Holds, onsets, turns and programs have charts of their paths.
+    // Questions about holding, first slip, turning loads and load programs have charts of their paths.
     let charts = words(&std::fs::read_to_string(folder.join("kinds_friction.svg")).expect("is there"));
     for chart in [1, 2, 9, 11, 12].map(|number| format!("kinds, question {number}")) {
         assert!(charts.contains(&chart), "{chart}: {charts}");

@@ -1,7 +1,8 @@
 //! Every command labels an answer in which the object turns far beyond small motions.
 //!
-//! Two jaws with k_t = 20 N/m at ±30 mm turn by θ = M / (2 k_t a²) under a moment M: 0.1 rad at 3.6 mN m, and 0.825 rad at 29.7 mN m, where friction
-//! of 0.9 · 0.55 N is exhausted. If they press with 10 N each, this takes 0.6 N m of a turn by one radian, where 2 k_t a² resists with 0.036 N m.
+//! Two jaws with the tangential stiffness k_t = 20 N/m at a = ±30 mm turn by θ = M / (2 k_t a²) under a moment M. They turn by 0.1 rad at 3.6 mN m,
+//! and by 0.825 rad at 29.7 mN m, where friction of 0.9 · 0.55 N is exhausted. If they press with 10 N each, these forces drive a turn with 0.6 N m
+//! per radian. The springs resist it with only 2 k_t a² = 0.036 N m per radian.
 
 use serde_json::{Value, json};
 
@@ -30,7 +31,7 @@ fn every_command_says_so() {
         let says = ["by more than 5.7°", "results for small motions no longer apply"];
         assert!(says.iter().all(|says| words.contains(says)), "{arguments:?}: {words}");
     }
-    // 0.825 rad, and the fraction at which the force at 0.3 m has 3.6 mN m.
+    // The jaws turn by 0.825 rad before they slide. The force of 1 N at 0.3 m has the moment of 3.6 mN m at the fraction 0.012.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 47.269° anticlockwise about (0, 0) m"));
     assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.012: CAUTION"));
     for near in [&["solve", "--moment", "0.0035"][..], &["follow", "--to", "0,0.01", "--at", "0.3,0"]] {
@@ -55,7 +56,7 @@ fn answers_in_brief_say_so() {
         let reply: Value = serde_json::from_str(text(&output.stdout).trim()).expect("JSON");
         let told = reply["brief"].as_array().expect("answers");
         let far: Vec<_> = told.iter().map(|brief| brief.get("beyond_small_motions").is_some()).collect();
-        // With 10 N the jaws buckle it at rest.
+        // With 10 N the forces of the jaws buckle the object at rest, before any load.
         assert_eq!(far, is_far, "{reply}");
     }
 }

@@ -65,7 +65,7 @@ fn fields(page: &mut String, of: &Value) {
     }
 }
 
-/// Lines of the words of an enumeration, or the kind of another value without fields.
+/// Lines for the allowed words of an enumeration. For other values without fields, one line with their kind.
 fn values(page: &mut String, of: &Value) {
     let each = of["oneOf"].as_array().map_or(&[][..], Vec::as_slice);
     if each.is_empty() {
@@ -129,7 +129,7 @@ fn the_page_of_fields_is_that_of_the_schema() {
     }
     let kept = std::fs::read_to_string(place).expect("is there");
     assert!(made == kept);
-    // The example at the top holds 8 N, and 0.5 kg weigh 4.905 N.
+    // The example at the top of the page holds 8 N. The weight of 0.5 kg is 4.905 N.
     let example = HEAD.split("```json").nth(1).and_then(|rest| rest.split("```").next()).expect("a scene");
     let answers: Value =
         serde_json::from_slice(&run_on(example.as_bytes(), &["ask", "-", "--json"]).stdout).expect("JSON");

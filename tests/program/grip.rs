@@ -21,7 +21,7 @@ fn block(name: &str) -> PathBuf {
     path
 }
 
-/// 8 N hold 8 N by friction of 0.5 at both jaws; the mass is the mass of the volume in steel.
+/// Two jaws that press with 8 N hold 8 N with a friction of 0.5. If the mass is not given, it is that of the part's volume in steel.
 #[test]
 fn one_command_leads_from_a_mesh_to_a_verdict() {
     let mesh = block("grip_asked").display().to_string();
@@ -44,7 +44,7 @@ fn two_commands_lead_from_a_mesh_to_a_verdict() {
     let asked = run_on(&scene.stdout, &["ask", "-"]);
     assert!(asked.stderr.is_empty(), "{}", text(&asked.stderr));
     assert!(text(&asked.stdout).starts_with("HOLDS, everything sticks"), "{}", text(&asked.stdout));
-    // A mass hangs at the centre of the part: 2 μ N is 40 N.
+    // The weight of the given mass acts at the centre of the part. The jaws hold 2 μ N = 40 N.
     let answer = text(&run_on(&scene.stdout, &["hold", "-", "--mass", "4"]).stdout);
     assert!(answer.starts_with("HOLDS"), "{answer}");
     let answer = text(&run_on(&scene.stdout, &["hold", "-", "--mass", "4.2"]).stdout);

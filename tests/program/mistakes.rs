@@ -102,7 +102,7 @@ fn scenes_that_are_seldom_meant() {
         assert!(code == 0 && message.starts_with("warning: standard input: "), "{code} {message}");
         assert!(message.contains(expected), "{message}");
     }
-    // The example scenes have no warnings: a ladder or a glass on a tray needs no pressing finger.
+    // The example scenes give no warnings. For example, a ladder or a glass on a tray needs no pressing finger.
     let files = ["", "everyday", "repeat"].map(|folder| std::fs::read_dir(scene(folder)).expect("is there"));
     for file in files.into_iter().flatten() {
         let file = file.expect("is there").path();

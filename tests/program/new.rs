@@ -10,29 +10,30 @@ const NAMES: [&str; 6] = ["gripper", "three-fingers", "suction", "fixture", "han
 
 /// First lines of `hold` and `need` for the workshop scenes, with values computed by hand.
 const IN_A_SHOP: [(&str, &[&str], &[&str]); 8] = [
-    // Load stepping of Coulomb springs, and limit analysis: 1.461 times, 5457 N.
+    // Independent computations, with load steps of Coulomb springs and with limit analysis, give 1.461 times the load and 5457 N.
     ("vise", &["lost at 2359.98 N (1.46079 times"], &["NEEDS 5457.4 N at", "at moving jaw so"]),
-    // 3 μ N R = 3 * 0.2 * 2 kN * 25 mm.
+    // The largest torque of three jaws is 3 μ N R = 3 * 0.2 * 2 kN * 25 mm.
     (
         "chuck",
         &["30 N m (1.5 times this load)", "the first slip"],
         &["1333.33 N at jaw 1, jaw 2", "and jaw 3"],
     ),
-    // μ times the force of both bolts.
+    // The bolts hold a shear force of μ times the force of both bolts.
     (
         "bolts",
         &["4000 N (1.33333 times this load)", "first slip (seat 1", "and seat 2), held"],
         &["NEEDS 7500 N at", "at bolt 1 and bolt 2"],
     ),
-    // μ (m g + 2 T sin 60°) = 4069.6 N; T = (0.8/0.3 - 1) m g / 2 sin 60°.
+    // The straps hold μ (m g + 2 T sin 60°) = 4069.6 N. The needed tension is T = (0.8/0.3 - 1) m g / 2 sin 60°.
     ("tie-down", &["lost at 4069.58 N"], &["4719.84 N at strap left"]),
-    // The ropes pull with 100 N sideways, 150 mm above the pin, and 100 N down, 200 mm beside it. Jaws are 300 mm below it: 166.7 N and friction 0.6.
+    // The ropes pull each arm with 100 N sideways, 150 mm above the pin, and with 100 N down, 200 mm beside the pin. The jaws are 300 mm below the
+    // pin. So they press with 166.7 N, and need friction 0.6.
     ("tongs", &["HOLDS, everything sticks"], &["NEEDS a coefficient", "friction of 0.6 "]),
-    // μ R N (1 + √2): a flank presses with N/√2.
+    // The largest torque is μ R N (1 + √2), because each flank of the V presses with N/√2.
     ("v-jaws", &["lost at 7.72548 N m"], &["517.767 N at flat jaw"]),
     // Four cups carry 4 * 60 kPa * π (40 mm)² = 1206.4 N.
     ("cups", &["HOLDS, everything sticks: 1206.37 N"], &["NEEDS 22.1685 kPa", "(111.431 N) at cup 1"]),
-    // 19.62 N at 50 mm behind the front support against 49.05 N at 20 mm before it.
+    // Moments about the front support balance: 19.62 N act 50 mm behind it, and 49.05 N 20 mm in front of it.
     ("shelf", &["HOLDS, everything sticks"], &["TAKES an arm", "of 0.17 m"]),
 ];
 

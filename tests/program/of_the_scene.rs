@@ -40,7 +40,7 @@ fn the_scenes_own_question_is_asked_whole() {
 
 #[test]
 fn loads_of_other_questions_are_taken() {
-    // 6 N take 6 N / (2 · 0.5) on each side.
+    // A load of 6 N needs 6 N / (2 · 0.5) on each side.
     let (answer, warned) = told(NEED, &["need", "-", "squeeze"]);
     assert!(answer.starts_with("NEEDS 6 N at ") && warned.contains("question 1 "), "{answer} {warned}");
     let (answer, _) = told(HOLD, &["need", "-", "squeeze"]);

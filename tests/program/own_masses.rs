@@ -18,7 +18,7 @@ fn refused(arguments: &[&str]) -> String {
     text(&output.stderr)
 }
 
-/// The tangent of the tilt angle, and the acceleration divided by g, equal the coefficient of friction.
+/// A box on a tray slides if the tangent of the tilt angle, or the acceleration divided by g, exceeds the coefficient of friction.
 #[test]
 fn of_their_own_weight() {
     let tilted = told(&["need", "-", "angle", "--may-slide"]);
@@ -53,7 +53,8 @@ fn a_weight_twice_is_refused() {
     assert!(text(&output.stderr).contains("--acceleration without --mass"), "{}", text(&output.stderr));
 }
 
-/// Two boxes of 1 kg on each other, 0.2 m wide, with their centre of mass 0.2 m up: 20 N of them tip at 0.1/0.2 of their weight.
+/// Two boxes of 1 kg on each other, 0.2 m wide. A horizontal force that both share by mass acts at their centre of mass, 0.2 m up. It tips them at
+/// 0.1/0.2 of their weight of 20 N.
 #[test]
 fn a_force_that_is_shared_acts_at_the_centre_of_mass() {
     let boxes = r#"{"format": "grasp-lcp/1", "planar": {"gravity": [0, -10], "shared_by_mass": true,

@@ -1,4 +1,4 @@
-//! A soft fingertip is reported as one contact: one row, and events for its first and last points that slide.
+//! A soft fingertip is reported as one contact: one row in tables, and one event each for its first and its last point that slides.
 //!
 //! A disc of R = 10 mm presses with N = 10 N on an object that a bonded foot holds. Tip and foot resist rotation about their line with 0.5 N m/rad
 //! each. Under a moment M the tip carries M/2 until, at even pressure, its rim slides at μ N R/2 = 0.025 N m. Its inner points, at R/2, slide at
@@ -28,7 +28,7 @@ fn lines_of(words: &str, name: &str) -> Vec<String> {
 fn a_row_a_pad() {
     let words = told("onset", &[]);
     assert!(words.contains("factor 0.05, that is (0, 0, 0.05) N m"), "{words}");
-    // Normal force, friction, torsion, tilting moment, 5 - 10/3 N of friction in reserve.
+    // The row of the tip: normal force, friction force, torsion, tilting moment, and a friction reserve of 5 - 10/3 N.
     assert_eq!(lines_of(&words, "tip")[1..], ["tip 10 0 0.025 0 1.66667 sticks"]);
     assert!(lines_of(&words, "tip")[0].starts_with("tip begins"), "{words}");
     let [foot] = &lines_of(&words, "foot")[..] else { panic!("{words}") };
@@ -68,7 +68,7 @@ fn a_pad_begins_to_slide_and_slides_everywhere() {
         let behind = event.trim_start().strip_prefix(place);
         assert!(behind.is_some_and(|behind| behind.starts_with(told)), "{event}");
     }
-    // After unloading the tip keeps 1/30 N m minus half of the removed moment.
+    // While it slides, the tip carries 2/3 μ N R = 1/30 N m. Unloading removes 0.09 N m, half of it at the tip.
     assert_eq!(lines_of(&words, "tip"), ["tip 10 0 -0.0116667 0 3.33333 sticks"]);
     let points = told("follow", &["--points"]);
     assert_eq!(points.lines().filter(|line| line.contains(": tip, point ")).count(), 16, "{points}");
@@ -85,7 +85,8 @@ fn json_has_points_and_pads() {
     assert!((moment + 0.025).abs() < 1e-15, "{moment}");
 }
 
-/// For 20 N on two pads that hold 15 N the search for an equilibrium ends undecided. The load path and a proof show that the load is not held.
+/// Of a load of 20 N two pads hold only 15 N. The search for an equilibrium ends undecided, but the load path and a proof show that the load is not
+/// held.
 #[test]
 fn an_undecided_search_says_what_is_known() {
     for (scene, held) in

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::{run_on, scene, text};
 
-/// A pinch that slides at 2 μ times its squeeze. Every second line has no id.
+/// A line with a pinch that slides at 2 μ times its squeeze. Every second line has no id.
 fn line(number: usize) -> String {
     let jaw = |x: f64| {
         json!({ "name": if x < 0.0 { "left" } else { "right" }, "point": [x, 0], "normal": [-x, 0],

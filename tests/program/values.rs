@@ -16,7 +16,7 @@ fn every_value_has_a_source_and_a_sane_range() {
         let largest = match (quantity, unit) {
             ("friction", "") => 2.0,
             ("stiffness", "N/m") => 1e9,
-            // A fraction of another number.
+            // Values without a unit are ratios to another quantity, at most one.
             ("stiffness" | "kinetic", "") => 1.0,
             other => panic!("{other:?}"),
         };

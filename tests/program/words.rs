@@ -41,7 +41,7 @@ fn commands(is_planar: bool) -> Vec<Vec<&'static str>> {
     all
 }
 
-/// A part of a text that is not meant for people.
+/// The first part of a text that shows program internals, such as debug output or the name of a type.
 fn inside(told: &str) -> Option<String> {
     let debug = ["Some(", "None", " { ", "::", "NaN", "\u{1b}"].into_iter().find(|word| told.contains(word));
     let is_of_a_name = |c: char| c.is_alphanumeric() || c == '_';
@@ -90,7 +90,7 @@ fn every_command_speaks_to_people() {
     for scene in scenes() {
         let content = std::fs::read_to_string(&scene).expect("is there");
         let path = scene.display().to_string();
-        // Amounts need many trials, so most are skipped for soft contacts, whose words are the same.
+        // Commands of `need` try many amounts, so most of them are skipped for soft contacts, for which the words are the same.
         let is_soft = content.contains("\"soft\"");
         let commands = commands(content.contains("\"planar\"")).into_iter();
         for command in

@@ -95,8 +95,8 @@ fn jaws() -> Robot {
     Robot::from_urdf(&text).expect("a robot")
 }
 
-/// A pull along the motion of coupled jaws does not open or close them. The carriage (stiffness K) and both pads (k each) are in series,
-/// `1/K + 1/2k`. Independent jaws would also give way by the springs of their drives.
+/// A pull along the motion of coupled jaws does not open or close them. The carriage (stiffness K) and both pads (k each) are in series, with the
+/// compliance `1/K + 1/2k`. Independent jaws would also give way by the springs of their drives.
 #[test]
 fn jaws_that_close_together_hold_their_middle() {
     let (carriage, pad) = (2e3, 5e3);
@@ -119,7 +119,7 @@ fn jaws_that_close_together_hold_their_middle() {
     );
 }
 
-/// A contact on the root link has no joints, and comes first.
+/// A contact on the root link, which no joint moves, comes first in the list of contacts.
 #[test]
 fn a_contact_on_the_root_comes_first() {
     let robot = jaws().stiffness(100.0);

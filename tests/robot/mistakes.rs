@@ -55,7 +55,7 @@ fn numbers_belong_to_joints_that_move_by_themselves() {
     is(&told(&robot().pose("thumb").expect_err("no link")), "link thumb: ", "arm, palm");
 }
 
-/// Checks that the fault names this link or joint, and states this.
+/// Checks that the error names this link or joint, and contains this text.
 fn is(fault: &str, of: &str, said: &str) {
     assert!(fault.starts_with(of) && fault.contains(said), "{fault}");
 }

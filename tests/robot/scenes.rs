@@ -120,7 +120,7 @@ fn mistakes_in_a_robot_are_named() {
     for (said, change) in [
         ("contacts: none given", &(|robot: &mut Value| robot["contacts"] = json!({})) as &dyn Fn(&mut Value)),
         ("joint thumb: is", &|robot| robot["joints"] = json!({ "thumb": 4 })),
-        // Its limits are -1 and 1 rad.
+        // The joint "knuckle" has the limits -1 and 1 rad.
         ("knuckle: position is 58, must be from -57.2", &|robot| robot["joints"] = json!({ "knuckle": 58 })),
         ("bend: is commanded without", &|robot| robot["stiffness"] = json!({ "wrist": 30, "knuckle": 4 })),
         ("joint thumb: is", &|robot| robot["stiffness"] = json!({ "thumb": 4 })),

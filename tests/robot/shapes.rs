@@ -80,7 +80,7 @@ fn grasp(urdf: &str, touches: &[(&str, Value)]) -> Grasp {
     setup.grasp().expect("a grasp")
 }
 
-/// Checks that onsets of two grasps agree to a relative error.
+/// Checks that the load factors of first slip of two grasps agree to a relative error.
 fn assert_alike(one: &Grasp, other: &Grasp, error: f64) {
     for load in [[0.0, 0.0, -1.0], [0.0, 1.0, 0.3]] {
         let load = Wrench::force_at(load, [0.0, 0.0, 0.004]);

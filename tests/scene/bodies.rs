@@ -90,7 +90,8 @@ fn loads_of_bodies_grow_together() {
     }
 }
 
-/// Equilibria and amounts also use loads that grow together: with 3 N and 6 N the upper box is just held, so half of the given load is the bound.
+/// Equilibria and needed amounts also use loads of bodies that grow together. The upper box is just held at 3 N, so half of the given load of 6 N is
+/// the bound.
 #[test]
 fn loads_grow_together_in_other_questions() {
     let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
@@ -114,7 +115,7 @@ fn loads_grow_together_in_other_questions() {
     };
     assert_eq!(under(2.999)["solve"]["outcome"], "equilibrium");
     assert_eq!(under(3.001)["solve"]["outcome"], "no_equilibrium");
-    // The table carries the difference of both loads.
+    // The contacts on the table carry the difference of both loads.
     let carried: f64 = under(2.0)["solve"]["contacts"].as_array().expect("contacts")[..2]
         .iter()
         .map(|contact| contact["force_world"][0].as_f64().expect("a number"))

@@ -22,7 +22,7 @@ fn a_mass_pulls_with_its_weight_and_against_the_arm() {
     assert_eq!(jerked, planar::Wrench::new([-5.0, 0.0], 0.5));
 }
 
-/// 90°/s are π/2 rad/s, so the load for each kilogram is (π/2)² · 0.5 m outwards, and α r tangentially.
+/// 90°/s are π/2 rad/s. With the distance r = 0.5 m from the axis, the load for each kilogram is (π/2)² · 0.5 newtons outwards, and α r tangentially.
 #[test]
 fn an_arm_that_turns_throws_it_outwards() {
     let quarter = std::f64::consts::FRAC_PI_2;

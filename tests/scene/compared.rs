@@ -6,7 +6,7 @@ use serde_json::json;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// A block of 20 N on two points, pushed along the floor. The left point, twice as stiff, slides from 7.5 N on.
+/// A block of 20 N on two points is pushed along the floor. The left point, twice as stiff as the right one, slides from 7.5 N on.
 fn pushed(newtons: f64) -> Result<CompareAnswer<2>, Box<dyn std::error::Error>> {
     let foot = |name: &str, x: f64, shear: f64| {
         json!({

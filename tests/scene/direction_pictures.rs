@@ -29,7 +29,7 @@ fn directions_are_all_over_the_sphere() {
 #[test]
 fn a_cap_takes_the_area_of_its_solid_angle() -> Result<(), Failure> {
     let grid = SphereGrid::new(40, 96);
-    // The axis lies in the plane of the rims, so each disc has half of each cap.
+    // The map shows the sphere as two discs. The axis of the caps lies in the plane of the rims, so each disc has half of each cap.
     let values: Vec<f64> = grid.directions().iter().map(|d| 0.6 * d[0] + 0.8 * d[1]).collect();
     let areas = areas(&SphereMap::new("caps", "x", grid, values)?.to_svg()?)?;
     let disc = areas.iter().copied().fold(0.0, f64::max);

@@ -24,7 +24,7 @@ fn scenes() -> Vec<Value> {
     texts.iter().map(|text| serde_json::from_str(text).unwrap()).collect()
 }
 
-/// Collects pointers for [`Value::pointer`], and field paths, of all values below this one.
+/// Collects, for all values within this value, a pointer for [`Value::pointer`] and the path of the field in messages.
 fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, String)>) {
     match value {
         Value::Object(fields) => {
@@ -35,7 +35,7 @@ fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, Str
                 found.push((pointer, path));
             }
         }
-        // Only the first and the last entry are tested.
+        // Of a list, only the first and the last entry are tested.
         Value::Array(list) => {
             for i in [0, list.len().wrapping_sub(1)] {
                 let Some(value) = list.get(i) else { continue };
@@ -59,7 +59,7 @@ fn a_wrong_value_is_reported_under_its_own_field() {
             for wrong in &wrong {
                 let mut faulty = scene.clone();
                 *faulty.pointer_mut(&pointer).unwrap() = wrong.clone();
-                // White space must not matter.
+                // The same faulty scene on one line and on many lines. White space must not matter.
                 for text in [faulty.to_string(), serde_json::to_string_pretty(&faulty).unwrap()] {
                     let Err(fault) = Scene::from_json(text.as_bytes()) else { continue };
                     let field = fault.field.clone().unwrap_or_default();

@@ -18,7 +18,8 @@ fn foot(name: &str, x: f64, along: f64) -> Value {
     json!({ "name": name, "point": [x, 0], "normal": [0, 1], "stiffness": 1e4, "friction": 0.5, "command": [0.001, along] })
 }
 
-/// A foot that is dragged by 5 mm against a spring of 1e4 N/m slides: it presses with far less than 100 N. Without this drag nothing slides at 2 N.
+/// A foot is dragged by 5 mm against a spring of 1e4 N/m, which takes 50 N. The foot slides, because it presses with far less than 100 N, and μ =
+/// 0.5. Without this drag nothing slides at 2 N.
 #[test]
 fn a_foot_slides_from_the_start() {
     let on_feet = |dragged: f64, legs: Value| {
@@ -33,7 +34,8 @@ fn a_foot_slides_from_the_start() {
     assert_eq!(first_line(&on_feet(0.0, json!([]))), "NOTHING FOLLOWED: no legs are given");
 }
 
-/// A spring of 1000 N/m and a motor of 10 N m/rad with an arm of 0.1 m share a pull. The motor stalls at 5 N, after 5.005 mm with its tip of 1e6 N/m.
+/// A spring of 1000 N/m shares a pull with a motor of 10 N m/rad on an arm of 0.1 m. The motor stalls at 5 N. With its tip of 1e6 N/m, the object has
+/// then moved by 5.005 mm.
 #[test]
 fn a_motor_that_stalls_is_named() {
     let tip =
@@ -49,14 +51,14 @@ fn a_motor_that_stalls_is_named() {
     assert!(said.starts_with(yields), "{said}");
 }
 
-/// A roller without friction has no margin to lose.
+/// A roller without friction is not named as the contact with the least margin of friction.
 #[test]
 fn a_roller_does_not_count_as_a_margin() {
     let mut roller = foot("roller", 0.1, 0.0);
     roller["friction"] = json!(0);
     let on_feet = json!({ "contacts": [foot("a", -0.1, 0.0), roller], "questions": [{ "solve": { "load": { "force": [1, -20] } } }] });
     let brief = &scene(&on_feet).planar().expect("planar").brief_answers().expect("well posed")[0];
-    // The foot carries half of the weight: 0.5 · 10 N less the push of 1 N.
+    // The foot carries half of the weight. Its margin is 0.5 · 10 N less the push of 1 N.
     assert!(
         (brief.margin.expect("a foot") - 4.0).abs() < 1e-9 && brief.first.as_deref() == Some("a"),
         "{brief:?}"

@@ -1,4 +1,5 @@
-//! With `in_steps` a scene asks for a path in steps. The answer has steps in place of events, and ends at the closed forms.
+//! With the field `in_steps` a scene asks for a load path in steps of bounded error. The answer has steps in place of events, and ends at the closed
+//! forms.
 
 use grasp_lcp::scene::{Answer, PathAnswer, PathOutcome, Scene};
 use serde_json::{Value, json};
@@ -12,7 +13,7 @@ const SHEAR: f64 = 2000.0;
 /// Error of the forces, relative to the largest force.
 const ERROR: f64 = 1e-4;
 
-/// A scene with an object on one soft fingertip, and legs to follow.
+/// A scene with an object on one soft fingertip, and a load path with these legs.
 fn scene(place: &str, normal: &[u8], soft: &Value, force: &[f64], legs: &Value, error: f64) -> String {
     let contact = json!({
         "name": "tip", "point": vec![0; normal.len()], "normal": normal,
@@ -23,15 +24,15 @@ fn scene(place: &str, normal: &[u8], soft: &Value, force: &[f64], legs: &Value, 
         .to_string()
 }
 
-/// The answer after writing and reading.
+/// The answer about the path, after it was written as JSON and read again.
 fn followed<const C: usize>(answers: &[Answer<C>]) -> Result<PathAnswer<C>, Box<dyn std::error::Error>> {
     let [Answer::Follow(path)] = answers else { return Err("one path".into()) };
     assert_eq!(*path, serde_json::from_value(serde_json::to_value(path)?)?);
     Ok(path.clone())
 }
 
-/// Each spring has the same share s of the normal force and of the stiffness, and slides from `r θ = μP/k` on. The moment is
-/// `M(θ) = Σ s r min(k r θ, μP)`, and follows Masing's rule when it is reversed.
+/// Each spring at the radius r has the same share s of the normal force P and of the stiffness k, and slides from `r θ = μP/k` on. The moment is
+/// `M(θ) = Σ s r min(k r θ, μP)`. It follows Masing's rule when it is reversed.
 #[test]
 fn a_twisted_fingertip_slides_ring_by_ring() -> Tested {
     let soft = json!({ "disc": { "radius": 0.006, "annuli": 10, "points": 6, "pressure": "hertz" } });

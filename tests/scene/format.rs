@@ -68,7 +68,7 @@ where
     Setup<C>: Into<Scene>,
 {
     let load = drawn.wrench();
-    // An onset needs a load other than zero.
+    // A question about first slip needs a load other than zero.
     let direction = if load == Wrench::ZERO { Wrench::from_components(&[1.0; D]) } else { load };
     let asked: Vec<Question<C>> = serde_json::from_value(json!([
         { "solve": { "load": load } },
@@ -134,7 +134,7 @@ fn spatial_answers_read_back_to_the_bit() {
     for_all(file!(), 8, &draw, |drawn| answers_read_back(&drawn));
 }
 
-/// A motion of a hand is written with its joints; a wrench has none.
+/// A motion of a hand is written with the motions of its joints. A load is refused if it has joints.
 #[test]
 fn motions_of_hands_read_back_with_their_joints() {
     let written = json!({ "translation": [1.0, 0.0], "rotation": 0.1, "joints": [1e-300, 1.0 / 3.0] });
@@ -237,7 +237,7 @@ fn what_is_not_finite_is_said_in_words() {
     assert_eq!(text, r#"{"translation":["not a number","infinite"],"rotation":"-infinite"}"#);
     let back: Twist<2> = serde_json::from_str(&text).unwrap();
     assert!(back.translation()[0].is_nan() && back.rotation() == f64::NEG_INFINITY);
-    // These words are refused for forces.
+    // In a force, a word in place of a number is refused.
     for word in ["infinite", "rigid", "not a number"] {
         assert!(serde_json::from_value::<Wrench<2>>(json!({ "force": [0, word] })).is_err());
     }
@@ -253,7 +253,7 @@ fn what_is_not_finite_is_said_in_words() {
     assert_eq!(answers[0]["solve"]["contacts"][0]["margin"], "infinite");
 }
 
-/// A soft fingertip in a scene equals the crate's soft fingertip, and its points have the command of their contact.
+/// A soft fingertip in a scene gives the contacts of the library's soft fingertip. Its points have the command of their contact.
 #[test]
 fn soft_fingertips_are_spread() {
     let finger = |x: f64| jaw::<3>(x, [2000.0, 1000.0], 0.5).command([0.005, 0.0, 0.0]);
@@ -313,8 +313,8 @@ fn rectangular_pads_are_spread() {
     assert!(contact(r#"{"sides": [0.02]}"#).unwrap_err().to_string().contains('2'));
 }
 
-/// The answer of a grasp is written like the answer of its scene, which adds `accuracy` and `distinct`. An answer that was read has only the written
-/// data.
+/// An answer of a grasp in Rust is written like the answer of its scene, which adds `accuracy` and `distinct`. After reading, an answer has only the
+/// written data.
 #[test]
 fn an_answer_that_was_read_has_nothing_more_to_say() {
     let jaw = |side: f64| jaw::<2>(side, [1e3, 8e2], 0.5);

@@ -48,7 +48,7 @@ fn of_very_many_contacts_those_that_use_least_are_named_below() -> Result<(), Fa
         let name = format!("support {k}.");
         assert_eq!(note.matches(&name).count(), 1, "{name}");
     }
-    // Drawn curves reach higher than the curves left out.
+    // Every drawn curve reaches at least as high as the curves that are left out.
     let (drawn, least) =
         (curves(&chart)?, note.split("no more than ").nth(1).and_then(|rest| rest.split(' ').next()));
     let least: f64 = least.ok_or("a number")?.parse()?;
@@ -73,7 +73,7 @@ fn contacts_without_a_curve_are_named_with_the_reason() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Two pads of five strips that press with 10 N each carry W: each uses W / 2 of its 5 N, and slides as one.
+/// Two pads of five strips press with 10 N each and carry the weight W together. Each uses W / 2 of its friction limit of 5 N, and slides as one.
 #[test]
 fn a_pad_has_one_curve_that_of_its_sums() -> Result<(), Failure> {
     let pad = SoftFingertip::pad(0.02, 5, Pressure::Uniform)?;
@@ -91,7 +91,7 @@ fn a_pad_has_one_curve_that_of_its_sums() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Under an additional moment a part of a pad slides first. Its curve ends at 1 when all points slide.
+/// Under an additional moment some points of a pad slide first. The pad's curve ends at 1, where all points slide.
 #[test]
 fn a_pad_that_slides_in_part_says_that_it_begins_to() -> Result<(), Failure> {
     let pad = SoftFingertip::pad(0.02, 5, Pressure::Parabolic)?;
@@ -115,7 +115,7 @@ fn curves_that_coincide_are_both_seen() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The load is 8 N down, then 6 N less. Each jaw carries half: 0.8 of its 5 N, then 0.2.
+/// The first leg is a load of 8 N down, and the second leg takes 6 N off. Each jaw carries half: 0.8 of its friction limit of 5 N, then 0.2.
 #[test]
 fn a_program_is_drawn_leg_by_leg() -> Result<(), Failure> {
     let jaws = Grasp::new([jaw("left", -0.03), jaw("right", 0.03)])?;

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 /// The largest number of sentences in these files.
 const MOST: usize = 60;
-/// The beginning of a line with an answer.
+/// The beginning of a line that contains an answer, and not a scene or a question.
 const ANSWER: &str = "    ";
 
 fn folder() -> PathBuf {
@@ -55,8 +55,8 @@ fn told(scene: &Value) -> Vec<String> {
     }
 }
 
-/// The file with current answers, and their number. A scene ends at the next empty line. Below it `? question` asks about this scene, and
-/// `! from => to` changes its text.
+/// The text of a file with current answers, and the number of answers. In a file, a scene ends at the next empty line. Below this line, `? question`
+/// asks about the scene, and `! from => to` changes the scene's text.
 fn renewed(text: &str) -> (String, usize) {
     let (mut new, mut scene) = (Vec::new(), String::new());
     for line in text.lines().filter(|line| !line.starts_with(ANSWER)) {

@@ -184,7 +184,7 @@ fn hands_of_every_size_are_answered() -> Tested {
     Ok(())
 }
 
-/// The points of a soft fingertip on a link move with its joints, and have the name of their contact.
+/// The points of a soft fingertip on a link move with the joints of this link, and have the name of their contact.
 #[test]
 fn a_finger_has_soft_tips() -> Tested {
     let jaw = |side: f64| {
@@ -202,7 +202,7 @@ fn a_finger_has_soft_tips() -> Tested {
     let places: Vec<_> =
         told.contacts.iter().map(|touch| (touch.contact.index, touch.contact.point)).collect();
     assert_eq!(places, [(0, Some(0)), (0, Some(1)), (1, Some(0)), (1, Some(1))]);
-    // The points of each side share 1e4 N/m; the joints carry their sum.
+    // The points of each soft jaw have 1e4 N/m together, in series with the joint. The joint carries the sum of their forces.
     let force = 0.01 / (1e-3 + 1e-4);
     assert!((told.joints[0].torque - force).abs() < 1e-12);
     Ok(())
@@ -266,7 +266,7 @@ fn what_is_wrong_with_a_hand_is_named() {
     }
 }
 
-/// The error of an invalid contact of a finger has its index in the scene, where each preceding soft fingertip counts once.
+/// The error of an invalid contact of a finger gives the index of this contact in the scene, where each preceding soft fingertip counts once.
 #[test]
 fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     let pad = |x: f64| jaw::<2>(x, [1e4, 8e3], 0.5);
@@ -277,7 +277,7 @@ fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     );
     let told = setup.answers().expect_err("negative friction").to_string();
     assert!(told.contains("contact 1") && told.contains("thumb"), "{told}");
-    // The grasp of this hand has more coordinates than the object.
+    // A finger without joints, with a valid contact, is accepted.
     let told = Setup::<2>::new([]).finger(scene::FingerSetup::new([]).contact(pad(1.0)));
     assert!(told.grasp().is_ok());
 }
@@ -301,7 +301,7 @@ fn a_finger_presses_with_the_force_of_its_contact() -> Tested {
     let Some(setup) = soft.planar() else { return Err("planar".into()) };
     let state = setup.grasp()?.solve(Wrench::ZERO)?;
     let state = state.equilibrium().ok_or("holds")?;
-    // All its points share one joint with the constant force.
+    // All points of this fingertip share one joint with the constant force.
     assert!(state.joints.len() == 4 && (state.joints[3].torque - 2.5).abs() < 1e-12);
     let told =
         read(&|s| s["fingers"][2]["contacts"][0]["pressed_with"] = json!(1)).expect_err("both").to_string();

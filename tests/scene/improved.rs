@@ -34,7 +34,7 @@ fn comes_back(answers: &Answers) -> Result<(Option<f64>, Option<f64>), Box<dyn s
 fn an_answer_comes_back() -> Tested {
     let (before, after) = comes_back(&answered(r#""friction": 0.5, "pressed_with": 8"#, "")?)?;
     let [before, after] = [before, after].map(|factor| factor.expect("sticks at rest"));
-    // If the jaws are level, both carry half of 2 μ N.
+    // If the jaws are level, the load of first slip is largest: 2 μ N = 8 N, of which each jaw carries half.
     assert!(before < after && (after - 8.0).abs() < 1e-9, "{before} {after}");
     Ok(())
 }
@@ -49,7 +49,7 @@ fn what_never_slides_is_told_as_infinite() -> Tested {
 #[test]
 fn a_reserve_is_asked_for_and_told_to_be_one() -> Tested {
     let answers = answered(r#""friction": 0.5, "pressed_with": 8"#, r#", "goal": "reserve""#)?;
-    // Each jaw carries half of 1 N, with a friction limit of 4 N.
+    // Each jaw carries 0.5 N, half of the load, and has a friction limit of 4 N. The reserve of friction is 3.5 N.
     let (before, after) = comes_back(&answers)?;
     assert!(before < after && (after.expect("sticks") - 3.5).abs() < 1e-9, "{before:?} {after:?}");
     let told = serde_json::to_value(&answers)?;

@@ -19,7 +19,7 @@ fn line(id: usize) -> String {
     };
     let load = json!({ "force": [0.01, -0.03 * (id % 500) as f64] });
     let mut questions = vec![json!({ "solve": { "load": load } })];
-    // Some lines take longer than others.
+    // Some lines have more questions than others, so that they take longer.
     for _ in 0..(id * 7 % 11) {
         questions.push(json!({ "onset": { "direction": load } }));
     }
@@ -183,14 +183,14 @@ fn no_more_is_read_than_can_be_kept() {
     for threads in [1, 2] {
         let [given, written, most] = [const { AtomicUsize::new(0) }; 3];
         let text = b"{\"format\": \"grasp-lcp/1\", \"id\": 1}\n".to_vec();
-        // The lines of the last block may be counted before they are processed.
+        // Lines of the last block that was read may be counted although the stream has not begun with them.
         let in_buffer = BLOCK_BYTES / text.len() + 1;
         let input = Endless { text, at: 0, left: LINES, given: &given, written: &written, most: &most };
         let tally = answer_lines(input, Slow(&written), &on(threads)).unwrap();
         assert_eq!(tally, Tally { lines: LINES, answered: 0, errors: LINES });
         assert_eq!(written.into_inner(), LINES);
         let most = most.into_inner();
-        // The stream does read ahead, so that no core waits.
+        // The stream does read ahead, by at least half of the allowed number of lines, so that no core waits.
         assert!((most_ahead(threads) / 2..=most_ahead(threads) + in_buffer).contains(&most), "{most}");
     }
 }
@@ -286,7 +286,7 @@ fn what_was_read_before_reading_failed_is_answered() {
     assert_eq!(replies(&String::from_utf8(output).unwrap()).len(), 2);
 }
 
-/// Every line of a stream is answered, even if the scene of another line makes the library panic. That line gets an error.
+/// Every line of a stream is answered, even if the library panics in the scene of another line. This other line has an error as its answer.
 #[test]
 fn a_scene_that_panics_takes_no_other_line_with_it() {
     let input: String = (1..=300).map(|id| line(id) + "\n").collect();

@@ -49,7 +49,7 @@ fn in_space_too() {
     let door = scene(text);
     assert_eq!(scene(&serde_json::to_string(&door).expect("written")), door);
     let state = &answers(text)[0]["solve"];
-    // A single object needs no bodies. The points of the hinge are reported as one contact.
+    // Contacts of a single object need no field `on`. The points of the hinge are reported as one contact.
     let told: Vec<_> = state["contacts"]
         .as_array()
         .expect("a list")
@@ -99,7 +99,7 @@ fn refused() {
         Scene::from_json(CLAMP.replacen(from, to, 1).as_bytes()).expect_err(to).message
     };
     let hinge = r#""hinge": { "point": [0, 0.02] }"#;
-    // Replaced text, its replacement, the link or its field, and the value in the message.
+    // For each case: the text to replace, its replacement, the link or field in the message, and the value in the message.
     for (from, to, of, value) in [
         (
             hinge,
@@ -135,7 +135,8 @@ fn refused() {
     assert!(told.ends_with("plate, lever"), "{told}");
 }
 
-/// A beam on three props, one of them a link: its force depends on its stiffness. The stiffness of a statically determinate link does not matter.
+/// A beam on three props, one of them a link. Its force depends on its stiffness, and the answer says so. The stiffness of a statically determinate
+/// link does not matter.
 #[test]
 fn a_stiffness_that_counts_is_told() {
     let beam = |prop: &str| {

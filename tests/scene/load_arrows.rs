@@ -44,7 +44,7 @@ fn arrows(shapes: &[Shape], width: f64) -> Vec<f64> {
 }
 
 fn says(shapes: &[Shape], words: &str) -> bool {
-    // The label of an arrow that is not to scale says so.
+    // The label of a load arrow that is not to scale ends with a remark. So `words` that end with "not" need only be the beginning of a label.
     shapes
         .iter()
         .any(|shape| shape.words == words || words.ends_with("not") && shape.words.starts_with(words))
@@ -97,7 +97,7 @@ fn a_spatial_force_of_any_size_and_place_has_an_arrow_beside_a_grasp_that_is_see
         let shapes = shapes(&svg)?;
         let arrows = arrows(&shapes, 3.0);
         assert!(arrows.len() == 1 && arrows[0] >= 0.8 * LEAST, "{newtons} {arm} {arrows:?}");
-        // Fingers remain visible if the load acts far away.
+        // Fingers remain visible in the picture if the load acts far away.
         let fingers = shapes.iter().filter(|shape| shape.ink == "#6E6E6E" && shape.width == Some(5.0));
         let long = fingers
             .map(|line| (line.points[0][0] - line.points[1][0]).hypot(line.points[0][1] - line.points[1][1]));
@@ -134,7 +134,7 @@ fn a_load_that_points_to_the_eye_is_a_circle_with_a_dot_or_a_cross() -> Result<(
             let of = |shape: &&Shape| shape.tag == tag && shape.ink == LOAD && shape.points[0][0] < LEGEND;
             shapes.iter().filter(of).count()
         };
-        // A ring with a dot, or with two strokes.
+        // A load towards the eye is a ring with a dot. A load away from the eye is a ring with two strokes.
         assert_eq!((black("circle"), black("polyline")), (if lines == 0 { 2 } else { 1 }, lines), "{side}");
     }
     Ok(())

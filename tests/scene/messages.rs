@@ -6,7 +6,7 @@ use grasp_lcp::scene::{Fault, FaultKind, Question, Scene, Setup};
 use grasp_lcp::spatial::Wrench;
 use grasp_lcp::{Error, Field};
 
-/// A valid scene: contacts are on lines 2 and 3, questions on line 4, settings on line 5.
+/// A valid scene, which the tests change at one place. Contacts are on lines 2 and 3, questions on line 4, settings on line 5.
 const GOOD: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 {"name": "index", "point": [1, 0], "normal": [-1, 0], "series_stiffness": [10, 20], "friction": 0.5},
 {"name": "thumb", "point": [-1, 0], "normal": [1, 0], "body_stiffness": "rigid", "finger_stiffness": [10, 20], "command": [0.1, 0]}],
@@ -24,7 +24,7 @@ fn the_good_one_is_good() {
     assert_eq!(Scene::from_json(GOOD.as_bytes()).unwrap().answers().unwrap().list().len(), 2);
 }
 
-/// A replacement, the line and the column of its fault, the field, and the message about the value.
+/// A case: the text to replace, its replacement, the line and the column of the fault, the field, and the message about the value.
 type Case<'a> = (&'a str, &'a str, [usize; 2], &'a str, &'a str);
 
 fn expect(cases: &[Case]) {
@@ -94,13 +94,13 @@ fn numbers_out_of_range_are_refused_where_they_stand() {
         ),
         ("\"finger_stiffness\": [10, 20], ", "", [3, 101], "planar.contacts[1]", "stiffness is inf"),
     ]);
-    // The message names the contact.
+    // The message about a contact begins with its name.
     assert!(fault("0.5", "-0.5").message.starts_with("index: "));
 }
 
 #[test]
 fn what_is_missing_doubled_or_unknown_is_named() {
-    // Replaced text, its replacement, and parts of the message.
+    // For each case: the text to replace, its replacement, and two parts of the message.
     let cases = [
         ("\"friction\"", "\"fricton\"", "field `fricton` (`friction`?)", "`hold`, `soft`, "),
         ("\"settings\"", "\"setting\"", "field `setting` (`settings`?)", "`questions`, `settings`"),
@@ -143,7 +143,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
     ] {
         assert_eq!(fault(from, to).field.as_deref(), Some(field));
     }
-    // These features add further fields to the format.
+    // The features `mesh` and `urdf` add further fields to the format, which messages then list.
     for (is_on, from, to, field) in [
         (cfg!(feature = "mesh"), "\"friction\"", "\"fricton\"", "`touches`"),
         (cfg!(feature = "mesh"), "\"settings\"", "\"setting\"", "`part`"),
@@ -171,7 +171,7 @@ fn another_version_is_refused_whatever_it_has_in_it() {
     );
     let new = r#"{"planar": {"contacts": "of another kind"}, "format": "grasp-lcp/2", "new": true}"#;
     assert_eq!(Scene::from_json(new.as_bytes()).unwrap_err(), other);
-    // If the version is not first, a reader that uses only serde reports another field.
+    // If `format` is not the first field, reading by serde alone finds a fault in an earlier field. `from_json` looks at the version first.
     assert!(serde_json::from_str::<Scene>(new).is_err());
 }
 
@@ -271,7 +271,7 @@ fn the_papers_grasps_are_those_of_the_paper() {
     let Some(disk) = read(&folder.join("paper_disk.json")).planar() else { panic!("is planar") };
     let state = disk.grasp().unwrap().solve(grasp_lcp::planar::Wrench::new([0.1, 0.2], 0.3)).unwrap();
     let forces = state.equilibrium().unwrap().contacts.iter().map(|c| c.force_world).collect::<Vec<_>>();
-    // The printed forces, to the accuracy of the printed normals.
+    // The forces that the paper prints, to the accuracy of its printed normals.
     for (force, printed) in forces.iter().zip([[4.2496, 2.5216], [-4.4164, 2.3483], [0.0666, -5.0651]]) {
         assert!((force - nalgebra::Vector2::from(printed)).norm() < 4e-3, "{force}");
     }

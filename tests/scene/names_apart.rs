@@ -17,7 +17,7 @@ fn planar_ring(count: usize, name: &str) -> Result<planar::Grasp, grasp_lcp::Err
     planar::Grasp::new((0..count).map(support).collect::<Vec<_>>())
 }
 
-/// All contacts are close to one of two points, which leaves no room for their names next to them.
+/// A grasp whose contacts all lie close to one of two points, which leaves no room for their names next to them.
 fn heap(count: usize) -> Result<planar::Grasp, grasp_lcp::Error> {
     let at = |k: usize| {
         let x = if k.is_multiple_of(2) { -0.05 } else { 0.05 };

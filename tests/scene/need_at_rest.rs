@@ -1,4 +1,4 @@
-//! A question `need` without a load is about what acts at rest, and is refused where nothing does.
+//! A question `need` without a load asks what the loads at rest need. It is refused if nothing acts at rest.
 
 use grasp_lcp::scene::Scene;
 
@@ -19,7 +19,7 @@ fn block(fields: &str, question: &str) -> String {
 
 const FRICTION: &str = r#""quantity": "friction""#;
 
-/// The jaws carry 6 N from μ = 6 N / (2 · 10 N) on.
+/// The load at rest is 6 N down. The jaws carry it from μ = 6 N / (2 · 10 N) on.
 #[test]
 fn what_acts_at_rest_is_held() {
     for (fields, question) in [

@@ -41,7 +41,7 @@ fn gravity_itself_turns() {
     }
 }
 
-/// The onset equals the onset with the weight as a load on bodies without gravity.
+/// Under the scene's gravity, the angle of first slip equals that of bodies without gravity whose weight is given as a load.
 #[test]
 fn an_onset_is_that_of_the_weight_as_a_load() {
     let own = on_a_tray(r#"{"onset_of_turn": {"angle_deg": 80}}"#);
@@ -127,7 +127,7 @@ fn settings_are_kept_where_gravity_turns() {
     assert_eq!(tilted.settings().small_motions, settings.small_motions);
 }
 
-/// A scene may state its gravity for masses that are parts of loads alone: it pulls at them, too, unless the load has a gravity of its own.
+/// A scene may state a gravity also if only loads have masses. This gravity pulls at the masses of loads too, unless a load has its own gravity.
 #[test]
 fn the_gravity_of_a_scene_pulls_at_masses_in_loads() {
     let of = |load: &str| {

@@ -26,7 +26,7 @@ fn still(grasp: &Grasp, state: &Equilibrium) -> Result<String, Failure> {
     Ok(Page::new(grasp, "A pinch").frame("held", state).to_svg(Some(0), View::FRONT)?)
 }
 
-/// Width and height of the region of these places, pixels, without the legend.
+/// Width and height of the smallest rectangle around these places, in pixels, without the legend.
 fn extent(places: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for place in places.filter(|place| place[0] < 620.0) {
@@ -66,7 +66,7 @@ fn many_points_that_stick_have_no_dots() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The box sinks by F/2k.
+/// Under the load F the box sinks by F/2k. The picture says if it draws this displacement larger than true, and does not draw it if it is too large.
 #[test]
 fn a_displacement_that_is_too_large_is_said() -> Result<(), Failure> {
     let pink = |svg: &str| svg.contains("#CC79A7");

@@ -90,7 +90,7 @@ fn every_text_is_inside_of_the_paper() -> Result<(), Failure> {
         for text in shapes(&svg)?.iter().filter(|shape| shape.tag == "text") {
             let long = LETTER * text.size * text.words.chars().count() as f64;
             let [x, y] = text.points[0];
-            // Vertical text is in the middle of the left edge.
+            // Vertical text is in the middle of the left edge, so its width does not count.
             let upwards = x < 0.04 * wide && text.left == 0.5;
             let (left, right) =
                 if upwards { (x, x) } else { (x - text.left * long, x + (1.0 - text.left) * long) };

@@ -47,7 +47,7 @@ fn its_answer_comes_first_and_it_needs_nothing_else() -> Result<(), Failure> {
     assert!(page.contains("<p class=\"none\">SLIPS OUT</p>"));
     assert!(page.contains("<p class=\"says\">5 N</p>"));
     assert!(page.contains("name=\"viewport\"") && page.contains("id=\"step\" min=\"0\" max=\"2\""));
-    // Each answer has a sentence, a picture and a table; only those of the first answer are shown.
+    // Each of three answers has a sentence, a picture and a table. Only those of the first answer are shown.
     assert_eq!(page.matches("<section").count(), 9);
     assert_eq!(page.matches("<section").count() - page.matches(" hidden>").count(), 3);
     Ok(())
@@ -76,7 +76,7 @@ fn its_pictures_have_one_scale() -> Result<(), Failure> {
         let head = all.iter().find(|shape| shape.tag == "polygon" && shape.ink == LOAD);
         let ([_, from], [_, to]) = (tail.ok_or("a load")?.points[0], head.ok_or("its head")?.points[0]);
         long.push(to - from);
-        // The load is at the same place in all pictures.
+        // The arrow of the load begins at the same place in all pictures.
         assert_eq!(
             tail.ok_or("a load")?.points[0],
             shapes(&stills[0])?

@@ -30,7 +30,7 @@ impl Drawn {
         let [p, q] = [0, 1].map(|i| <[f64; 2]>::from(grasp.contacts()[i].point()));
         let [a, b] = [ends[0], ends[1]];
         let metres = (q[0] - p[0]).hypot(q[1] - p[1]) / (b[0] - a[0]).hypot(b[1] - a[1]);
-        // Pictures are not rotated, and y points up.
+        // The picture is not rotated, and its pixels are counted downwards while y points up.
         let origin = [a[0] - p[0] / metres, a[1] + p[1] / metres];
         let drawn = Self { shapes, origin, metres };
         let second = drawn.point(b);
@@ -42,14 +42,14 @@ impl Drawn {
         [(place[0] - self.origin[0]) * self.metres, (self.origin[1] - place[1]) * self.metres]
     }
 
-    /// Lines of a colour and a width.
+    /// The lines of this colour and width, in metres.
     fn lines(&self, ink: &str, width: f64) -> Vec<Vec<[f64; 2]>> {
         let is = |shape: &&Shape| shape.tag == "polyline" && shape.ink == ink && shape.width == Some(width);
         let points = |shape: &Shape| shape.points.iter().map(|place| self.point(*place)).collect();
         self.shapes.iter().filter(is).map(points).collect()
     }
 
-    /// Tips of all arrows of a colour: first corners of polygons that are not wedges.
+    /// Tips of all arrows of this colour: the first corners of polygons.
     fn tips(&self, ink: &str) -> Vec<[f64; 2]> {
         let heads = self.shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == ink);
         heads.map(|head| self.point(head.points[0])).collect()
@@ -91,7 +91,7 @@ fn the_load_lies_on_its_line_of_action() -> Result<(), Failure> {
     for end in arrows[0].iter().chain([&tip]) {
         assert!((end[0] - 1003.675 / 950.0).abs() < NEAR * drawn.metres, "{end:?}");
     }
-    // Arrow lengths are proportional to forces.
+    // The lengths of arrows are proportional to the forces.
     let foot = state.contacts[0].force_world;
     let tips = drawn.tips(STICKING);
     let of_foot =
@@ -127,7 +127,7 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
             away.windows(2).map(|p| (p[0][0] * p[1][1] - p[0][1] * p[1][0]) / radius.powi(2)).sum();
         assert!(turns * moment > 0.0 && (3.0..5.0).contains(&turns.abs()), "{turns}");
         assert_eq!(drawn.lines(LOAD, FORCE).len(), usize::from(force != [0.0, 0.0]));
-        // No line of action is drawn at a wrong place.
+        // No dashed line of action is drawn at a wrong place.
         assert!(!drawn.shapes.iter().any(|shape| shape.ink == GREY && shape.dashed));
     }
     Ok(())
@@ -135,7 +135,7 @@ fn a_moment_is_an_arc_that_turns_its_way() -> Result<(), Failure> {
 
 #[test]
 fn forces_do_not_leave_through_the_back() -> Result<(), Failure> {
-    // Fingers on a tall narrow box: arrows as long as the height would pass through its other side.
+    // Two fingers on a tall narrow box. Arrows as long as the height of the box would pass through its other side.
     let finger = |x: f64| {
         let at = Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0);
         at.friction(0.5).command([0.01, 0.0])
@@ -144,7 +144,7 @@ fn forces_do_not_leave_through_the_back() -> Result<(), Failure> {
     let box_ = [[-0.02, -0.1], [0.02, -0.1], [0.02, 0.1], [-0.02, 0.1]];
     let drawn = Drawn::new(&grasp, &state(&grasp, &Wrench::ZERO)?, Some(&box_))?;
     let tips = drawn.tips(STICKING);
-    // Each finger has a cone and an arrow.
+    // Each of two fingers has the polygon of a cone and that of an arrow.
     assert_eq!(tips.len(), 4);
     assert!(tips.iter().all(|tip| tip[0].abs() <= 0.02 + NEAR * drawn.metres), "{tips:?}");
     Ok(())

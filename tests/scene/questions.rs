@@ -165,7 +165,7 @@ fn commands_leave_springs_alone() -> Tested {
     Ok(())
 }
 
-/// A box of 10 N on a box of 20 N on a table: both slide on the table at 0.5 · 30 N, the upper box slides at 0.3 · 10 N.
+/// A box of 10 N lies on a box of 20 N on a table. Both slide on the table at 0.5 · 30 N, and the upper box alone slides at 0.3 · 10 N.
 #[test]
 fn a_need_has_loads_that_grow_together() -> Tested {
     let face = |y: f64, mu: f64| {

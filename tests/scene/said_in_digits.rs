@@ -1,4 +1,5 @@
-//! Sentences of answers in JSON have the requested number of digits, and an undecided outcome includes what happens if the load is applied from rest.
+//! Sentences of answers in JSON have the requested number of digits. If the equilibrium of a load is undecided, the answer adds what happens if the
+//! load grows from zero.
 
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
@@ -9,7 +10,7 @@ use grasp_lcp::words::Words;
 use serde_json::json;
 use support::jaws::jaw;
 
-/// Two jaws of 7.123456789 N each, μ = 0.5, which together hold the same load.
+/// Two jaws press with 7.123456789 N each, μ = 0.5, so that they hold a load of the same size together.
 fn jaws() -> Setup<2> {
     let jaw = |x: f64, name| jaw::<2>(x, [1e3, 8e2], 0.5).name(name).pressed_with(7.123_456_789);
     Setup::new([jaw(-0.03, "left").into(), jaw(0.03, "right").into()])
@@ -33,7 +34,7 @@ fn hold_and_need_obey_the_digits() {
         let need = json!({ "need": { "quantity": "squeeze", "demand": "held", "load": { "force": [0, -9.123_456_789] } } });
         let Answer::Need(needed) = in_digits(need, digits) else { panic!("need was asked") };
         assert_eq!(needed.says, format!("{:.digits$}", needed.needed));
-        // The sentence about a smaller amount has these digits too.
+        // The sentence about an amount that is too small has these digits too.
         let Amount::Bound { otherwise, .. } = &needed.needed.amount else { panic!("some squeeze does") };
         let load = Words::with_digits(digits).number(9.123_456_789);
         assert!(otherwise.contains(&format!("{load} N of {load} N")), "{otherwise}");
@@ -53,7 +54,7 @@ fn six_unless_said() {
     assert!(matches!(&list[..], [Answer::Hold(held)] if held.says.contains(" 7.1 N of 9 N")));
 }
 
-/// Soft jaws of 25 N and μ = 0.3 hold 15 N by statics. Whether a wedged equilibrium at another position holds 20 N is not decided.
+/// Soft jaws of 25 N and μ = 0.3 hold 15 N by statics. Whether an equilibrium with the object wedged at another position holds 20 N is not decided.
 #[test]
 fn undecided_comes_with_what_happens_from_rest() {
     let jaw = |x: f64| -> Fingertip<2> {

@@ -42,7 +42,7 @@ fn a_force_acts_at_the_common_centre_of_mass() {
         (format!(r#"{{"force": [{WEIGHT}, 0]}}"#), 0.4),
         (format!(r#"{{"force": [{WEIGHT}, 0], "at": [0, 0.75]}}"#), 0.4),
         (format!(r#"{{"force": [{WEIGHT}, 0], "at": [0, 0]}}"#), 0.5),
-        // A wrench as answers write it has its moment about the origin.
+        // A load in the form in which answers are written (force and moment) has its moment about the origin.
         (format!(r#"{{"force": [{WEIGHT}, 0], "moment": 0}}"#), 0.5),
         (r#"{"accelerated": [-9.81, 0]}"#.to_owned(), 0.4),
         (r#"{"mass": 300, "gravity": [0, 0], "accelerated": [-9.81, 0]}"#.to_owned(), 0.4),
@@ -52,7 +52,7 @@ fn a_force_acts_at_the_common_centre_of_mass() {
     }
 }
 
-/// The centre of mass in the text is in the unit of the text.
+/// If a scene has a unit of length, its centres of mass have this unit too.
 #[test]
 fn in_millimetres() {
     let text = boxes(&format!(r#"{{"hold": {{"load": {{"force": [{WEIGHT}, 0]}}}}}}"#))
@@ -66,7 +66,7 @@ fn in_millimetres() {
     assert!((lost(&text) - 0.4).abs() < 1e-9, "{}", lost(&text));
 }
 
-/// A box alone needs no sharing: its centre of mass is 0.8 m up, so that it tips before it slides.
+/// A box alone shares no load with other bodies. Its centre of mass is 0.8 m up, so that it tips before it slides.
 #[test]
 fn one_body_is_accelerated_by_its_own_mass() {
     let text = r#"{"format": "grasp-lcp/1", "planar": {"gravity": [0, -9.81], "bodies": [{"name": "box", "mass": 7, "centre_of_mass": [0, 0.8]}],

@@ -9,7 +9,7 @@ use support::svg::{Failure, Shape, circles, shapes};
 const STICKING: &str = "#0072B2";
 /// Width of the arrow of a force, pixels.
 const FORCE: f64 = 3.0;
-/// Number of points of a fingertip, and of fingertips.
+/// Number of points of each fingertip, and number of fingertips.
 const POINTS: usize = 16;
 const TIPS: usize = 2;
 
@@ -40,7 +40,7 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
     let (grasp, state) = pinch()?;
     let svg = Page::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
     let shapes = shapes(&svg)?;
-    // The legend has one more.
+    // The legend contains one more thick arrow, which does not count.
     let mut starts = thick(&shapes, STICKING);
     starts.retain(|at| at[0] < 620.0);
     assert_eq!(starts.len(), TIPS);

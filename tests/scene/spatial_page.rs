@@ -44,12 +44,12 @@ fn row(value: &Value) -> Vec<f64> {
     value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
 }
 
-/// The marks of a list that have this key.
+/// The marks of a list (things to draw, such as arrows and cones) that have this field.
 fn marks<'v>(list: &'v Value, key: &str) -> Vec<&'v Value> {
     list.as_array().into_iter().flatten().filter(|mark| !mark[key].is_null()).collect()
 }
 
-/// The marks of a fingertip on a layer.
+/// The mark of fingertip `tip` on a layer such as "forces", with this field.
 fn of_tip<'v>(list: &'v Value, key: &str, layer: &str, tip: usize) -> Option<&'v Value> {
     marks(list, key).into_iter().find(|mark| mark["layer"] == layer && mark["tip"] == tip)
 }
@@ -69,7 +69,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
     let (page, ..) = page_of(NASTY)?;
     for tag in ["<script", "</script", "<button", "<td", "alert("] {
         let expected = plain.matches(tag).count();
-        // The name occurs as text in title, heading, sentence, canvas, button, section, row and data.
+        // A name contains `alert(` as text in eight places: title, heading, sentence, canvas, button, section, row and data.
         let expected = if tag == "alert(" { 8 } else { expected };
         assert_eq!(page.matches(tag).count(), expected, "{tag}");
     }
@@ -88,11 +88,11 @@ fn numbers_are_those_of_the_answer() -> Result<(), Failure> {
         let force = of_tip(frame, "arrow", "forces", i).ok_or("a force")?;
         assert_eq!(row(&force["arrow"]), contact.point().as_slice());
         assert_eq!(row(&force["along"]), (answer.force_world * scale).as_slice());
-        // All displacements have one magnification, a round number.
+        // All displacements are drawn with one magnification, which is a whole number.
         let moves = of_tip(frame, "arrow", "displacements", i).ok_or("a displacement")?;
         let factor = row(&moves["along"])[0] / answer.body_core[0];
         assert_eq!(row(&moves["along"]), (answer.body_core * factor.round()).as_slice(), "{factor}");
-        // The axis of the cone is slightly longer than the normal force.
+        // The axis of a drawn cone is slightly longer than the arrow of the normal force.
         let cone = of_tip(frame, "cone", "cones", i).ok_or("a cone")?;
         let high = Vector3::from_row_slice(&row(&cone["middle"])) - contact.point();
         assert!((high.norm() - 1.15 * answer.normal_force() * scale).abs() < 1e-15);
@@ -156,7 +156,7 @@ fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Three pads of twelve points have three rows and three entries; points are shown on request.
+/// Three pads of twelve points have three rows in the table and three entries in the data. Points are shown on request.
 #[test]
 fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     let tip = SoftFingertip::ring(0.005, 12)?;
@@ -184,7 +184,8 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     let first: f64 =
         row.split("<td>").nth(1).and_then(|rest| rest.split('<').next()).ok_or("a number")?.parse()?;
     assert!((first - pressed).abs() < 1e-4 * pressed, "{first} {pressed}");
-    // The third number is the moment about the normal of the forces of its points; the last is how far they go on average, in mm.
+    // The third number is the moment about the normal that the forces of the pad's points have. The last number is the mean displacement of the
+    // points, in mm.
     let cells: Vec<f64> = row
         .split("<td>")
         .skip(1)
@@ -203,7 +204,7 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The page shows the way out as a motion, the sentence of the answer, and cones with the friction of the answer.
+/// The page shows the motion by which the object is lost, the sentence of the answer, and cones with the friction of the answer.
 #[test]
 fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
     let grasp = jar("thumb")?;
@@ -291,7 +292,7 @@ fn bodies_move_on_their_own() -> Result<(), Failure> {
         let (drawn, exact) = shift(line, height);
         assert!((drawn - exact * factor).norm() < 1e-12, "{line}: {drawn} {exact}");
     }
-    // The upper body slides away along x, the lower body stays.
+    // At the loss the upper body slides away along x, and the lower body stays.
     let leaves = lines("leaves");
     let moved = |line: usize| leaves[line][0][0] + 0.1;
     assert!(moved(0).abs() < 1e-9 && moved(1) > 0.01, "{} {}", moved(0), moved(1));

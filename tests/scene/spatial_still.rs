@@ -53,7 +53,7 @@ fn slid(grasp: &Grasp, quarters: u32) -> Result<Equilibrium, Failure> {
     }
 }
 
-/// The page of the grasp, with both ends of the jar.
+/// The page of the grasp, with the outlines of both ends of the jar.
 fn page(grasp: &Grasp, quarters: u32) -> Page {
     let turn = |v| turned(quarters, v);
     let edge = |z: f64| [[-0.03, -0.01, z], [0.0, 0.03, z], [0.03, -0.02, z]].map(turn);
@@ -67,12 +67,12 @@ fn page(grasp: &Grasp, quarters: u32) -> Page {
 fn from_the_front_the_thumb_is_on_the_left() -> Result<(), Failure> {
     let grasp = pinch()?;
     let page = Page::new(&grasp, "A pinch");
-    // Contacts and fingers fill the region.
+    // The contacts and the lines of their fingers fill the width of the region.
     let scale = ROOM.0 / (0.06 * (1.0 + 2.0 * FINGER));
     let hundredths = |x: f64| (100.0 * x).round() / 100.0;
     let places = [-0.03, 0.03].map(|x| [MIDDLE.0 + scale * x, MIDDLE.1].map(hundredths));
     assert_eq!(circles(&page.to_svg(None, View::FRONT)?, GREY)?, places);
-    // From the side both contacts coincide.
+    // From the side both contacts are at the same point of the picture.
     let middle = [MIDDLE.0, MIDDLE.1];
     assert_eq!(circles(&page.to_svg(None, View::RIGHT)?, GREY)?, [middle, middle]);
     Ok(())
@@ -83,11 +83,12 @@ fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
     let grasp = pinch()?;
     let page = Page::new(&grasp, "A pinch").outcome("no load", &grasp.solve(Wrench::ZERO)?);
     let svg = page.to_svg(Some(0), View::FRONT)?;
-    // The axis of the free rotation, 1.5 times as long as the width of the grasp, fills the region.
+    // The grasp turns freely about an axis, which is drawn 1.5 times as long as the grasp is wide and fills the region.
     assert!(svg.contains("turns freely"));
     let scale = ROOM.0 / (1.5 * 0.06);
     let (x, y) = (MIDDLE.0, (MIDDLE.1 + LABEL));
-    // Both forces are the largest, 4 N, and point along the normals; cones are 1.15 times as long.
+    // Both forces of 4 N are the largest, so their arrows are 0.4 times the width of the grasp. They point along the normals, and cones are 1.15
+    // times as long.
     let long = 0.4 * 0.06;
     let (end, wide) = (0.03 - 1.15 * long, 0.5 * 1.15 * long);
     let shapes = shapes(&svg)?;
@@ -102,7 +103,7 @@ fn forces_and_cones_have_their_lengths() -> Result<(), Failure> {
             assert!(is_there([x + side * scale * end, y + up * scale * wide]), "rim of a cone");
         }
     }
-    // 2 N in the legend are half as long.
+    // The arrow for 2 N in the legend is half as long as the arrow of a force of 4 N.
     let half = [LEGEND + scale * long / 2.0, 0.0];
     let mut grey = shapes.iter().filter(|shape| shape.tag == "polygon" && shape.ink == GREY);
     assert!(grey.any(|arrow| (arrow.points[0][0] - half[0]).abs() <= NEAR), "the scale");
@@ -115,7 +116,7 @@ fn points_lie_where_the_projection_says() -> Result<(), Failure> {
     let grasp = jar(0)?;
     for (yaw, pitch) in [(-0.6_f64, 0.45_f64), (2.0, -0.3), (0.4, 1.3)] {
         let on_paper = |p: [f64; 3]| {
-            // Components to the right, and horizontally away from the eye.
+            // Components of a point to the right, and horizontally away from the eye.
             let across = yaw.cos() * p[0] + yaw.sin() * p[1];
             let back = yaw.cos() * p[1] - yaw.sin() * p[0];
             [across, -(pitch.cos() * p[2] + pitch.sin() * back)]
@@ -213,11 +214,11 @@ fn contacts_have_the_colours_of_what_they_do() -> Result<(), Failure> {
     let sliding = state.contacts.iter().filter(|c| c.margin.abs() < 1e-9).count();
     assert!(sliding > 0 && sliding < 3, "{state:?}");
     let svg = page(&grasp, 0).frame("slides", &state).to_svg(Some(0), View::default())?;
-    // The legend has one more of each.
+    // The legend has one more circle of each colour.
     assert_eq!(circles(&svg, SLIDING)?.len(), sliding + 1);
     assert_eq!(circles(&svg, STICKING)?.len(), 3 - sliding + 1);
     assert!(svg.contains("slip of the") && !svg.contains("no contact resists"));
-    // A moment about the line of a pinch is not resisted. The picture has no forces and says why.
+    // A moment about the line of a pinch is not resisted. The picture of this outcome has no forces and says why.
     let pinch = pinch()?;
     let none =
         Page::new(&pinch, "x").outcome("turned", &pinch.solve(Wrench::new([0.0; 3], [0.1, 0.0, 0.0]))?);
@@ -232,7 +233,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
     let nasty = "</text><script>alert(\"1 & 'x'\")</script>\u{1}";
     let named = |name: &str| -> Result<String, Failure> {
         let contacts: Vec<_> = jar(0)?.contacts().iter().map(|c| c.clone().name(name)).collect();
-        // Without a limit on motions there is no caution, which would also name a contact.
+        // Motions are not limited, so that the picture has no caution about large motions, which would also contain a name.
         let grasp = Grasp::new(contacts)?;
         let grasp = grasp.with(&grasp.settings().with_small_motions(1e3, 1e3));
         let page = Page::new(&grasp, name).frame(name, &slid(&grasp, 0)?);
@@ -243,7 +244,7 @@ fn names_are_text_and_nothing_else() -> Result<(), Failure> {
         assert_eq!(svg.matches(tag).count(), plain.matches(tag).count(), "{tag}");
     }
     assert!(!svg.contains("<script") && !svg.contains('\u{1}'));
-    // Title, label, three contacts.
+    // The name occurs five times: in the title, in the label, and at three contacts.
     assert_eq!(svg.matches("&lt;script&gt;").count(), 5);
     Ok(())
 }
@@ -266,7 +267,7 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     for corner in [[f64::NAN, 0.0, 0.0], [0.0, f64::INFINITY, 0.0]] {
         says(page(&grasp, 0).fixture([corner]), None, fine, "outline");
     }
-    // The numbers are finite, but some derived numbers are not.
+    // The given numbers are finite, but numbers derived from them are not.
     says(page(&grasp, 0).outline([[1e308, 0.0, 0.0], [-1e308, 0.0, 0.0]]), None, fine, "too large");
     let other = Grasp::new(grasp.contacts()[..2].to_vec())?;
     says(Page::new(&other, "x").frame("a", &state), None, fine, "3 contacts");

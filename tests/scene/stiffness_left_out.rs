@@ -19,7 +19,7 @@ fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
 
 fn told(scene: &Scene) -> Option<Warning> {
     let told = scene.setup.stiffness_left_out().unwrap();
-    // What takes no answers and what takes some are all warnings together, each once.
+    // All warnings are those that need no answers together with those that need some, each once.
     let all = scene.warnings().unwrap();
     assert_eq!([scene.warnings_at_once().unwrap(), told.clone()].concat(), all);
     assert_eq!(scene.stiffness_left_out().unwrap(), told);
@@ -31,14 +31,14 @@ fn push(height: f64) -> Value {
     json!({ "hold": { "base": { "force": [0, -20] }, "load": { "force": [8, 0], "at": [0, height] } } })
 }
 
-/// The load at which it tips, 20 N · 50 mm / h, does not depend on the springs; its motion under its weight does.
+/// The load at which the object tips, 20 N · 50 mm / h, does not depend on the springs. The motion of the object under its weight does.
 #[test]
 fn it_is_told_where_an_answer_depends_on_it_and_nowhere_else() {
     let none = [json!({}), json!({})];
     assert_eq!(told(&scene(&none, &push(0.15))), None);
     let turn = json!({ "need": { "quantity": "angle", "demand": "held", "turn": { "weight": [0, -3], "at": [0, 0.2], "angle_rad": 1.5 } } });
     assert_eq!(told(&scene(&none, &turn)), None);
-    // The limit load μ W does not depend on stiffness; which foot slides first does.
+    // The limit load μ W does not depend on stiffness, but which foot slides first does.
     let first = told(&scene(&none, &push(0.05))).unwrap();
     let names = ["contact 0", "contact 1"].map(str::to_owned).to_vec();
     let expected =
@@ -53,8 +53,9 @@ fn it_is_told_where_an_answer_depends_on_it_and_nowhere_else() {
     assert!(matches!(one, Some(Warning::StiffnessLeftOut { contacts, .. }) if contacts == [1]));
 }
 
-/// Two feet at ±50 mm with the default stiffness resist a tilt with 50 N m for each radian, of which 1 kN at 0.1 m takes twice as much. Stiffer feet
-/// would hold it. A pinch of 30 N is far from buckling, but the squeeze that buckles it depends on the stiffness.
+/// Two feet at ±50 mm with the default stiffness resist a tilt with 50 N m for each radian. A load of 1 kN at the height of 0.1 m drives the tilt
+/// twice as much, so the feet buckle. Stiffer feet would hold this load. A pinch of 30 N is far from buckling, but the squeeze at which it buckles
+/// depends on the stiffness.
 #[test]
 fn what_buckles_on_default_springs_is_told() {
     let none = [json!({}), json!({})];

@@ -20,7 +20,8 @@ fn a_pinch_holds_the_same() {
     assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0; 0]);
 }
 
-/// A block pressed on its bed, next to a frictionless stop of stiffness k_n, slides on the bed at `μ N (1 + k_n/k_t)`: from 1.05 to 11 times `μ N`.
+/// A block lies on a bed, next to a frictionless stop of stiffness k_n. It slides on the bed at `μ N (1 + k_n/k_t)`, where k_t is the tangential
+/// stiffness of the bed. For the values of k_t that are tried, this is from 1.05 to 11 times `μ N`.
 #[test]
 fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
     let (stiffness, tangential) = (1e5, 2e5);
@@ -40,7 +41,7 @@ fn a_bed_beside_a_stop_slides_earlier_if_it_is_stiffer() {
     assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
 }
 
-/// With soft tangential springs the object turns too far before the load is reached, although friction would hold it.
+/// With soft tangential springs the object turns farther than small motions allow before the whole load acts, although friction would hold the load.
 #[test]
 fn a_load_that_is_reached_by_small_motions_only_with_stiff_springs_depends() {
     let [left, right] = [
@@ -53,8 +54,8 @@ fn a_load_that_is_reached_by_small_motions_only_with_stiff_springs_depends() {
     assert_eq!(setup.depends_on_tangential_stiffness().expect("answered"), [0]);
 }
 
-/// On three supports with kinetic friction the stiffest one slides first, and the load holds that the others carry beside it: 2 + 5 + 5 N if it is ten
-/// times as stiff, 15 N if all are alike.
+/// Three supports with kinetic friction share a load. The stiffest support slides first, and the load holds that the others carry beside it: 2 + 5 +
+/// 5 N if this support is ten times as stiff. If all supports are equally stiff, the load holds up to 15 N.
 #[test]
 fn one_support_that_is_stiffer_than_the_others_changes_what_holds() {
     let support = |x: f64| {

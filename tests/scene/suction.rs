@@ -29,7 +29,8 @@ fn onsets(scene: &Scene) -> Vec<f64> {
     answers.iter().map(factor).collect()
 }
 
-/// A cup and two friction pads on a plate of 2 kg have the numbers of the plate with a ring and the vacuum of 62.83 N as a load.
+/// A scene has a cup and two friction pads on a plate of 2 kg. Its numbers are those of a plate on a ring of contacts, with the vacuum of 62.83 N as
+/// a load.
 #[test]
 fn a_cup_holds_what_its_vacuum_does_as_a_load() {
     let cases = [
@@ -59,7 +60,7 @@ fn a_cup_is_the_one_of_the_crate() {
         setup.grasp().unwrap().contacts(),
         grasp_lcp::spatial::Grasp::new(expected).unwrap().contacts()
     );
-    // In the scene of the grasp, every point of the lip has its part of the vacuum.
+    // If a grasp is written as a scene, every point of the lip has its part of the vacuum.
     let scene = Scene::from(&setup.grasp().unwrap());
     let back: Scene = serde_json::from_value(serde_json::to_value(&scene).unwrap()).unwrap();
     let Some(points) = back.spatial() else { panic!("in space") };

@@ -48,7 +48,7 @@ fn the_friction_used_is_that_of_the_closed_form() -> Tested {
     Ok(())
 }
 
-/// A heavier box is lost at 5 = 6 sin θ + 3 cos θ, where the friction of the left palm is exhausted.
+/// A heavier box of 12 N is lost at the angle with 5 = 6 sin θ + 3 cos θ, where the friction of the left palm is exhausted.
 #[test]
 fn a_curve_ends_where_the_grasp_is_lost() -> Tested {
     let palms = Grasp::new([palm("left", -1.0), palm("right", 1.0)])?;

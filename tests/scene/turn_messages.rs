@@ -7,7 +7,7 @@ use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::{Error, planar, spatial};
 use support::jaws::jaw;
 
-/// A valid scene: contacts are on lines 2 and 3, an onset on line 4, a path on line 5.
+/// A valid scene, which the tests change at one place. Contacts are on lines 2 and 3, a question about first slip on line 4, a load path on line 5.
 const PLANE: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 {"point": [1, 0], "normal": [-1, 0], "series_stiffness": [10, 20], "friction": 0.5, "pressed_with": 2},
 {"point": [-1, 0], "normal": [1, 0], "series_stiffness": [10, 20], "friction": 0.5, "pressed_with": 2}], "questions": [
@@ -19,7 +19,7 @@ const PLANE: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 const SPACE: &str = r#"{"format": "grasp-lcp/1", "spatial": {"contacts": [{"point": [0, 0, 0], "normal": [0, 0, 1], "series_stiffness": [10, 20]}],
 "questions": [{"onset_of_turn": {"weight": [0, 0, -1], "axis": [1, 0, 0]}}]}}"#;
 
-/// A replacement, the column of its fault, the field behind `planar.` or `spatial.`, and the text of the message.
+/// A case: the text to replace, its replacement, the column of the fault, the field after `planar.` or `spatial.`, and the text of the message.
 type Case<'a> = (&'a str, &'a str, usize, &'a str, &'a str);
 
 fn expect(scene: &str, line: usize, cases: &[Case]) {

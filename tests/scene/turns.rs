@@ -60,7 +60,7 @@ fn same(a: &impl std::fmt::Debug, b: &impl std::fmt::Debug) -> Result<(), TestCa
     if a == b { Ok(()) } else { Err(TestCaseError::fail(format!("{a}\n{b}"))) }
 }
 
-/// A setup that asks for the onset under a turning load, and for a path with the same turn.
+/// A setup that asks for the first slip under a turning load, and for a load path with the same turn.
 fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Turn<C>) {
     let load = drawn.wrench();
     let turn = Turn::new(
@@ -141,14 +141,14 @@ fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
     assert!((event.at.angle - slides).abs() < 1e-15);
     assert_eq!(event.leaving[0].contact.name.as_deref(), Some("left"));
     assert_eq!((&never.onset, never.touches.len()), (&OnsetAnswer::Never, 0));
-    // Both palms carry the same tangential force, so the loss is at the slip of the left palm.
+    // Both palms carry the same tangential force. So the box is lost when the left palm slides.
     let PathOutcome::Lost { loss, .. } = &path.end else { return Err(format!("{path:?}").into()) };
     assert!((loss.fraction * 0.5 - slides).abs() < 1e-15);
     assert!((loss.load.resultant()[1] - 12.0 * slides.sin()).abs() < 1e-13);
     Ok(())
 }
 
-/// The heaviest box that never slides touches its cone: w/2 sin θ + w/4 cos θ = 5 at most.
+/// The heaviest box that never slides just reaches the friction limit of a palm: the largest value of w/2 sin θ + w/4 cos θ is 5.
 #[test]
 fn an_edge_that_is_touched_is_told_by_the_name_of_its_contact() -> Tested {
     let weight = 20.0 / 5_f64.sqrt();
@@ -165,7 +165,7 @@ fn an_edge_that_is_touched_is_told_by_the_name_of_its_contact() -> Tested {
     Ok(())
 }
 
-/// Jaws with a command of 4 mm and a compliance of 1.1 mm/N on each side, whose motors stall at 6 N.
+/// Jaws that each close by a command of 4 mm with a compliance of 1.1 mm/N. Their motors stall at 6 N.
 fn jaws() -> Value {
     let jaw = |side: f64| {
         json!({
@@ -178,7 +178,7 @@ fn jaws() -> Value {
 
 #[test]
 fn a_limit_that_is_touched_is_told_by_its_joint() -> Tested {
-    // Under a pull W a jaw carries 4/1.1 N + W/2. In both directions a jaw reaches 6 N up to rounding, and neither stalls.
+    // Under a pull W one jaw carries 4/1.1 N + W/2. Under this pull in either direction a jaw just reaches 6 N, up to rounding, and no motor stalls.
     let pull = 2.0 * (6.0 - 4.0 / 1.1) * (1.0 - 1e-14);
     let answers = answers_of(json!({ "format": "grasp-lcp/1", "planar": {
         "fingers": jaws(),

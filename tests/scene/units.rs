@@ -1,5 +1,5 @@
-//! A scene in another unit of length has the same values in metres, field by field. Lengths are marked by hand in the scenes below. Every field that
-//! the page of fields gives in m is marked.
+//! A scene in another unit of length has the same values in metres, field by field. In the scenes below, an `@` marks every length. Every field that
+//! the page of fields gives in m must be marked.
 
 use grasp_lcp::scene::{Scene, Warning};
 use grasp_lcp::words::{Unit, Words};
@@ -77,7 +77,7 @@ const MARKED: [&str; 4] = [
     }}"#,
 ];
 
-/// The marked scene in another unit: the lengths are divided, and the field `unit` is added.
+/// The marked scene in another unit: marked lengths are divided by a number, and the field `unit` is added.
 fn said(marked: &str, unit: &str, divided_by: f64) -> Scene {
     let mut text = String::new();
     for (k, part) in marked.split('@').enumerate() {
@@ -99,7 +99,7 @@ fn lengths_in_mm_or_cm_are_those_in_m() {
         for (unit, divided_by) in [("mm", 1.0), ("cm", 10.0)] {
             let scene = said(marked, unit, divided_by);
             assert_eq!(Some(scene.unit), Unit::of(unit));
-            // Divisions by 10 and 100 are rounded, so only mm must agree to the last bit.
+            // Lengths that are divided by 10 or 100 are rounded, so only the scene in mm must agree to the last bit.
             if unit == "mm" {
                 assert_eq!(scene.setup, in_metres.setup);
             }
@@ -110,7 +110,7 @@ fn lengths_in_mm_or_cm_are_those_in_m() {
     }
 }
 
-/// An arm, the motion of the object and a centre of rotation are told in the unit of the scene; the fields of the answers are in m.
+/// Sentences give an arm, the motion of the object and a centre of rotation in the unit of the scene. The fields of the answers are in m.
 #[test]
 fn sentences_have_the_unit_of_their_scene() {
     let marked = r#"{"format": "grasp-lcp/1", "planar": {
@@ -126,7 +126,7 @@ fn sentences_have_the_unit_of_their_scene() {
         answers.iter().map(|answer| answer.first_line(words)).collect::<Vec<_>>()
     };
     let (in_metres, in_mm) = (lines("m", 1000.0), lines("mm", 1.0));
-    // Each number before " m" becomes one a thousand times as large.
+    // Each number before " m" becomes a number before " mm" that is a thousand times as large.
     for (metres, mm) in in_metres.iter().zip(&in_mm) {
         let numbers = |line: &str, unit: &str| -> Vec<f64> {
             let parts: Vec<_> = line
@@ -179,7 +179,7 @@ fn every_field_in_metres_is_a_length() {
         let is_length = [", m.", ", m;", ", m,", ", m: ", "each contact, m", "rad or m", "or m;"]
             .iter()
             .any(|unit| format!("{about}.").contains(unit));
-        // Joints of a robot are in radians or metres by their file; the unit of the scene does not apply.
+        // Positions of a robot's joints are in radians or metres, as in its file. The unit of the scene does not apply.
         let is_of_a_robot = ["commanded", "joints"].contains(&name);
         if !is_length || is_of_a_robot || ["disc", "rectangle", "round", "thickness"].contains(&name) {
             continue;

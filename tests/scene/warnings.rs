@@ -14,7 +14,7 @@ fn warnings(text: &str) -> Vec<Warning> {
     scene.warnings().expect("well posed")
 }
 
-/// The single warning about the jaws after these replacements.
+/// The only warning about the scene `JAWS` after these replacements.
 fn one(changes: &[(&str, &str)]) -> Warning {
     let text = changes.iter().fold(JAWS.to_owned(), |text, (from, to)| {
         assert!(text.contains(from), "{from}");
@@ -76,7 +76,7 @@ fn numbers_in_another_unit() {
     let stated = one(&[(r#""force": [0, -1]"#, r#""mass": 1800"#)]);
     let Warning::HeavyLoad { force, pressed } = stated else { panic!("{stated}") };
     assert!((force / 17658.0 - 1.0).abs() < 1e-12 && (pressed - 16.0).abs() < 1e-9, "{force} {pressed}");
-    // An infinite coefficient is not in percent, and the size of a direction has no meaning.
+    // Cases without this warning: an infinite coefficient is not meant in percent, and the size of a load direction has no meaning.
     let more = [
         ("0.35", r#""infinite""#),
         (r#"{"hold": {"load": {"force": [0, -1]}}}"#, r#"{"onset": {"direction": {"force": [0, -1e6]}}}"#),
@@ -95,7 +95,7 @@ fn normals_the_wrong_way_round() {
         (r#""normal": [-1, 0]"#, r#""normal": [1, 0]"#),
     ];
     assert_eq!(one(&out), Warning::Outwards { contacts, names });
-    // With an outline it is known whether the contacts are inside a hole.
+    // If an outline is given, it shows on which side of the contacts the object is. So this warning is not given.
     let hole = r#""outline": [[-0.04, -1], [-0.04, 1], [-1, 1], [-1, -1]], "questions""#;
     let text =
         out.iter().fold(JAWS.replace(r#""questions""#, hole), |text, (from, to)| text.replace(from, to));
@@ -106,7 +106,8 @@ fn normals_the_wrong_way_round() {
     );
 }
 
-/// Feet whose given forces agree with the weight have no warning, although all normals point up.
+/// Two feet have normals that point up and given forces that agree with the weight. They have no warning, although contacts with one normal direction
+/// usually have one.
 #[test]
 fn feet_under_a_weight_are_told_apart_from_it() {
     let feet = JAWS.replace("[1, 0]", "[0, 1]").replace("[-1, 0]", "[0, 1]").replace("0.35", "0.5");
@@ -196,13 +197,14 @@ fn a_pull_that_gives_way() {
     let both = belted(r#""tension": 100, "pretension": 100"#);
     let stated = Scene::from_json(both.as_bytes()).expect_err("both").to_string();
     assert!(stated.contains("belt: pretension and") && stated.contains("tension: "), "{stated}");
-    // A rope that pulls the object off the floor is not held.
+    // If the rope pulls the object off the floor, nothing holds, and the error names the rope.
     let away = installed.replace(r#""to": [0, 0]"#, r#""to": [0, 2]"#);
     let scene = Scene::from_json(away.as_bytes()).expect("a scene");
     assert_eq!(facts(&scene.answers().expect_err("it flies off")), ["belt", "tension", "100"]);
 }
 
-/// A spring presses an object onto a floor of the same stiffness, and half of its force is lost: `tension` is no remedy, since it pulls.
+/// A spring presses an object onto a floor of the same stiffness, so that half of its force is lost. The warning does not propose `tension`, which
+/// would pull.
 #[test]
 fn a_push_that_gives_way() {
     let pressed = r#"{"format": "grasp-lcp/1", "planar": {
@@ -251,7 +253,7 @@ fn a_vacuum_beyond_an_atmosphere() {
         assert!(*names == ["cup"] && (pressure / is - 1.0).abs() < 1e-12, "{stated:?}");
     }
     let scene = Scene::from_json(cup(r#""pressure": 6e4"#).as_bytes()).expect("a scene");
-    // 20 kg need 156 kPa.
+    // 20 kg need a vacuum of 156 kPa below the atmosphere, which is impossible.
     let needs = serde_json::to_value(scene.answers().expect("well posed")).expect("written");
     let says = needs[1]["need"]["says"].as_str().expect("a text").to_owned();
     assert!(says.starts_with("NEEDS 156.131 kPa (196.2 N; more than an atmosphere"), "{says}");

@@ -1,4 +1,4 @@
-//! Verdicts for all time agree with thirty cycles that are followed one after the other.
+//! Verdicts on loads that repeat for ever agree with thirty cycles that are followed one after the other.
 
 use grasp_lcp::Error;
 use grasp_lcp::shake::Repeats;
@@ -12,7 +12,7 @@ use support::splitmix::Random;
 const CYCLES: usize = 30;
 /// One in this number of verdicts may be undecided.
 const FEW: usize = 1000;
-/// The same for kinetic friction, where cycles may repeat only after more than the followed ones.
+/// With kinetic friction, one in this number of verdicts may be undecided. Such cycles may begin to repeat only after more cycles than are followed.
 const FEW_THAT_JUMP: usize = 100;
 
 /// Checks that every verdict agrees with the followed cycles, and that all but a few are decided.

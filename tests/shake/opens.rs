@@ -6,7 +6,8 @@ use grasp_lcp::planar;
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::spatial;
 
-/// A box of 10 N on two feet, 3 mm below two stops. Lifted by 15 N it goes to the stops and back; lifted by less than its weight it stays.
+/// A box of 10 N on two feet, 3 mm below two stops. A cyclic force of 15 N lifts it to the stops and lets it fall back. A force below its weight
+/// leaves it on the feet.
 #[test]
 fn a_box_that_is_thrown_to_and_fro() -> Result<(), Error> {
     use planar::{Contact, Grasp, Leg, Need, Wrench};
@@ -52,8 +53,8 @@ fn a_lip_that_opens_in_every_cycle() -> Result<(), Error> {
     Ok(())
 }
 
-/// Two motors, whose torque of at most 0.4 N m lets them slip, press on an object by fingers 60 mm long. A push of 4 N to both sides makes one of them
-/// slip in the first cycle.
+/// Two motors press on an object by fingers 60 mm long. Their torque is limited to 0.4 N m, where they slip. A push of 4 N to one side and then to
+/// the other makes one motor slip in the first cycle.
 #[test]
 fn a_motor_that_slips() -> Result<(), Error> {
     use grasp_lcp::Limit;
@@ -73,7 +74,8 @@ fn a_motor_that_slips() -> Result<(), Error> {
         shaken.to_string().starts_with("RESTS after a cycle: until then right motor yields; "),
         "{shaken}"
     );
-    // Motors that stall at their limit and do not slip are on their springs again once the push is gone.
+    // Motors with the limit `Saturates` hold their largest torque and do not slip. Once the push is gone, the springs of both motors carry their
+    // torques again.
     let stalling = |side: f64, name: &str| {
         let motor = Joint::revolute([0.02 * side, 0.06]).name(name).stiffness(3.5).command(-0.09 * side);
         let tip = Contact::new([0.02 * side, 0.0], [-side, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
@@ -83,7 +85,7 @@ fn a_motor_that_slips() -> Result<(), Error> {
     let says = |push: f64| -> Result<String, Error> {
         Ok(grasp.shake(Wrench::ZERO, &Leg::there_and_back(Wrench::force([push, 0.0])))?.to_string())
     };
-    // Each push changes a torque of 0.287 N m by less than 0.03 m of it: 7.1 N reach 0.5 N m.
+    // Both motors have a torque of 0.287 N m. A push changes each torque by less than 0.03 m times the push, so that 7.1 N are needed for 0.5 N m.
     assert_eq!(says(7.0)?, "RESTS: nothing ever slides");
     assert_eq!(says(8.0)?, "RESTS: no contact ever slides, but right motor yields");
     Ok(())

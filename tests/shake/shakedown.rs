@@ -1,5 +1,5 @@
-//! The shakedown factor agrees with a closed form, and with Melan's theorem if slip does not change normal forces. It is never below a factor at
-//! which a path with closed contacts comes to rest.
+//! The shakedown factor (the largest multiple of loads under which slip can cease) agrees with a closed form, and with Melan's theorem if slip does
+//! not change normal forces. It is never below a factor at which a load path with closed contacts comes to rest.
 
 use grasp_lcp::load_path::{Change, ContactChange};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -35,7 +35,7 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let Some(found) = grasp.statics().shakedown(base, &loads)? else { continue };
         assert!(!found.slips_change_normal_forces && found.factor > 0.0);
         assert_eq!([0.98, 1.02].map(|part| found.rests(part * found.factor)), [Some(true), Some(false)]);
-        // The slips are told to be too large where they exceed the limit of small motions.
+        // The answer says that slips are too large if they exceed the limit of small motions.
         let places: Vec<f64> = grasp.contacts().iter().map(|foot| foot.point()[0]).collect();
         let centre = places.iter().sum::<f64>() / count as f64;
         let size = (places.iter().map(|x| (x - centre).powi(2)).sum::<f64>() / count as f64).sqrt();
@@ -131,7 +131,8 @@ fn with_less_friction_once_they_slide_the_order_decides() -> Result<(), Error> {
 
 #[test]
 fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
-    // Four feet are pulled along a corner of the polygon by 3 N, with a friction limit of 5 N, and rocked about one axis: feet carry 2.5 ± m / 4 N.
+    // Four feet carry a pull of 3 N along a corner of the polygon, and together have a friction limit of 5 N. A moment m about one axis rocks them,
+    // so that they carry 2.5 ± m / 4 N each.
     let foot = |x: f64, y: f64| {
         spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5)
     };
@@ -139,7 +140,8 @@ fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
     let base = spatial::Wrench::force([3.0, 0.0, -10.0]);
     let rocked = [1.0, -1.0].map(|moment| spatial::Wrench::new([0.0; 3], [0.0, moment, 0.0]));
     let found = table.statics().shakedown(base, &rocked)?.expect("rests without rocking");
-    // Slip can distribute the pull in any way, so the limit is four times μ (2.5 - λ / 4). The circumscribed octagon has 1 / cos 22.5° as much at a corner.
+    // Slip can distribute the pull in any way, so the feet carry up to four times μ (2.5 - λ / 4) at the load factor λ. At a corner of the
+    // circumscribed octagon this limit is 1 / cos 22.5° times as large.
     let corner = (std::f64::consts::PI / 8.0).cos();
     let exact = 4.0 * (2.5 - 3.0 * corner / (4.0 * 0.5));
     assert!((found.factor - exact).abs() < 1e-9, "{} {exact}", found.factor);
@@ -161,7 +163,7 @@ fn by_an_interior_point(grasp: &Grasp, base: &Wrench, loads: &[Wrench]) -> Optio
         }
     }
     let t = (&g * &k * g.transpose()).try_inverse()?;
-    // Balance: G K (a - Gᵀq) + W = 0.
+    // Balance of forces and moments with the contact map G, stiffnesses K, commands a, motion q and load W: G K (a - Gᵀq) + W = 0.
     let forces = |a: &DVector<f64>, w: &DVector<f64>| &k * (a - g.transpose() * (&t * (&g * &k * a + w)));
     let wrench = |load: &Wrench| DVector::from_column_slice(load.components());
     let none = DVector::zeros(2 * n);
@@ -229,8 +231,8 @@ fn an_interior_point_method_finds_the_same() -> Result<(), Error> {
     Ok(())
 }
 
-/// Slips of a pinch leave no residual forces, so that no order of loads is carried beyond the load at which a jaw slips: 2 μ N, and each jaw half of
-/// it. The forces that unit slips leave are rounding alone.
+/// Slips of a pinch leave no residual forces. So no order of loads is carried above the load at which a jaw slips: 2 μ N, of which each jaw carries
+/// half. The residual forces of unit slips are rounding errors alone.
 #[test]
 fn of_a_pinch_it_is_the_static_limit() -> Result<(), Error> {
     let mut random = seeded(29);
@@ -258,7 +260,7 @@ fn of_a_pinch_it_is_the_static_limit() -> Result<(), Error> {
         let loads = [spatial::Wrench::force([0.0, 0.0, -15.0])];
         let grasp = spatial::Grasp::new([jaw(-half), jaw(half)])?;
         let found = grasp.statics().shakedown(spatial::Wrench::ZERO, &loads)?.expect("rests");
-        // The polygon around the round cone is up to 1 / cos(π / facets) wider.
+        // The polygon around the round cone reaches out farther by a factor of up to 1 / cos(π / facets).
         let facets = grasp.settings().cone.facets() as f64;
         let excess = 15.0 * found.factor / limit * (std::f64::consts::PI / facets).cos();
         assert!(excess < 1.0 + 1e-9 && 15.0 * found.factor > limit * (1.0 - 1e-9), "{excess}");

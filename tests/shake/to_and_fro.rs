@@ -45,7 +45,7 @@ fn what_slides_at_the_end_of_a_cycle_counts_once() {
 fn jumps_count_in_every_cycle() {
     let (way, heat) = to_and_fro(&dragged(foot().kinetic(0.4)));
     near(way, 16e-3);
-    // ∮ F dx, mJ: 9 mm up to 18 N, a jump of 1 mm, 6 mm up to 24 N, and the same back.
+    // The heat ∮ F dx in mJ: F rises to 18 N over 9 mm, jumps by 1 mm, and rises to 24 N over 6 mm. The way back is the same with the sign changed.
     let up = 9.0 * 9.0 + 1.0 * 18.0 + 6.0 * 21.0;
     let back = 9.0 * 15.0 + 1.0 * 6.0 + 6.0 * 3.0;
     near(heat, (up - back) * 1e-3);

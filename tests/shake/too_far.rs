@@ -2,7 +2,8 @@
 
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 
-/// Two jaws press with 8 N each. Beyond 16 N one of them is open, and its gap grows by the load over the stiffness of the other.
+/// Two jaws press with 8 N each. Under more than 16 N one jaw is open, and its gap grows by the additional load divided by the stiffness of the other
+/// jaw.
 #[test]
 fn jaws_that_open_too_far_in_every_cycle_are_named() {
     let jaw = |x: f64, name: &str| {
@@ -14,7 +15,7 @@ fn jaws_that_open_too_far_in_every_cycle_are_named() {
         let legs = [force, -force].map(|x| Leg::there_and_back(Wrench::force([x, 0.0])));
         grasp.shake(Wrench::ZERO, &legs.concat()).unwrap()
     };
-    // A tenth of the grasp's size is 4 mm: the gap is force / 2000 - 8 mm.
+    // Small motions end at a tenth of the grasp's size, 4 mm. The gap is the force divided by 2000 N/m, minus 8 mm.
     assert_eq!(shaken(23.0).too_far, None, "{}", shaken(23.0));
     let far = shaken(25.0);
     assert!(

@@ -29,7 +29,7 @@ impl Node {
     }
 }
 
-/// A body on two frictional and two bonded contacts.
+/// A body on four contacts. The first two have friction, the last two are bonded.
 struct System([Node; 4]);
 
 impl System {
@@ -103,7 +103,7 @@ impl System {
         (0..lines.len()).filter(|k| has_side(*k)).count()
     }
 
-    /// The largest load factor up to which the region has this number of sides.
+    /// The largest load factor up to which the region without sliding has at least this number of sides.
     fn limit(&self, loads: &[Vector3<f64>], sides: usize) -> f64 {
         let (mut below, mut above) = (0.0, 1.0);
         while self.sides(loads, above) >= sides && above < 1e6 {
@@ -116,7 +116,7 @@ impl System {
         below
     }
 
-    /// The grasp with these initial slips, as opposite commands.
+    /// The grasp with these initial slips of the frictional contacts. A slip is set as an opposite command along the tangent.
     fn grasp(&self, slips: [f64; 2]) -> Result<Grasp, Error> {
         Grasp::new(self.0.iter().enumerate().map(|(i, node)| {
             let contact = Contact::new([node.point.x, node.point.y], [node.normal.x, node.normal.y])
@@ -130,7 +130,8 @@ impl System {
     }
 }
 
-/// Whether the system comes to rest, for each of several initial slips that are in equilibrium without the loads.
+/// Whether the system comes to rest, for each of several initial slips. Only slips are taken that leave both contacts within their cones without the
+/// loads.
 fn rests(system: &System, loads: &[Vector3<f64>], times: f64) -> Result<Vec<bool>, Error> {
     let at_rest = system.lines(&loads[..1], 0.0);
     let legs: Vec<_> = loads

@@ -14,7 +14,7 @@ fn walk(p: f64, q: f64, m: f64, mu: f64, k_t: f64) -> Repeats<2> {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3.0 * k_t, k_t).friction(mu);
     let block = Grasp::new([foot(-1.0), foot(1.0)]).expect("well posed");
     let pulled = Wrench::new([q, -p], 0.0);
-    // With a distance of 2 m between the feet, one carries half of the moment more and the other half less.
+    // The feet are 2 m apart, so a moment makes one foot carry half of the moment more, and the other half of the moment less.
     let cycle =
         [2.0 * m, -2.0 * m].map(|moment| Leg::there_and_back(Wrench::new([0.0, 0.0], moment))).concat();
     block.shake(pulled, &cycle).expect("well posed").repeats

@@ -1,7 +1,8 @@
 //! A block that is shaken between two stops slides from one to the other and back in every cycle. Its slip agrees with a closed form.
 //!
-//! Feet (total stiffness K, friction μ) carry the weight W. Stops of stiffness K are at the distance g on both sides, and a pull goes to P and to -P.
-//! From one extreme to the other the feet stretch by 2 μ W / K before they slide, and each stop is compressed by (P - μ W) / K, so that they slide
+//! Feet (total stiffness K, friction μ) carry the weight W. Stops of stiffness K are at the distance g on both sides, and a pull goes from P to -P
+//! and back. From one extreme to the other the feet stretch by 2 μ W / K before they slide, and each stop is compressed by (P - μ W) / K. So the feet
+//! slide by
 //!
 //! ```text
 //! 2 (g + (P - μ W) / K) - 2 μ W / K      on each way
@@ -60,7 +61,7 @@ fn a_walk_is_told_by_the_cycles_to_come() {
     let cycle = [4.0, -4.0].map(|rocked| Leg::there_and_back(Wrench::<2>::new([0.0, 0.0], rocked))).concat();
     let shaken = block.shake(Wrench::<2>::new([3.5, -10.0], 0.0), &cycle).expect("well posed");
     let Repeats::Walks { by, .. } = &shaken.repeats else { panic!("{shaken}") };
-    // 1 mm per cycle at 1 000 N/m corresponds to this at 0.4 N/m.
+    // The missing force of 0.5 N, times two, divided by 0.4 N/m: 2.5 m in each cycle.
     assert!((by[0].twist.translation()[0] - 2.5).abs() < 1e-9, "{shaken}");
     assert!(shaken.change < 1e-9 && shaken.cycles > 1, "{shaken:?}");
 }

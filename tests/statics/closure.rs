@@ -16,7 +16,8 @@ fn wrench<const C: usize>(point: [f64; C], force: &SVector<f64, C>) -> Vec<f64> 
     force.iter().copied().chain(planes.iter().map(moment)).collect()
 }
 
-/// Checks forces and motions of an answer. Returns whether the grasp is closed, if the answer decides this.
+/// Checks the forces or the motion that an answer gives as its proof. Returns whether the answer says that the grasp is force-closed, if it decides
+/// this.
 fn is_closed<const C: usize>(grasp: &Grasp<C>, points: &[[f64; C]], mu: &[f64]) -> Option<bool> {
     match grasp.statics().force_closure().expect("no hand") {
         Closure::Closed { internal, .. } => {
@@ -33,7 +34,7 @@ fn is_closed<const C: usize>(grasp: &Grasp<C>, points: &[[f64; C]], mu: &[f64]) 
         }
         Closure::Open { motion, .. } => {
             for ((frame, point), mu) in grasp.frames().zip(points).zip(mu) {
-                // The work of a unit force along each axis.
+                // The work of a unit force along each axis of the contact, for the given motion.
                 let local = SVector::<f64, C>::from_fn(|axis, _| {
                     let unit = wrench(*point, &frame.column(axis).into_owned());
                     unit.iter().zip(motion.components().iter()).map(|(w, v)| w * v).sum()
@@ -66,7 +67,7 @@ fn two_fingers_in_the_plane_by_the_line_between_them() {
         let grasp = planar::Grasp::new([contact(a, na), contact(b, nb)]).expect("two fingers");
         let cosine = 1.0 / mu.hypot(1.0);
         let (x, y) = (along.dot(&na), -along.dot(&nb));
-        // The line is inside both cones, or inside both opposite cones.
+        // The line between both contacts is inside both cones, or inside both opposite cones.
         let known = (x > cosine && y > cosine) || (x < -cosine && y < -cosine);
         let clear = (x.abs() - cosine).abs() > 1e-6 && (y.abs() - cosine).abs() > 1e-6;
         let Some(closed) = is_closed(&grasp, &[a, b], &[mu, mu]) else { continue };
@@ -114,7 +115,7 @@ fn on_the_round_cone_by_an_interior_point_method() {
                 assert_eq!(closed, margin > 0.0, "{number}: {margin}");
                 counts[usize::from(closed)] += 1;
             }
-            // The largest t is zero if only zero forces balance.
+            // The interior-point method found the largest t to be zero: only zero forces balance.
             Some(_) if !closed => counts[0] += 1,
             _ => unclear += 1,
         }
@@ -138,10 +139,10 @@ fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
     };
     assert!(matches!(square(0.0)?.statics().form_closure()?, Closure::Open { .. }));
     assert!(matches!(square(0.0)?.statics().force_closure()?, Closure::Closed { .. }));
-    // If all moments have the same sign, the square turns in the opposite direction.
+    // If the four normal forces all have moments of the same sign, the square turns the opposite way.
     let Closure::Open { motion, .. } = square(0.3)?.statics().form_closure()? else { panic!("it turns") };
     assert!(motion.rotation().abs() > 0.1);
-    // Two moments of each sign.
+    // Two of these four normal forces have positive moments, and two have negative ones.
     let side = |p: [f64; 2], n: [f64; 2]| planar::Contact::new(p, n).series_stiffness(100.0, 50.0);
     let held = planar::Grasp::new([
         side([-1.0, 0.3], [1.0, 0.0]),
@@ -170,7 +171,7 @@ fn a_pinch_in_space_turns_about_its_line() -> Result<(), Error> {
 
 #[test]
 fn springs_play_no_part() -> Result<(), Error> {
-    // Stiffnesses of 1e±30 do not matter.
+    // Stiffnesses of 1e30 and 1e-30 do not change force closure.
     let finger = |angle: f64, k: f64| {
         let point = [angle.cos(), angle.sin(), 0.0];
         spatial::Contact::new(point, point.map(|x| -x)).series_stiffness(k, k).friction(0.6)

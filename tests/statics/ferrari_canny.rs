@@ -47,13 +47,14 @@ fn grasp_of<const C: usize>(data: &[Datum<C>]) -> Grasp<C> {
     Grasp::new(data.iter().map(contact)).expect("valid")
 }
 
-/// The distance of the origin from the nearest face of the hull, negative outside. Faces are the planes through D points with all others on one side.
+/// The distance of the origin from the nearest face of the convex hull of the points, negative outside. Faces are the planes through D points with
+/// all others on one side.
 fn hull_radius<const D: usize>(points: &[SVector<f64, D>]) -> Option<f64> {
     let mut chosen: Vec<usize> = (0..D).collect();
     let mut radius = f64::INFINITY;
     loop {
         let rows = DMatrix::from_fn(D, D + 1, |k, c| if c < D { points[chosen[k]][c] } else { -1.0 });
-        // The null vector (v, c) of v·p = c.
+        // The null vector of these rows is (v, c) for the plane v·p = c through all chosen points.
         let squares = (rows.transpose() * &rows).symmetric_eigen();
         let order = squares.eigenvalues.as_slice();
         let least = (0..=D).min_by(|&a, &b| order[a].total_cmp(&order[b]))?;
@@ -114,7 +115,7 @@ fn in_the_plane_against_all_faces_of_the_hull() {
             .ferrari_canny_scaled(Budget::Total(1.0), &plain())
             .expect("valid");
         closed[0] += usize::from(compare(&ball, &total));
-        // Sums with zero or one edge of each contact.
+        // All sums that take, from each contact, no force or a force along one edge of its cone.
         let mut each = vec![SVector::zeros()];
         for edges in &edges {
             each = each.iter().flat_map(|sum| [*sum, sum + edges[0], sum + edges[1]]).collect();
@@ -162,7 +163,7 @@ fn in_space_against_all_faces_of_the_hull() {
     assert_met(&[(closed, 4)]);
 }
 
-/// The support function of all wrenches within a budget of 1 N in a direction, on the round cone.
+/// The support function of all wrenches of contact forces within a budget of 1 N, on the round cone: their largest product with v.
 fn reach(data: &[Datum<3>], budget: Budget, v: &SVector<f64, 6>) -> f64 {
     let work = |(point, normal, mu): &Datum<3>| {
         let u = SVector::<f64, 3>::from_fn(|axis, _| {

@@ -66,7 +66,7 @@ impl Tally {
         let maps: Vec<_> = data.iter().zip(grasp.frames()).map(map).collect();
         let scaled =
             |load: &SVector<f64, D>| DVector::from_fn(D, |k, _| if k < C { load[k] } else { load[k] * 1e-3 });
-        // The largest multiple of the base load itself.
+        // The largest multiple of the base load that the contacts balance. If it is less than one, the base load itself is not balanced.
         let times = load_limit(&maps, &DVector::zeros(D), &scaled(&base), bound).unwrap();
         let known = load_limit(&maps, &scaled(&base), &scaled(&rate), bound).filter(|_| times > 1.0);
         let [base, rate] = [base, rate].map(|w| Wrench::from_components(w.as_slice()));
@@ -98,7 +98,7 @@ impl Tally {
                 );
             }
             (LoadLimit::Factor { at_least, .. }, None) => {
-                // The difference is within the tolerance of the method.
+                // The interior-point method says that the base load is not balanced, within its tolerance.
                 self.unknown += 1;
                 assert!(at_least < 1e-2 && (times - 1.0).abs() < 1e-2, "{at_least} {times}");
             }

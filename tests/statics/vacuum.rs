@@ -28,7 +28,8 @@ fn cups() -> Result<Grasp, Error> {
     Grasp::new([cup(-ASIDE), cup(ASIDE)])
 }
 
-/// The radius is the minimum of the support function over many directions. Each lip pushes with any force up to `most`; each vacuum pulls with V.
+/// The radius of the largest ball of balanced wrenches is the minimum of the support function over many directions. Each lip pushes with any force up
+/// to `most`, and each vacuum pulls with V.
 #[test]
 fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
     for most in [70.0, 100.0, 400.0] {
@@ -43,7 +44,7 @@ fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
         let scale = WrenchScale { about: [0.0, 0.0], length: 1.0 };
         let ball = cups()?.statics().ferrari_canny_scaled(Budget::Each(most), &scale)?;
         assert!(ball.at_least > 0.0 && ball.at_most - ball.at_least < 1e-6 * most, "{ball:?}");
-        // No direction has a lower value, and the reported direction has this value.
+        // No direction of the grid has a lower value of the support function, and the reported weakest direction has exactly this value.
         let told = ball.weakest.components();
         let farthest = reach([-told[0], -told[1], -told[2]]);
         assert!((farthest - ball.at_most).abs() < 1e-9 * most, "{farthest} {ball:?}");
@@ -63,7 +64,7 @@ fn lips_must_bear_the_vacuum() -> Tested {
     let ball = cups()?.statics().ferrari_canny(Budget::Each(50.0))?;
     assert_eq!((ball.at_least, ball.at_most), (0.0, 0.0));
     let limit = cups()?.statics().load_limit(Wrench::ZERO, Wrench::force([0.0, -1.0]), Budget::Each(50.0))?;
-    // The vacuum exceeds the limit of the lips by 20 N, which a load would have to take off. At zero load there is no balance.
+    // The vacuum pulls with 20 N more than the lips may push. Only a load could take this off the lips, so at zero load nothing is balanced.
     assert!(matches!(limit, LoadLimit::NoBase { .. }), "{limit:?}");
     Ok(())
 }
@@ -72,10 +73,10 @@ fn lips_must_bear_the_vacuum() -> Tested {
 fn limits_along_a_load() -> Tested {
     let plate = cups()?;
     for (load, expected) in [
-        // In tension the limit is both vacuums, in shear the friction of the lips.
+        // A load that pulls the plate off is limited by both vacuums, and a load along the plate by the friction of the lips.
         (Wrench::force([0.0, -1.0]), 2.0 * VACUUM),
         (Wrench::force([1.0, 0.0]), FRICTION * 2.0 * VACUUM),
-        // Peeling about the far lip, with the load at the near one: W (a + b) = 2 a V for b = a.
+        // A load W at one cup peels the plate about the other lip: W (a + b) = 2 a V with b = a.
         (Wrench::force_at([0.0, -1.0], [ASIDE, 0.0]), VACUUM),
     ] {
         let limit = plate.statics().load_limit(Wrench::ZERO, load, Budget::Each(1e3))?;

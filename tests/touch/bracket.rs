@@ -41,7 +41,7 @@ fn a_pull_across_takes_the_friction_of_both_pads() {
     }
 }
 
-/// 2 μ N r̄ with the mean distance of a rectangle's points from its centre, 9.6811 mm.
+/// The limit torque is 2 μ N r̄, where r̄ = 9.6811 mm is the mean distance of a rectangle's points from its centre.
 #[test]
 fn a_torque_takes_the_mean_distance_of_the_pads() {
     let lost = lost_at([2, 2], Wrench::new([0.0; 3], [1.0, 0.0, 0.0]).about([-0.003, -0.025, -0.015]));
@@ -58,8 +58,8 @@ fn its_weight_is_held() {
     }
 }
 
-/// The leg ends at 40 mm. Half of a pad of 20 mm centred at 40 mm is beyond it, and three quarters of one at 45 mm, up to the
-/// share of the points at the border.
+/// The leg of the bracket ends at 40 mm. Of a pad of 20 mm centred at 40 mm, half is beyond this end, and of a pad centred at 45 mm three quarters.
+/// The error is up to the share of the points at the border of the pad.
 #[test]
 fn a_pad_beyond_the_end_of_the_leg_misses_in_part() {
     let part = bracket_in_metres();

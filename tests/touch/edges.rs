@@ -4,7 +4,7 @@ use crate::shapes::{bracket, part, round};
 
 #[test]
 fn a_bracket_has_those_of_its_profile() {
-    // Six corners: two polygons and the lines between them, none of them a diagonal.
+    // The profile has six corners. The bracket has the edges of two such polygons and the lines between them, but no diagonals.
     let edges = part(&bracket()).edges(0.5);
     assert_eq!(edges.len(), 18);
     for [a, b] in edges {
@@ -24,6 +24,6 @@ fn a_shaft_has_the_circles_at_its_ends() {
 fn an_open_surface_has_its_rim() {
     let (corners, mut faces) = bracket();
     faces.truncate(2);
-    // Two triangles of one flat side.
+    // The two remaining triangles form one flat side, which has four edges.
     assert_eq!(part(&(corners, faces)).edges(0.5).len(), 4);
 }

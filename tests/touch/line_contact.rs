@@ -18,7 +18,7 @@ fn closed(pad: Pad, part: &Part, advance: f64) -> Touched {
     Touch::new(pad.of_layer(FOUNDATION, 1.0), contact.command([advance, 0.0, 0.0])).on(part).expect("touches")
 }
 
-/// Forces of the points on a fixed part, N.
+/// Forces in N of the points of the pad on a part that does not move.
 fn forces(touched: &Touched) -> Vec<[f64; 3]> {
     let anchor =
         |y: f64, z: f64| Contact::new([0.0, y, z], [0.0, 0.0, 1.0]).series_stiffness(1e15, 1e15).bonded();
@@ -29,12 +29,12 @@ fn forces(touched: &Touched) -> Vec<[f64; 3]> {
     state.contacts.iter().take(touched.contacts().len()).map(|contact| contact.force_world.into()).collect()
 }
 
-/// Sum of these forces along the closing direction, N.
+/// Sum of the forces of all points along the closing direction, N.
 fn force(touched: &Touched) -> f64 {
     forces(touched).iter().map(|force| force[0]).sum()
 }
 
-/// The error falls from six points across the width to 26.
+/// The force agrees with the integral of the foundation's pressure. The error is smaller with 26 points across the width than with six.
 #[test]
 fn a_flat_pad_on_a_fine_shaft() {
     let shaft = part(&round(RADIUS, 3000, 0.08));
@@ -69,7 +69,7 @@ fn a_flat_pad_on_a_shaft_of_96_sides() {
         let ((y0, d0), (y1, d1)) = (corner(k), corner(k + 1));
         let (left, right) = (advance - d0, advance - d1);
         let slope = (d1 - d0) / (y1 - y0);
-        // Area of the overlap above this side, up to where the side leaves the pad, times cos² θ.
+        // The area of the overlap of this side with the pad, up to where the side leaves the pad, times cos² θ of its slope θ.
         let area = if left <= 0.0 {
             0.0
         } else if right >= 0.0 {
@@ -99,14 +99,14 @@ fn a_v_touches_with_two_flanks() {
     let found = force(&touched) / (2.0 * flank / SQRT_2) - 1.0;
     assert!(found.abs() < 0.01, "{found}");
     assert!(touched.steepest() < 0.2, "{}", touched.steepest());
-    // The point with the largest force is where the flank is tangent.
+    // The point with the largest force is where the flank touches the shaft first.
     let mut strongest = forces(&touched).into_iter().zip(touched.contacts()).collect::<Vec<_>>();
     strongest.sort_by(|one, other| other.0[0].total_cmp(&one.0[0]));
     let y = strongest[0].1.point()[1].abs();
     assert!((y - RADIUS / SQRT_2).abs() < 3e-4, "{y}");
 }
 
-/// A round finger of the same radius on a face is the same line contact.
+/// A round finger with the radius of the shaft on a flat face has the same force as a flat pad on the shaft.
 #[test]
 fn a_round_finger_on_a_face() {
     let block =
@@ -117,7 +117,7 @@ fn a_round_finger_on_a_face() {
     let expected = 4.0 / 3.0 * FOUNDATION * 1e-4 * (2.0 * RADIUS * 1e-4).sqrt() * LENGTH;
     let found = force(&touched) / expected - 1.0;
     assert!(found.abs() < 0.005, "{found}");
-    // The area of the arc over 6 mm.
+    // The expected area is that of the arc over a width of 6 mm.
     assert!((area / (2.0 * RADIUS * 0.15_f64.asin() * LENGTH) - 1.0).abs() < 1e-3, "{area}");
 }
 
@@ -130,7 +130,7 @@ fn a_pressed_pad_presses_with_its_force() {
     for clearance in [0.0, 0.001] {
         let touch = Touch::new(pad.clone(), contact.clone().clearance(clearance).pressed_with(40.0));
         let touched = touch.on(&shaft).expect("touches");
-        // The anchors of the part move by 1e-14 m.
+        // The force is not exactly 40 N, because the bonded anchors that hold the part have a finite stiffness and move by 1e-14 m.
         assert!((force(&touched) - 40.0).abs() < 1e-7, "{}", force(&touched));
     }
 }

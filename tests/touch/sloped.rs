@@ -45,7 +45,7 @@ fn a_slope_takes_the_squeeze_with_its_friction() {
         for contact in touched.contacts() {
             let k = contact.series_stiffness_of_axes();
             let [normal, first, second]: [f64; 3] = contact.commanded().into();
-            // Normals, commands and clearances have the same ratio of cos θ: the travel before the touch.
+            // The travel along the normal before a point touches is its distance behind the foremost point, along the closing direction, times cos θ.
             let before = (contact.point()[0]
                 - touched.contacts().iter().map(|c| c.point()[0]).fold(1.0, f64::min))
                 * slope.cos();

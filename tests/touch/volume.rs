@@ -8,7 +8,7 @@ use crate::shapes::{bracket, bracket_in_metres, part, round};
 #[test]
 fn a_bracket_is_two_plates() {
     let part = bracket_in_metres().of_density(7850.0).expect("closed");
-    // 60 x 6 and 6 x 34, 30 deep.
+    // The bracket consists of plates of 60 x 6 mm and 6 x 34 mm, 30 mm deep.
     let (first, second) = (360.0, 204.0);
     let middle = |one: f64, other: f64| (first * one + second * other) / (first + second) * 1e-3;
     let expected = [middle(30.0, 3.0), middle(3.0, 23.0), 0.015];

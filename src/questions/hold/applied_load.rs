@@ -55,7 +55,7 @@ pub(crate) struct PathFacts {
 #[derive(Debug, Clone)]
 pub(crate) struct AtRest {
     pub(crate) contacts: Vec<RestingContact>,
-    /// The engine's states of contacts and drives, if these states had to be searched for; otherwise empty.
+    /// The states (open, sticking, sliding) of contacts and drives in this equilibrium, if a search found them; otherwise empty.
     pub(crate) states: Vec<State>,
 }
 
@@ -88,7 +88,6 @@ impl Engine {
         Ok(self.hold_with(ramp, settings, VerdictScope::Whole)?.0)
     }
 
-    /// Implements [`Self::hold`] to the given extent; also returns facts about the load path.
     pub(crate) fn hold_with(
         &self,
         ramp: &Ramp<3>,
@@ -141,8 +140,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // Motions may cease to be small in a jump at the first slip. The load factors of the first slip and of the end of small motions then differ
-        // by rounding.
+        // If motions cease to be small in a jump at the first slip, the load factors of both events differ by rounding alone. The first slip then
+        // still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let first_slip = self.first_slip(&onset, &events).filter(is_small);
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
@@ -208,7 +207,7 @@ impl Engine {
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
         let by_all = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
-        // A grasp that buckles before the whole load acts is not said to be near to it as well.
+        // A grasp that buckles before the whole load acts is not also reported as near to buckling.
         verdict.left_out = by_all.filter(|_| state.is_some() || !buckles);
         self.let_swing(&mut verdict, ramp, settings);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
@@ -226,15 +225,16 @@ impl Engine {
     ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
-            // Following the base load from zero takes up to a thousand times as long as following the load on top of it.
+            // It takes up to a thousand times as long to follow the base load from zero as to follow the load on top of it. The scope `Decided` omits
+            // this.
             if extent == VerdictScope::Decided {
                 return otherwise;
             }
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // No equilibrium at the loss: contacts slide under the base load, their friction falls to the kinetic value, and nothing catches the
-            // object.
+            // There is no equilibrium at the loss if the base load itself is not held. Contacts slide under it, their friction falls to the kinetic
+            // value, and no other contact catches the object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -267,7 +267,7 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict. Therefore it is not returned.
+        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict, so it is not part of the answer.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 

@@ -29,7 +29,8 @@ impl Engine {
         (least < 0.0).then(|| self.motion_outside(&motion))
     }
 
-    /// Enters the swing of an object that is lost at once, unless commands change, too. The proof of the loss is for arms that do not turn.
+    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, provided that the load alone changes. The proof
+    /// `nothing_near` of the loss takes the lever arms of the load as constant. It is removed, because the object swings.
     pub(super) fn let_swing(&self, verdict: &mut Verdict<3>, ramp: &Ramp<3>, settings: &Settings) {
         let is_load_alone = ramp.command_change.is_none() && ramp.joint_change.is_none();
         if verdict.held_to <= NEGLIGIBLE && verdict.holds() == Some(false) && is_load_alone {
@@ -40,9 +41,10 @@ impl Engine {
         }
     }
 
-    /// The small motion from rest to where the object hangs under the whole `load`, which drives it along motions that nothing resists.
+    /// The small motion from rest to the position in which the object hangs under the whole `load`, along motions that nothing resists.
     ///
-    /// `None` if the load does not drive it, if it hangs nowhere near, or if some contact does not stick under the rest of the load.
+    /// `None` if the load does not move the object along them, or the object would hang only beyond small motions. Also `None` if a contact slides or
+    /// opens under the part of the load that does no work along these motions.
     fn swing(&self, load: &Wrench<3>, settings: &Settings) -> Option<Motion<3>> {
         let sticking = StickingResponse::new(self, settings);
         let (free, whole) = (sticking.linear_problem.free_motions(), self.load_alone(load, "load").ok()?);
@@ -73,8 +75,8 @@ impl Engine {
             .then(|| self.motion_outside(&seen))
     }
 
-    /// The principal geometric stiffnesses of contact forces and `load` along the unit motions `free`, with their motions; the least is the last.
-    /// Stiffnesses that are rounding are zero. `None` where [`Self::driven_on`] is.
+    /// The principal geometric stiffnesses of contact forces and `load` along the unit motions `free`, each with its motion, in descending order.
+    /// Stiffnesses within rounding are set to zero. `None` in the cases in which [`Self::driven_on`] returns `None`.
     fn free_stiffness(
         &self,
         free: &[Vector],
@@ -91,7 +93,7 @@ impl Engine {
         let (all, count) = (self.geometric_stiffness(forces, load), free.len());
         let (values, parts) =
             symmetric_eigen(&DMatrix::from_fn(count, count, |k, l| free[k].dot(&(&all * &free[l]))));
-        // A change of the potential by less than this fraction is rounding of arms and forces.
+        // A geometric stiffness (N/m) smaller than this number is due to rounding of forces and lever arms.
         let rounding = NEGLIGIBLE * largest(forces, &SVector::norm) / self.length();
         let motion = |k: usize| (0..count).fold(Vector::zeros(), |sum, l| sum + &free[l] * parts[(l, k)]);
         let of = |k: usize| (if values[k].abs() > rounding { values[k] } else { 0.0 }, motion(k));
@@ -101,7 +103,7 @@ impl Engine {
     /// Whether a motion of unit length moves no joint, and displaces the bodies relative to the fingers at no contact with a force, except that it
     /// swings ropes and springs.
     fn turns_in_place(&self, forces: &[SVector<f64, 3>], motion: &Vector) -> bool {
-        // A displacement below this is rounding.
+        // A displacement of the contact within rounding of the displacements that a unit motion causes counts as none.
         let is_still = |i: usize| {
             let site = &self.sites()[i];
             site.map.tr_mul(motion).norm() <= NEGLIGIBLE * site.span_moved(&SVector::zeros(), 1.0)

@@ -28,7 +28,7 @@ impl Engine {
         if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
             return None;
         }
-        // Where the grasp buckles, the load path finds at which load.
+        // If the grasp buckles, only the full load path gives the load at which it buckles.
         let buckles = |(forces, factor): (&Vec<SVector<f64, 3>>, f64)| {
             let forces = paired(self.sites(), forces, &|(site, force)| site.frame * force);
             let load = ramp.load_at(factor);

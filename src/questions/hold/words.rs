@@ -114,7 +114,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Writes a caution about the geometric stiffness, if it matters.
+    /// Writes the caution about the geometric stiffness ([`Verdict::left_out`]), which small motions neglect, if the verdict has that number.
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(part) = self.left_out else { return Ok(()) };
         let words = Words::with_digits(2);
@@ -253,7 +253,6 @@ impl<const C: usize> Verdict<C> {
         )
     }
 
-    /// Whether the load that grows is zero.
     fn has_no_load(&self) -> bool {
         self.load == Wrench::ZERO
     }

@@ -37,16 +37,17 @@ pub(super) enum FitEnd {
 pub(super) struct Scatter {
     /// One standard deviation for each slip, then one for each known sum, relative to the observed value.
     pub(super) rows: Vec<f64>,
-    /// The common standard deviation of all slips, or the common factor on their given ones, estimated from residuals.
+    /// Estimated from the residuals: the standard deviation common to all slips or, if standard deviations are given, a common factor on them.
     pub(super) scale: f64,
-    /// Whether `rows` contain the scale, because none are given, or because the residuals are clearly larger than the given ones say.
+    /// Whether `rows` contain the factor `scale`. They do if no standard deviations are given, or if the residuals clearly exceed the given ones.
     pub(super) is_estimated: bool,
     /// Degrees of freedom: the number of observations minus the number of combinations of unknowns that they determine.
     pub(super) degrees: usize,
 }
 
 impl Scatter {
-    /// Whether residuals exceed given standard deviations at 95 %, by the approximation of Wilson and Hilferty to the distribution of chi-square.
+    /// Whether the residuals exceed the given standard deviations at 95 %, by the distribution of chi-square in the approximation of Wilson and
+    /// Hilferty.
     fn is_exceeded(&self) -> bool {
         let part = 2.0 / (9.0 * self.degrees as f64);
         self.degrees > 0 && self.scale > (1.0 - part + two_sided(0.9, None) * part.sqrt()).powf(1.5)
@@ -58,8 +59,8 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. For slips they are given, or one standard deviation common to all slips is estimated from
-    /// the residuals. If `is_estimated`, a common factor on given ones is estimated, too.
+    /// Relative standard deviations of the observations. The question gives them for known sums, and for all slips or for none. If for none, or if
+    /// `is_estimated`, a factor common to all slips is estimated from the residuals.
     fn scatter(&self, linear: &Linear, is_estimated: bool) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Vec<_> = mapped(slips, &|slip| slip.scatter.unwrap_or(1.0));
@@ -91,7 +92,8 @@ impl Model<'_> {
 /// is not predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
-/// For each unknown whether searches for a start change it: friction, or if no friction is unknown, squeezes and carried forces.
+/// For each unknown, whether it may be multiplied in the search for starting values. These are coefficients of friction; if no friction is unknown,
+/// squeezes and carried forces (normal forces before the load grows).
 fn changing(model: &Model<'_>) -> Vec<bool> {
     let unknowns = &model.asked.unknowns;
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
@@ -153,8 +155,9 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A start from which the slip farthest off depends on the unknowns, if no unknown of [`changing`] moves it at the fit: a box that tips there slides
-/// with less friction. These unknowns are halved if the slip was observed below its prediction, else doubled, in at most twelve trials.
+/// A start for a second search, if the prediction of some slip at `fit` differs from its observation, but depends on no unknown that [`changing`]
+/// selects. A box that tips, for example, slides first if friction is lower. The selected unknowns are halved if the slip was observed below its
+/// prediction, else doubled, until the prediction depends on them; at most twelve times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
     let is_flat = |linear: &Linear, k: usize| {
@@ -182,8 +185,8 @@ impl Fitted {
     }
 }
 
-/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips. Given standard
-/// deviations that the residuals clearly exceed are multiplied by a common factor, and the search is continued.
+/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips. If the
+/// residuals clearly exceed the given standard deviations, these are multiplied by a common factor, and the search continues.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) -> Result<Fitted, Error> {
     let mut fit = fitted_with(model, begin, linear, false)?;
     if !fit.scatter.is_estimated
@@ -195,13 +198,14 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) ->
     loosened(model, fit)
 }
 
-/// The fit, or one without an unknown that one slip alone determines: with the unknown doubled, its contact no longer slips first in any. Some slip
-/// always has the lowest load for its scatter, so that the fit must be better at 95 % for the lowest of all slips (Bonferroni).
+/// Returns `fit`, unless one of its unknowns rests on a single slip that may be low by scatter alone. Such an unknown is doubled, so that its contact
+/// slips first in no observation, and the search is repeated. The new fit is returned unless `fit` is better at 95 %. As the lowest of all slips is
+/// always singled out, the level is corrected for their number (Bonferroni).
 fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     let probability = 1.0 - 0.05 / model.asked.slips.len() as f64;
     for unknown in 0..fit.logs.len() {
         let rows = |linear: &Linear| counted(linear.jacobian.column(unknown).as_slice(), &|x| *x != 0.0);
-        // One degree of freedom hardly tells the scatter.
+        // With a single degree of freedom the estimate of the scatter is too uncertain for this comparison.
         if fit.scatter.degrees < 2 || fit.linear.as_ref().is_none_or(|here| rows(here) != 1) {
             continue;
         }
@@ -219,7 +223,8 @@ fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// The fit as of [`fitted_from`], with given standard deviations, or with a common factor on them that is estimated from the residuals.
+/// A search for the fit as in [`fitted_from`], but without a second one. If `is_estimated`, a common factor on the given standard deviations is
+/// estimated from the residuals.
 fn fitted_with(
     model: &Model<'_>,
     begin: Vec<f64>,

@@ -106,8 +106,9 @@ impl Spread {
         let inside = scaled.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // `counts` is a factor on the weight of each slip that accounts for clamped residuals. With groups the covariance is computed from the
-        // clamped residuals of the slips. Without groups the mean square of clamped normal residuals is used instead.
+        // Huber's loss clamps large residuals, so that the slips determine the unknowns less accurately. The factor `counts` on the weight of each
+        // slip accounts for this. With groups the covariance is computed from the clamped residuals. Without groups it uses the mean square of
+        // clamped normal residuals.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -144,7 +145,7 @@ impl Spread {
     }
 
     /// The standard error of the logarithm of an unknown, and the degrees of freedom of Student's interval (`None` for a normal distribution). `None`
-    /// if the slips do not determine the unknown, or its error is not known, also because slips agree to all digits.
+    /// if the slips do not determine the unknown, or if its error is not known, for example because the slips agree to all digits.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
         let degrees = self.scatter.is_estimated.then_some(self.scatter.degrees as f64);
         let is_known =

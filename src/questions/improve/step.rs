@@ -121,7 +121,8 @@ impl StepProgram {
         // Now `top` is above every value that the least of the events can have in the box. Thus t stays positive, and the multipliers of events add
         // up to one.
         let top = top + 0.5;
-        // The unknowns are d - low, and t. The rows of the matrix are events, linear constraints, and the upper ends of the box.
+        // The unknowns are the distances d - low of the step from the lower ends of the box, and t: the constant `top` less the least event value.
+        // The rows of the matrix are events, linear constraints, and the upper ends of the box.
         let (m, b) = (near.len(), self.bounds.len());
         let mut rows = DMatrix::zeros(m + b + n, n + 1);
         let mut left = DVector::zeros(m + b + n);

@@ -16,8 +16,9 @@ use crate::numerics::sort_by_number;
 const BEYOND_PRESUMED: u32 = 6;
 
 impl Threshold {
-    /// This bracket narrowed by full trials. The amount `presumed` is the last one for which an equilibrium at rest is found without the enumeration;
-    /// if verdicts beyond it alternate, `presumed` is the sufficient amount of the bracket.
+    /// Narrows this bracket, a sufficient and an insufficient amount, by trials that include the enumeration of contact states. `presumed` is the
+    /// last amount for which an equilibrium at rest is found without the enumeration. If verdicts beyond it alternate, `presumed` becomes the
+    /// sufficient amount of the bracket.
     pub(super) fn beyond(
         mut self,
         presumed: f64,

@@ -44,8 +44,9 @@ impl Loading {
         )
     }
 
-    /// The worst of this result, for which everything sticks, and those of forces along the axes. No closed form knows whether a force buckles the
-    /// grasp; the geometric stiffness is linear in the force.
+    /// The result `held`, which the equilibrium with everything sticking gives, or a worse result under a force along one of the coordinate axes. In
+    /// that equilibrium it is not computed whether the force buckles the grasp. The geometric stiffness is linear in the force, so forces along the
+    /// axes are checked for it.
     fn unless_it_buckles(&self, mut held: Trial, along: Along<'_>) -> Result<Trial, Error> {
         let axes = self.grasp.space().axes();
         for k in 0..2 * axes {
@@ -59,8 +60,9 @@ impl Loading {
         Ok(held)
     }
 
-    /// The result of the trial as far as it can be computed while everything sticks, without a path for each direction. A force of any direction is
-    /// added to the constant load `base`, on which `verdict` is given. `None` if something slides and the demand allows sliding.
+    /// The result of the trial if the linear equilibrium with everything sticking decides it, without a load path for each direction. A force of any
+    /// direction is added to the constant load `base`; `verdict` is the verdict on `base` alone. `None` if a contact slides and the demand allows
+    /// sliding.
     fn while_all_stick(
         &self,
         verdict: &Verdict<3>,
@@ -76,7 +78,7 @@ impl Loading {
             }));
         }
         let weakest = self.grasp.weakest_direction(base, point)?;
-        // If directions are tried one by one, the direction in which the least force makes a contact slide is tried first.
+        // If directions are tried one by one later, the direction in which the least force makes a contact slide is tried first.
         if let WeakestDirection::Force { direction, .. } = &weakest
             && refuting.directions.borrow().is_empty()
         {
@@ -124,9 +126,9 @@ impl Loading {
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
-    /// The worst result over directions of a force. First come directions in which the force was not carried with other amounts, then a few evenly
-    /// spread ones, then those near one in which the force is nearly lost, and last directions between these. `worst` has the result without the force. Quick trials are confined to directions that refuted
-    /// other amounts, if there are any.
+    /// The worst result over directions of a force; `worst` has the result without the force. Directions that refuted other amounts are tried first,
+    /// then a few evenly spread ones, then those near directions in which the force is nearly lost. Directions between all these come last. A quick
+    /// trial is confined to directions that refuted other amounts, if there are any.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -138,7 +140,7 @@ impl Loading {
         let all = if is_confined { Vec::new() } else { directions(self.grasp.space()) };
         let (mut held, mut found) = (worst.held.take().unwrap_or_else(Trial::always), vec![None; all.len()]);
         let (mut weakest, mut before) = (None, Vec::new());
-        // The first direction alone shows how far the load is followed in the others.
+        // The first direction is tried alone. The multiple of the load carried in it limits how far the load is followed in the other directions.
         let (first, others) = known.split_at(known.len().min(1));
         for some in [first, others] {
             for (direction, (trial, path)) in some.iter().zip(self.some_directions(some, along, &held)?) {
@@ -147,7 +149,8 @@ impl Loading {
             }
         }
         for round in 0..2 {
-            // If loads are followed no farther than the whole load, no direction is known to be nearly lost, and all of them are tried.
+            // If loads are followed no farther than the whole load, directions in which the force is nearly lost are not recognised. All directions
+            // are then tried.
             let next = match round {
                 0 if self.followed >= CLOSE => spread_out(&all, self.grasp.space()),
                 0 => numbered(all.len(), &|k| k),
@@ -169,7 +172,7 @@ impl Loading {
             }
         }
         match weakest {
-            // The weakest direction near a direction in which the force is not held is tried first from then on.
+            // From now on, trials of other amounts begin with the weakest direction found near this one, in which the force is not held.
             Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) =
                     self.weakest_near((direction, first_step(self.grasp.space())), along, trial)?;
@@ -206,10 +209,10 @@ impl Loading {
         Ok(results)
     }
 
-    /// The worst result between evenly spread directions, in all of which the load is carried. Near each direction in which a smaller part is carried
-    /// than in its neighbours the weakest direction is sought, from a direction `before` if one is near. Neighbours may have different numbers of
-    /// jumps on their load paths. The direction between them at which this number changes is then sought, because the carried part of the load jumps
-    /// at this direction as well.
+    /// The worst result for directions between evenly spread ones, in all of which the load is carried. The weakest direction is sought near each
+    /// direction in which a smaller part of the load is carried than in its neighbours. The search starts from a direction in `before` if one is
+    /// near. If two neighbours have different numbers of jumps on their load paths, the direction between them at which this number changes is
+    /// sought, too: there the carried part of the load jumps.
     fn between_directions(
         &self,
         (all, tried): (&[[f64; 3]], &[Option<DirectionTrial>]),
@@ -228,7 +231,7 @@ impl Loading {
         let mut starts: Vec<([f64; 3], f64, f64)> = Vec::new();
         for k in minima.into_iter().take(MOST_MINIMA) {
             let step = first_step(space);
-            // A direction that was weakest with another amount is nearer to the weakest one than an evenly spread direction.
+            // The direction that was weakest with another amount is nearer to the weakest direction than an evenly spread one is.
             let near = before
                 .iter()
                 .find(|(way, part)| is_within(1.25 * step, way, &all[k]) && *part <= found[k].part);
@@ -257,8 +260,8 @@ impl Loading {
             let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
             let mut parts = [found[one].part, found[other].part];
             loop {
-                // The carried part has a different limit on each side of the jump. Towards each limit it is linear in the angle. Therefore the
-                // smaller last step is needed only if the part is near 1.
+                // The carried part of the load jumps between the two directions in `ends`. Up to the jump it is nearly linear in the angle on either
+                // side. The smaller last step is therefore needed only if the carried part is near 1, the whole load.
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
@@ -287,9 +290,10 @@ impl Loading {
         Ok((self.said_of(1, &ramp.direction, trial), path))
     }
 
-    /// The weakest direction near `direction`, whose trial is `weakest`, with its trial. The search moves to a neighbouring direction in which a
-    /// smaller part of the load is carried. Its step, rad, is halved where no neighbour carries less. It ends where a
-    /// convex set of carried forces would have the whole load between the neighbours. Where contacts slide, convexity is not proved.
+    /// Searches near `direction` for the direction in which the smallest part of the load is carried; returns it with its trial. `weakest` is the
+    /// trial of `direction`. The search moves to a neighbouring direction with a smaller carried part; if there is none, the step (rad) is halved. It
+    /// ends once the whole load is carried between the neighbours, provided that the forces carried in all directions form a convex set. Where
+    /// contacts slide, convexity is not proved.
     fn weakest_near(
         &self,
         (mut direction, mut step): ([f64; 3], f64),
@@ -298,7 +302,7 @@ impl Loading {
     ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
         for _ in 0..50 {
-            // If far more than the load is carried in the weakest direction, the same is true of its neighbours, and the search ends.
+            // If far more than the load is carried in the weakest direction so far, the same is true of its neighbours, and the search ends.
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
@@ -316,7 +320,7 @@ impl Loading {
             }
             match best {
                 Some(better) => direction = better,
-                // In a convex set of carried forces, less than the load is carried between neighbours only if the part here is near 1.
+                // If the carried forces form a convex set, the whole load is also carried between the neighbours, at the angle `step` on either side.
                 None if weakest.carried().is_some_and(|part| part * (2.0 * step).cos() > 1.0) => break,
                 None => step *= 0.5,
             }
@@ -325,14 +329,15 @@ impl Loading {
     }
 }
 
-/// The load that grows along a unit vector of the force.
+/// Returns the growing load (a force at a point, in addition to a constant load) whose force has the direction of the given unit vector.
 type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 
 /// Number of directions that are tried at once, in parallel. The trials of one such group follow the load equally far.
 const AT_ONCE: usize = 8;
 
-/// First step from a direction that was weakest with another amount, as a fraction of the step from an evenly spread direction. If smaller, moves of
-/// the weakest direction from amount to amount take more steps; if larger, halvings do.
+/// First step of the search for the weakest direction, if it starts from the direction that was weakest with another amount. It is given as a
+/// fraction of the first step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to
+/// amount; if larger, it halves the step more often.
 const A_LITTLE: f64 = 0.125;
 
 /// Directions closer to each other than this angle, rad, are not tried. The carried parts of the load within this angle differ by less than 1e-6,

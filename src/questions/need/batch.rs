@@ -261,8 +261,8 @@ const MOST_LIMIT: f64 = 1e50;
 /// directions of slip turn (1e-9 by default), but too small to matter for motions.
 const BEYOND_STEPS: f64 = 1e-7;
 
-/// The multiple of the load at the loss, and whether the object is lost only because motions are no longer small, a cup leaks or the grasp buckles. `None` if the object is not held at
-/// rest, or no loss was found.
+/// The multiple of the load at the loss. The second value is true if the object is lost only because motions are no longer small, a cup leaks or the
+/// grasp buckles. `None` if the object is not held at rest, or no loss was found.
 fn lost_at<const C: usize>(verdict: &Verdict<C>) -> Option<(f64, bool)> {
     let starts = matches!(verdict.holding, Holding::Sticks | Holding::Slides { .. } | Holding::Lost);
     let lost = verdict.lost.as_ref().filter(|lost| starts && lost.factor > 0.0)?;

@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct BoundScan {
-    /// Number of changes between sufficient and insufficient among the amounts of the scan, including the change at the bound.
+    /// Number of pairs of neighbouring amounts of the scan of which one is sufficient and the other is not, including the pair at the bound.
     pub(super) changes: usize,
     /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
     /// if all amounts tried on the easier side of the bound are sufficient.
@@ -31,7 +31,8 @@ pub(super) struct BoundScan {
 
 impl SearchPlan {
     /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it. If `coarse`, there is one more amount, 16 times as
-    /// large or small as `from`. Amounts outside the range of the plan are not tried. On the harder side a near end of the range is the last amount.
+    /// large or small as `from`. Amounts outside the range of the plan are not tried. If a proof excludes all harder amounts (less squeeze, more
+    /// load) beyond an end of the range, and this end is near, it is the last amount.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         let to_the_end = self.end(up).filter(|_| up != self.is_least).map(|end| (end / from).max(from / end));
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
@@ -44,8 +45,8 @@ impl SearchPlan {
         picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))
     }
 
-    /// Two amounts, just inside and just outside the upper (if `up`) or lower end of the range. Empty unless a proof excludes all amounts beyond that
-    /// end.
+    /// Two amounts, just inside and just outside the upper (if `up`) or lower end of the range of amounts that no proof excludes. Empty without such
+    /// an end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
             // If this relative offset were smaller than the error of the proved end, both amounts could be on the same side of the true end.
@@ -93,8 +94,8 @@ impl BoundScan {
                 amounts.extend(mapped(known, &|(at, _)| *at));
             }
             in_order(&mut amounts, up);
-            // A full trial of the easiest amount finds directions in which a force is not carried. The shorter trials of the other amounts on this
-            // side then include these directions.
+            // A full trial of the easiest amount (most squeeze, least load) finds the directions in which a force of any direction is not carried.
+            // The shorter trials of the other amounts on this side then include these directions.
             if let (true, true, Some(&last)) = (tries.learns, is_beyond, amounts.last()) {
                 tries.at(last)?;
             }
@@ -272,7 +273,6 @@ fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
     list.windows(3).find_map(either_way)
 }
 
-/// Sorts amounts, in ascending order if `up`, else in descending order.
 fn in_order(amounts: &mut [f64], up: bool) {
     sort_by_number(amounts, &|at| *at);
     if !up {

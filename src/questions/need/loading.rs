@@ -80,8 +80,9 @@ impl Loading {
             }
             installed => (installed?, None),
         };
-        // With a sufficient amount, loads are followed up to this multiple, from which the search estimates the distance to the bound. A larger
-        // multiple makes load paths longer; only for a squeeze does it improve the estimates.
+        // If the grasp holds the load with this amount, the load grows further, up to this multiple. From the multiple at the loss the search
+        // estimates how far the amount is from the bound of the sufficient amounts. A larger limit makes load paths longer; only for a squeeze does
+        // it improve the estimates.
         let followed = match need.sought {
             Sought::Load => MOST_LOADS / amount.max(1.0),
             Sought::Squeeze => 32.0,
@@ -117,7 +118,7 @@ impl Loading {
         list
     }
 
-    /// This loading with load paths that end at the loads asked about.
+    /// This loading with load paths that end once the whole load acts.
     pub(super) fn short(mut self) -> Self {
         self.followed = 1.0;
         self.grasp = self.grasp.with(&self.grasp.settings().with_most_load(1.0));

@@ -185,7 +185,7 @@ struct FoundAmounts<'f, 'q> {
     tried: &'f TrialRecord<'q>,
     demand: Demand,
     tries: TrialFunctions<'f>,
-    /// Number of new amounts in a scan; 0 if no scan is made.
+    /// Number of further amounts to try around the bound once it is found (the scan); 0 if no scan is made.
     scan: usize,
 }
 

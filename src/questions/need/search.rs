@@ -72,13 +72,14 @@ pub(super) struct SearchPlan {
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
-    /// The range of amounts that no proof excludes.
+    /// The range of amounts that are not proved insufficient.
     pub(super) range: Range,
     /// True if the least sufficient amount is sought, false if the greatest is sought.
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,
-    /// Whether it is known that every amount easier than a sufficient amount is sufficient, too, as far as motions are small.
+    /// Whether it is known that every easier amount (such as more squeeze or less load) than a sufficient one is sufficient, too, as far as motions
+    /// are small.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.
@@ -133,8 +134,9 @@ impl SearchPlan {
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
-    /// Guesses of the bound, in the order in which they are tried. First come guesses from the carried part at both ends of a bracket, then amounts
-    /// next to the proved end and to the likely bound.
+    /// Estimates of the bound of the sufficient amounts, in the order in which they are tried. First come estimates from the carried part of the load
+    /// at both ends of a bracket. Then follow amounts next to the end of the range that a proof gives, and next to the likely least coefficient of
+    /// friction.
     fn guesses(
         &self,
         (sufficient, trial): (f64, &Trial),
@@ -370,7 +372,7 @@ fn first_insufficient(
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {
-            // Beyond the proved end of the range no trial is needed.
+            // Beyond an end of the range a proof excludes all amounts, so that no trial is needed.
             let says = || Trial::insufficient("no forces of the contacts balance it", NOT_AT_REST);
             break plan.beside_the_end(sufficient, NEAR_AN_END[1]).map(|end| (end, says()));
         }

@@ -13,9 +13,9 @@ pub(super) struct DirectionTrial {
     pub(super) jumps: usize,
 }
 
-/// In space no two of the directions that are tried first are nearer to each other than this angle, rad; every direction is within 0.425 rad of one.
-/// If three neighbours carry [`CLOSE`] times the load, a convex set of carried forces has all of the load between, as `cos 0.425 > 1 / CLOSE`. Where
-/// contacts slide, convexity is not proved.
+/// In space the directions that are tried first are at least this angle apart, rad; every other direction is within 0.425 rad of one of them. If
+/// [`CLOSE`] times the load is carried in three neighbours, the whole load is carried in all directions between them, as `cos 0.425 > 1 / CLOSE`.
+/// This holds if the carried forces form a convex set, which is not proved where contacts slide.
 const APART: f64 = 0.4;
 
 /// No weaker direction is sought near a direction in which more than this multiple of the load is carried. If smaller, a weakest direction between
@@ -49,8 +49,8 @@ pub(super) fn spread_out(all: &[[f64; 3]], space: Space) -> Vec<usize> {
     first
 }
 
-/// The indices of directions not yet tried that lie near one in which the force is nearly lost. All of them if the object jumps in any direction,
-/// because the carried part may then jump as well.
+/// The indices of directions not yet tried that lie near a direction in which less than [`CLOSE`] times the load is carried. If the object jumps in
+/// some direction, all directions not yet tried: the carried part of the load may then jump from direction to direction.
 pub(super) fn in_between(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> Vec<usize> {
     let jumps = found.iter().flatten().any(|trial| trial.jumps > 0);
     let weak = |(k, trial): (usize, &Option<DirectionTrial>)| trial.filter(|t| t.part < CLOSE).map(|_| k);

@@ -46,8 +46,9 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // A full trial may find a weaker direction of a force, which later quick trials include. Directions found later change the bound less and
-        // less. Therefore an amount is tried, too, that lies nearer to the sufficient end of the bracket by the fraction 1e-6.
+        // A full trial may find a weaker direction of a force of any direction, which later quick trials include. Each further direction changes the
+        // bound less. Therefore an amount nearer to the sufficient end of the bracket by the fraction [`AT_A_JUMP`] is tried, too; if it is
+        // sufficient, it is the answer.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
@@ -134,7 +135,7 @@ impl Threshold {
             if at == bracket.edge.sufficient || at == bracket.edge.insufficient.0 {
                 break;
             }
-            // The load at which the grasp fails with a sufficient amount is only sought if it may guide the next trial.
+            // A load path is followed beyond the whole load, up to the loss, only if the multiple of the load at the loss may guide the next trial.
             let is_guided = bracket.which == 1 && bracket.fall().is_some();
             let short = is_guided || bracket.edge.insufficient.1.carried().is_none();
             let (at, now) = if presumes {
@@ -184,7 +185,8 @@ impl Narrowing {
         ];
         let is_at_rest = edge.insufficient.1.carried().is_some_and(|carried| carried <= 0.0);
         let which = usize::from(is_at_rest && signs_differ(&sides, 1).is_some());
-        // Right at a bound in space, paths begin at a fold and take a hundred times as long.
+        // In space a load path that begins right at the bound begins at a fold, where equilibria vanish, and takes a hundred times as long. Therefore
+        // trials keep a larger distance from the ends of the bracket.
         let push = [if is_planar { 0.5 * LAST_DIGITS } else { 0.25 * enough[0].1 }; 2];
         let (widths, at_first) = ([f64::INFINITY; 3], (0.0, None));
         let mut new =
@@ -230,7 +232,8 @@ impl Narrowing {
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
         }
-        // If the object moves too far already at rest, no part of the load is carried, whatever the distance from the bound.
+        // If the object moves too far already at rest, the carried part of the load is zero or negative, whatever the distance from the bound. The
+        // other measure then guides the search.
         let rests_too_far = matches!(self.edge.insufficient.1, Trial::Insufficient { is_too_far: true, carried, .. } if carried <= 0.0);
         if rests_too_far && self.which == 0 && is_known(&self.sides, 1) {
             self.watch(1);

@@ -67,8 +67,8 @@ pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-10), (64, 5e-10)];
 /// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
 pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 
-/// The widths at which the brackets of changes between sufficient and insufficient other than the bound are narrow enough. There may be eight such
-/// changes, so narrower brackets would cost most of the trials.
+/// The widths at which a bracket is narrow enough between a sufficient and an insufficient amount, if it is not the bracket of the bound. An answer
+/// may have eight such brackets, so narrower ones would cost most of the trials.
 pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
 /// Upper limit of the ratio of a tried amount to the first amount of the search, and of the first amount to a tried one.
@@ -107,13 +107,14 @@ pub(super) const BETWEEN: usize = 5;
 /// If larger, too few amounts are left to try between different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// The search begins with some amount. If it is easier than the bound by more than this ratio, amounts easier than the first one are tried as well,
-/// because the scan around the bound does not extend that far.
+/// The search begins with some amount, which may be easier (such as more squeeze or less load) than the bound. If it is easier by more than this
+/// ratio, still easier amounts are tried as well. The scan around the bound does not extend that far.
 ///
 /// If smaller, answers take more verdicts. If larger, a far end just on the easier side of the first amount is missed.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
-/// Number of amounts tried on the easier side of the first amount of the search in the case of [`FAR_BEHIND`]. The easiest has a ratio of 4 to it.
+/// Number of tried amounts that are easier than the first amount of the search (such as more squeeze or less load), in the case of [`FAR_BEHIND`].
+/// The easiest of them has the ratio 4 to the first amount.
 ///
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;

@@ -12,8 +12,8 @@ use crate::prelude::*;
 /// negative, not even the load at rest is carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// A new refuting direction replaces those in the list that are within this angle of it, rad. If smaller, the list fills with directions near one minimum;
-/// if larger, a second minimum is forgotten.
+/// A new refuting direction replaces those in the list that are within this angle of it, rad. If smaller, the list fills with directions near one
+/// minimum; if larger, a second minimum is forgotten.
 const SAME_DIRECTION: f64 = 5e-3;
 
 /// The result of the trial of an amount.

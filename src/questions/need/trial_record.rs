@@ -83,8 +83,9 @@ impl<'q> TrialRecord<'q> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // An amount that is sufficient in a quick trial is sufficient in a full trial, too. Excepted are grasps with many coordinates, in which the
-        // search for an equilibrium at rest began elsewhere. Also excepted are forces of any direction, of which quick trials omit some directions.
+        // An amount that is sufficient in a quick trial is sufficient in a full trial, too. There are two exceptions. With many coordinates the
+        // search for an equilibrium at rest starts from the contact states of another amount in a quick trial. Of a force of any direction quick
+        // trials omit some directions.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })

@@ -351,7 +351,7 @@ impl Needed {
     }
 }
 
-/// What begins a further line of the answer.
+/// Text at the beginning of each further line of the answer.
 const LINE: &str = "\n  ";
 
 /// The clause about drives at their limit, if there are any: "motor is at its limit and presses no harder".

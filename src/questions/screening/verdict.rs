@@ -53,8 +53,8 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // If no forces were found, `sure` is NaN, so that the code becomes NaN, too. A contact that never leaves its cone has a margin of exactly
-    // zero.
+    // If no forces were found, `sure` is NaN, and adding zero times `sure` makes the code NaN, too. Otherwise `sure` is finite: even a contact that
+    // never leaves its cone counts, with a margin of exactly zero.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));

@@ -1,4 +1,4 @@
-//! A contact whose data are in error.
+//! A contact whose data (friction, stiffness, squeeze, point, normal) differ from the given ones by given errors.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -20,7 +20,6 @@ pub(super) struct ContactErrors {
 }
 
 impl ContactErrors {
-    /// Adds `times` times the errors `other` to these errors.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         self.friction += other.friction * times;
         self.stiffness += other.stiffness * times;
@@ -42,8 +41,8 @@ impl ContactErrors {
 
 /// The factor on a datum (a stiffness, for example) whose logarithm is in error by `log`.
 pub(super) fn factor(log: f64) -> f64 {
-    // The factor is limited: a datum that became zero or infinite would change its meaning. If the datum is then out of range, a later check returns
-    // an error.
+    // The factor is kept away from zero and infinity: a stiffness of zero, for example, would mean that the contact has no spring. If a datum with
+    // such a factor is out of range, a later check returns an error.
     let least = 1e-200_f64;
     log.exp().clamp(least, least.recip())
 }

@@ -1,4 +1,4 @@
-//! The uncertain data of a grasp that change forces, one by one.
+//! The uncertain data of a grasp on which contact forces depend, each with its standard deviation.
 
 use super::contact_errors::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
@@ -10,9 +10,11 @@ use crate::prelude::*;
 /// One uncertain datum of a grasp, with its error of one standard deviation σ.
 #[derive(Debug, Clone)]
 pub(super) enum UncertainDatum {
-    /// A datum that all points of the contact with this index share, with the errors that one σ makes.
+    /// A datum of the contact with this index, common to all points of a soft fingertip. [`ContactErrors`] are the errors of the contact's data if
+    /// this datum is off by one σ.
     OfContact(usize, ContactErrors),
-    /// Stiffness and squeeze of the joint or tendon with this index, with the errors of their logarithms that one σ makes.
+    /// A datum of the joint or tendon with this index: the errors of the logarithms of its stiffness and of its squeeze if this datum is off by one
+    /// σ.
     OfPart(usize, [f64; 2]),
 }
 

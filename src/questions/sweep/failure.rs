@@ -34,7 +34,8 @@ pub(super) fn failures(
     margin: &mut FacetMargin,
     events: &mut Failures,
 ) {
-    // Each search for a point of failure starts from the data as given, because the point of failure of another facet would be a bad start.
+    // Each facet has its own point of failure, the smallest errors with which its margin vanishes. Every search for such a point starts from the data
+    // as given, because the point of another facet would be a bad start.
     match edges {
         Edges::Rows(rows) => {
             for (k, row) in rows.iter().enumerate() {
@@ -60,8 +61,8 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact for which interactions of the errors of several data are computed: all facets of a polygonal cone; of a round cone only
-/// the facet that most probably fails, to first order.
+/// The facets of a contact for which the joint effect of several data errors on the contact force is computed. These are all facets of a polygonal
+/// cone; of a round cone only the facet that most probably fails, to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),

@@ -50,7 +50,7 @@ impl PerturbedGrasp {
         Some(forces_or_gaps(&response, &grasp.offsets(), &grasp.load_unchecked(&load)))
     }
 
-    /// The random sets of errors of `count` data and of friction, each with the exact forces under `load`, which all contacts share.
+    /// `PROBES` random sets of errors of `count` data and of friction, each with the exact forces under `load`. The same sets serve all contacts.
     pub(super) fn probes(&self, load: &Wrench<3>, count: usize) -> Vec<Probe> {
         let probe = |probe: usize| {
             let mut signs = Draw::new([probe as u64, 0, 0]);
@@ -65,8 +65,9 @@ impl PerturbedGrasp {
         numbered(PROBES, &probe)
     }
 
-    /// The interaction of the errors of all data for each facet of a contact, at the facet's point of failure under a load. Zero for facets whose
-    /// failure probability is below `rare`; an empty list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
+    /// For each facet of a contact, the joint effect of all data errors on the contact force: the exact change less the sum of the changes due to
+    /// single errors. It is taken at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an empty
+    /// list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
     pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),

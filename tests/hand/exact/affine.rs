@@ -10,7 +10,7 @@ pub(super) fn exact(x: f64) -> Q {
     Q::from_f64(x).expect("finite")
 }
 
-/// `row · (q, φ) + constant`.
+/// The affine function `row · (q, φ) + constant` of the object's twist q and the joint displacements φ.
 #[derive(Clone)]
 pub(super) struct Affine {
     pub(super) row: Vec<Q>,

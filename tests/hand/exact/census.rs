@@ -167,7 +167,7 @@ impl Scene {
         Verdict::Clear(found)
     }
 
-    /// The solution of a combination, if it has one; `Some(None)` if this depends on an equality.
+    /// The equilibrium of a combination of states, if it has one. `Some(None)` if a condition holds with equality, so that it is a borderline case.
     #[allow(clippy::option_option)]
     fn solve(
         &self,

@@ -27,7 +27,7 @@ impl Tally {
         let changes = |so: fn(&Change) -> bool| jump.changes.iter().any(|change| so(&change.what));
         self.joined += usize::from(changes(|what| matches!(what, Change::Slides { .. })));
         if changes(|what| matches!(what, Change::Sticks)) {
-            // A contact that has stuck again depends on the path, so no enumeration contains it.
+            // If a contact has stuck again, its slip depends on the path, so the enumeration does not contain this state.
             self.stuck_again += 1;
             return;
         }
@@ -43,7 +43,7 @@ impl Tally {
             all.clone().all(|i| catch.states[i] == told(i)) && catch.off(&jump.state) < 1e-10
         };
         let at = catches.iter().find(is_it).unwrap_or_else(|| panic!("{jump:?}"));
-        // If nothing opens, the conditions that hold at the end hold during the whole motion, because forces are affine and cones convex.
+        // If nothing opens, conditions that hold at both ends of the jump hold during the whole motion, because forces are affine and cones convex.
         let fewer = |catch: &&Catch| {
             all.clone().all(|i| !catch.slides(i) || at.slides(i))
                 && all.clone().any(|i| at.slides(i) && !catch.slides(i))
@@ -65,7 +65,7 @@ fn jumps_end_where_rationals_say() {
         let Some((part, first)) = scene.first_slip() else { continue };
         looked += 1;
         let grasp = Grasp::new(scene.contacts.iter().map(Datum::contact)).unwrap();
-        // Up to twice the load at first slip.
+        // The load goes up to twice the load of first slip.
         let goal = scene.load(2.0 * part.to_f64().unwrap());
         let mut path = grasp.follow(scene.load(0.0), &[Leg::load_to(goal)]).unwrap();
         let catches = scene.catches(&part, first);
@@ -78,7 +78,7 @@ fn jumps_end_where_rationals_say() {
         let Some(PathEnd::Lost(loss)) = path.end() else { panic!("{looked}: {:?}", path.end()) };
         assert!((loss.fraction - 0.5).abs() < 1e-12);
         if loss.jumped.is_empty() {
-            // With static friction no continuation exists either.
+            // No contact has jumped: even with static friction no continuation exists.
             tally.at_the_edge += 1;
         } else {
             match path.beyond() {

@@ -21,7 +21,8 @@ fn pulled(grasp: &Grasp, force: f64) -> (Vec<Event>, Option<PathEnd>, f64) {
     (events, end, path.place().1 * force)
 }
 
-/// Ratio one half: from 7.5 N, of which the feet carry 5 and 2.5 N, to 4 and 3.5 N. The softer one slides at 9 N, where 8 N are left.
+/// Two feet press with 10 N each, and the ratio of their stiffnesses is one half. At a pull of 7.5 N they carry 5 and 2.5 N. The stiff foot slides,
+/// and its friction falls to 4 N, so that the soft foot carries 3.5 N. At 9 N the soft foot slides too, and 8 N of friction are left.
 #[test]
 fn of_two_feet_one_catches_what_the_other_loses() {
     let grasp = feet(10.0, [0.5, 0.4], [1000.0, 500.0]);
@@ -34,7 +35,7 @@ fn of_two_feet_one_catches_what_the_other_loses() {
         assert!((carried(&event.state, i) - before).abs() < 1e-13);
         assert!((carried(&jump.state, i) - after).abs() < 1e-13);
     }
-    // The object jumps from 5 to 7 mm at 7.5 N. Then the stiff foot has slipped 3 mm, because its spring is still deformed by 4 mm.
+    // At 7.5 N the object jumps from 5 to 7 mm. Then the stiff foot has slipped by 3 mm, because its spring is still deformed by 4 mm.
     let [slip] = &jump.slips[..] else { panic!("{:?}", jump.slips) };
     assert_eq!(slip.contact.index, 0);
     assert!((slip.slip.norm() - 3e-3).abs() < 1e-15);
@@ -45,14 +46,15 @@ fn of_two_feet_one_catches_what_the_other_loses() {
     assert!(matches!(end, Some(PathEnd::Lost(_))));
 }
 
-/// The jump ends in an equilibrium if and only if k₂/k₁ <= μ_k/μ_s.
+/// The jump of the stiff foot ends in an equilibrium if and only if k₂/k₁ <= μ_k/μ_s, with the stiffness k₁ of the stiff foot and k₂ of the soft
+/// foot.
 #[test]
 fn the_ratio_of_stiffnesses_decides() {
     for (rest, sliding) in [(0.5, 0.4), (0.8, 0.3), (1.2, 1.1), (0.3, 0.299_99)] {
         let edge = sliding / rest;
         for off in [1e-1, 1e-3, 1e-6, 1e-9, 1e-12] {
             for (ratio, is_caught) in [(edge * (1.0 - off), true), (edge * (1.0 + off), false)] {
-                // With equal stiffness both slide at once.
+                // With equal stiffness both feet slide at once.
                 if ratio >= 1.0 {
                     continue;
                 }
@@ -73,7 +75,7 @@ fn the_ratio_of_stiffnesses_decides() {
     }
 }
 
-/// With equal stiffness both slide at 10 N, and kinetic friction carries only 8 N.
+/// With equal stiffness both feet slide at 10 N, and kinetic friction carries only 8 N.
 #[test]
 fn both_at_once_are_lost() {
     let (events, end, place) = pulled(&feet(10.0, [0.5, 0.4], [1000.0; 2]), 12.0);
@@ -81,7 +83,8 @@ fn both_at_once_are_lost() {
     assert!(matches!(end, Some(PathEnd::Lost(_))) && (place - 10.0).abs() < 1e-12);
 }
 
-/// A bonded spring drags a slider over a foot. The force drops once by (μ_s - μ_k) N, then kinetic friction acts while it moves.
+/// A bonded spring of stiffness k drags a slider over a foot. When the slider begins to move, the force drops by (μ_s - μ_k) N, and then kinetic
+/// friction acts.
 fn slider(k: f64) -> Grasp {
     let foot = Contact::new([0.0, 0.0], [0.0, 1.0])
         .series_stiffness(1e3, 1e9)
@@ -93,7 +96,7 @@ fn slider(k: f64) -> Grasp {
     Grasp::new([foot, weight, spring(-0.1), spring(0.1)]).unwrap()
 }
 
-/// The slider moves to and fro a thousand times. It sticks at each reversal, and the force drops by (μ_s - μ_k) N twice in each period.
+/// The slider moves to and fro a thousand times. At each reversal it sticks, so that the force drops by (μ_s - μ_k) N twice in each period.
 #[test]
 fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
     let grasp = slider(1000.0);
@@ -109,7 +112,8 @@ fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
             let events = path.run();
             let [sticks, slides] = &events[..] else { panic!("{period}: {events:?}") };
             assert!(matches!(sticks.changes[0].what, Change::Sticks) && sticks.fraction == 0.0);
-            // The friction changes from 4 N in one direction to 5 N in the other. These 9 N deform a spring of 1000 N/m by 9 mm.
+            // After a reversal, the friction changes from 4 N in one direction to 5 N in the other. This change of 9 N deforms a spring of 1000 N/m
+            // by 9 mm.
             assert!((slides.fraction * 0.04 - 9e-3).abs() < 1e-8, "{period}: {}", slides.fraction);
             let jump = slides.jump.as_deref().unwrap();
             let drop = slides.state.contacts[0].force[1].abs() - jump.state.contacts[0].force[1].abs();
@@ -118,7 +122,7 @@ fn a_slider_drops_twice_a_period_for_a_thousand_periods() {
     }
 }
 
-/// A turning load that reaches 7.5 N has the same jump.
+/// If the same pull of 7.5 N is reached by a turning load, the jump is the same.
 #[test]
 fn a_load_that_turns_jumps_as_a_straight_one() {
     let grasp = feet(10.0, [0.5, 0.4], [1000.0, 500.0]);
@@ -137,7 +141,7 @@ fn a_load_that_turns_jumps_as_a_straight_one() {
     assert!(matches!(events[1].changes[0].what, Change::Sticks) && (events[1].fraction - 0.5).abs() < 1e-9);
 }
 
-/// With pauses the slider sticks and slips: after each rest it needs 5 N to slide, and drops to 4 N.
+/// If the drag pauses after each slip, the slider sticks again: it needs 5 N to slide, and the force drops to 4 N.
 #[test]
 fn a_pause_lets_friction_of_rest_come_back() {
     let grasp = slider(1000.0);
@@ -146,7 +150,7 @@ fn a_pause_lets_friction_of_rest_come_back() {
     let mut path = grasp.follow(Wrench::ZERO, &[by(0.0045)]).unwrap();
     assert!(path.run().is_empty());
     for step in 0..1000 {
-        // From 4 N to 5 N and the drop takes (μ_s - μ_k) N / k = 1 mm.
+        // The spring must move by (μ_s - μ_k) N / k = 1 mm to bring the force from 4 N to 5 N, where the slider slips.
         path.continue_with(&[by(0.001), by(0.0)]).unwrap();
         let events = path.run();
         let [slides, sticks] = &events[..] else { panic!("{step}: {events:?}") };
@@ -154,13 +158,13 @@ fn a_pause_lets_friction_of_rest_come_back() {
         assert!(slides.jump.is_some() && matches!(sticks.changes[0].what, Change::Sticks));
         let force = path.forces()[0][1].abs();
         assert!((force - 4.0).abs() < 1e-9, "{step}: {force}");
-        // After half a step it still sticks.
+        // After half of this motion the slider still sticks.
         path.continue_with(&[by(0.0005)]).unwrap();
         assert!(path.run().is_empty() && (path.forces()[0][1].abs() - 4.5).abs() < 1e-3);
     }
 }
 
-/// The friction of the sliding foot is proportional to its normal force with the kinetic coefficient 0.4.
+/// The friction of the sliding foot is 0.4 (the kinetic coefficient) times its normal force, and derivatives use this coefficient.
 #[test]
 fn derivatives_have_the_friction_of_sliding() {
     let grasp = feet(10.0, [0.5, 0.4], [1000.0, 500.0]);

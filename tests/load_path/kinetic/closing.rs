@@ -4,7 +4,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Change, Leg, PathEnd};
 
-/// A stiff arm moves an object against a wall 1 mm away, and along it: for each mm of normal motion it slides 2 mm.
+/// A stiff arm moves an object against a wall 1 mm away, and along this wall. For each mm of normal motion the object slides 2 mm.
 fn pressed_on<const C: usize>(along: [f64; C], wall: Contact<C>, arm: Vec<Contact<C>>) {
     let grasp = Grasp::new(
         [wall.series_stiffness(1e3, 1e3).friction(0.5).kinetic(0.3).clearance(1e-3)].into_iter().chain(arm),
@@ -26,7 +26,7 @@ fn pressed_on<const C: usize>(along: [f64; C], wall: Contact<C>, arm: Vec<Contac
 #[test]
 fn in_the_plane() {
     let arm = |y: f64| Contact::new([0.0, y], [1.0, 0.0]).series_stiffness(1e9, 1e9).bonded();
-    // Its frame: n = x, t = -y.
+    // The wall's contact frame has the normal n = x and the tangent t = -y.
     pressed_on([-2e-3, 4e-3], Contact::new([-0.1, 0.0], [1.0, 0.0]), vec![arm(-0.1), arm(0.1)]);
 }
 

@@ -42,7 +42,7 @@ fn a_planar_jump_in_space_is_the_same() {
         let mut path = flat.follow(from, &[planar::Leg::load_by(there)]).unwrap();
         let first = path.next();
         let lost = path.end().and_then(|end| end.loss()).map(|loss| loss.jumped.len());
-        // The cone with eight facets has corners in this plane, so it is exact here.
+        // The polygon with eight facets has corners in the plane of the grasp, so it is exact here.
         for cone in [*round.settings(), round.settings().on_the_polygon()] {
             let in_space = round.with(&cone);
             let mut in_space = in_space.follow(to, &[spatial::Leg::load_by(beyond)]).unwrap();

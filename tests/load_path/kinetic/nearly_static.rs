@@ -25,7 +25,7 @@ const MOST: usize = 400;
 /// Relative differences of static and kinetic friction.
 const PARTS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
-/// Means and maxima of differences of paths, divided by the relative difference of friction.
+/// Means and maxima of differences between paths with two coefficients and with one, divided by the relative difference of the coefficients.
 #[derive(Default)]
 struct Apart {
     count: [usize; 5],
@@ -75,7 +75,8 @@ fn paths_converge_in_proportion() {
         }
         count += 1;
         let all = PARTS.map(|part| followed(Some(part)));
-        // Contacts that slide together with one coefficient may stick and slip one after another with two, in more and smaller jumps.
+        // Contacts that slide together with one coefficient may stick and slip one after another with two coefficients, in more and smaller jumps.
+        // Such paths are counted apart.
         let alike = all[2..].iter().all(|(events, _)| story(events) == story(&plain));
         for (k, (events, state)) in all.iter().enumerate() {
             let Some(state) = state else { continue };
@@ -92,14 +93,15 @@ fn paths_converge_in_proportion() {
     forces_apart.told("forces");
     in_turn.told("forces in turn");
     for apart in [&events_apart, &forces_apart] {
-        // First-order convergence: a hundredth of the difference of friction gives a hundredth of the difference.
+        // First-order convergence: if the coefficients differ by a hundredth as much, so do the paths. Differences divided by the difference of the
+        // coefficients stay the same.
         assert!(apart.most[4] < 2.0 * apart.most[2] && apart.most[4] > 0.5 * apart.most[2]);
         assert_met(&[(apart.count[4], 37)]);
     }
     assert!(in_turn.most[..3].iter().all(|most| *most < 10.0));
 }
 
-/// A kinetic coefficient equal to the static one changes no bit.
+/// If the kinetic coefficient equals the static one, no bit of the answers changes.
 #[test]
 fn friction_of_rest_given_twice_is_given_once() {
     let mut random = seeded(0x6269_7473);

@@ -1,10 +1,9 @@
-//! A jump of slip ends where an object in a viscous medium comes to rest. The motion is integrated in small time steps:
+//! A jump of slip ends where an object in a viscous medium comes to rest. This motion is integrated here in small time steps:
 //!
 //! ```text
 //! q' = W + Σ G_i F_i,      F_i by the law of each contact: at rest up to μ_s F_n, sliding with μ_k F_n until it comes to rest
 //! ```
-//!
-//! Only the state at the first slip comes from the library. The path of the object depends on the medium; its place of rest mostly does not.
+//! Only the state at the first slip comes from the library. How the object moves depends on the medium; where it comes to rest mostly does not.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
@@ -128,7 +127,7 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let load = |w: &SVector<f64, D>| Wrench::<C>::from_components(w.as_slice());
         let mut path = grasp.follow(load(&base), &[Leg::load_by(load(&(more * 4.0)))]).expect("finite");
         let first = path.next();
-        // State at the first slip, and the jump that starts from this state.
+        // The state at the first slip, the load factor, and the jump that starts from this state.
         let lost = path.end().and_then(PathEnd::loss).cloned();
         let (state, place, jump) = match (first, lost) {
             (Some(event), _) if event.jump.is_some() => (event.state, event.fraction, event.jump),
@@ -182,7 +181,7 @@ fn told<const D: usize, const C: usize>(count: usize, seed: u64) -> (Tally, [f64
 fn in_the_plane_it_comes_to_rest_where_the_jump_ends() {
     let (tally, [_, most, _]) = told::<3, 2>(80, 1);
     assert!(tally.only_the_jump_is_caught + tally.only_time_catches <= samples(1));
-    // Another motion may end in another equilibrium.
+    // With another motion the object may come to rest in another equilibrium.
     let elsewhere = tally.apart.iter().filter(|apart| **apart > 1e-6).count();
     println!("{elsewhere} elsewhere");
     assert!(most < 1e-9 && elsewhere <= samples(5));

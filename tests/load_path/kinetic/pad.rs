@@ -1,4 +1,4 @@
-//! On a pad of many points each point that starts to slide passes the lost friction on to the others. The limit load is a closed form.
+//! In a pad of many points, each point that starts to slide passes the friction it loses on to the other points. The limit load is a closed form.
 //!
 //! Points pressed with `p = 1 - ξ²` under a rigid block have the same tangential stretch x. At `y = k x / μ_s` the points beyond `ξ_s² = 1 - y`
 //! slide. All points together carry

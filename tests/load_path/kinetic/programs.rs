@@ -50,7 +50,8 @@ fn programs<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let mut begun = true;
         for event in path.by_ref() {
             let context = format!("{number}: leg {} at {}", event.leg, event.fraction);
-            // The states at the start are the states of the continuation.
+            // At the start of the path the contact states are those of the continuation, so a contact may already slide with static friction. This
+            // event is not checked.
             if !begun {
                 obeys(&event.state, &friction, &mut tally, &context);
             }

@@ -102,8 +102,8 @@ fn unequal_friction_of_sliding_is_followed_in_space() {
     });
 }
 
-/// Two fingers on the left whose friction falls to 0.5, one on the right whose falls to 0.4, and a moment M. The plate turns by θ about y = θ/3, with
-/// `16 θ/3 = M/1000 - 0.04/3`, and the first finger slides where `2θ/3 = 0.6 (0.02/3 - 2θ/3)`, at M = 100/3 N m.
+/// Two fingers on the left, whose kinetic coefficient is 0.5, and one on the right, with 0.4, hold a plate under a moment M. The plate turns by θ and
+/// moves by y = θ/3, with `16 θ/3 = M/1000 - 0.04/3`. The first finger slides where `2θ/3 = 0.6 (0.02/3 - 2θ/3)`, at M = 100/3 N m.
 #[test]
 fn a_turned_plate_slips_and_is_caught() {
     let finger = |x: f64, y: f64, kinetic: f64| {

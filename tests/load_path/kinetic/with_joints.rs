@@ -1,4 +1,5 @@
-//! Two feet jump at 7.5 N from 5 and 2.5 N to 4 and 3.5 N. The result is the same for compliant fingers of a hand and for feet between two bodies.
+//! At a pull of 7.5 N, two feet carry 5 and 2.5 N. One of them slips, and then they carry 4 and 3.5 N. The result is the same for compliant fingers
+//! of a hand and for feet between two bodies.
 
 use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::hand::{Finger, Hand};
@@ -48,7 +49,7 @@ fn as_compliant_fingers_of_a_hand() {
     assert!(matches!(path.end(), Some(PathEnd::Completed)));
 }
 
-/// The plate below has a compliance of 1e-9 m/N.
+/// The plate below the feet is held with a compliance of 1e-9 m/N, so that forces differ slightly.
 #[test]
 fn as_feet_between_two_bodies() {
     let between =

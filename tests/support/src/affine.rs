@@ -122,7 +122,7 @@ pub(crate) fn quotient(n: BigInt, d: BigInt) -> f64 {
     float(&Rational::new_raw(n, d))
 }
 
-/// The solution of `rows = 0`, or `None` if the rows are dependent.
+/// The point at which all three functions `rows` vanish, by Cramer's rule. `None` if their slopes are linearly dependent.
 pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<Point> {
     let [a, b, c] = rows.each_ref().map(|row| &row.slope);
     let cross = |u: &[BigInt; 3], v: &[BigInt; 3]| -> [BigInt; 3] {
@@ -144,19 +144,19 @@ pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<Point> {
     Some(Point { numerators, denominator: det.abs() })
 }
 
-/// The solutions of three consistent rows, after elimination.
+/// The common zeros of three affine functions, after elimination of dependent ones.
 pub(crate) struct Consistent {
-    /// Independent rows equivalent to the given rows.
+    /// Independent functions with the same common zeros as the given ones.
     pub(crate) rows: Vec<Affine<BigInt>>,
-    /// A point at which all rows vanish.
+    /// A point at which all functions vanish.
     pub(crate) point: [Rational; 3],
-    /// A basis of the directions along which all rows stay zero.
+    /// A basis of the directions along which all functions stay zero.
     pub(crate) directions: Vec<[Rational; 3]>,
 }
 
-/// The rows contradict each other.
+/// The three functions have no common zero.
 pub(crate) struct Contradiction {
-    /// Whether the contradiction is smaller than 1e-9 of the terms of the rows.
+    /// Whether the contradiction is smaller than 1e-9 of the terms of the functions, so that rounding could hide it.
     pub(crate) narrow: bool,
 }
 
@@ -201,7 +201,7 @@ pub(crate) fn eliminate(rows: &[Affine<BigInt>; 3]) -> Result<Consistent, Contra
     Ok(Consistent { rows, point, directions })
 }
 
-/// Whether some x satisfies `along·x + constant >= 0` for every pair, by Fourier-Motzkin elimination.
+/// Whether some x satisfies `along·x + constant >= 0` for every pair (along, constant) of `conditions`, by Fourier-Motzkin elimination.
 pub(crate) fn feasible(mut conditions: Vec<(Vec<Rational>, Rational)>, unknowns: usize) -> bool {
     for _ in 0..unknowns {
         let (mut below, mut above, mut rest) = (Vec::new(), Vec::new(), Vec::new());

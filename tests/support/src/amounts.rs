@@ -1,4 +1,5 @@
-//! Amounts that `need` answers, against brute force: amounts around each answer are put on by `hold` one by one, on random scenes.
+//! Checks the least or greatest amounts that `need` finds, on random scenes: `hold` decides for many amounts around each answer whether the grasp
+//! holds.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few fingers")]
 
 use std::f64::consts::TAU;
@@ -12,10 +13,10 @@ use grasp_lcp::{Error, planar, spatial};
 
 use crate::splitmix::Random;
 
-/// How far below and above an answer amounts are tried.
+/// Amounts from the answer divided by this factor up to the answer times this factor are tried.
 const REACH: f64 = 16.0;
 
-/// A scene with a load at rest and one that is put on.
+/// A grasp with a load at rest, and a load that is applied in addition.
 pub struct Scene<const C: usize> {
     grasp: Grasp<C>,
     fingers: Vec<(Contact<C>, Press)>,
@@ -23,7 +24,7 @@ pub struct Scene<const C: usize> {
     load: Wrench<C>,
 }
 
-/// How a finger is pressed, N.
+/// The way in which a finger is pressed, with its normal force, N.
 #[derive(Clone, Copy)]
 enum Press {
     Command(f64),
@@ -122,7 +123,7 @@ pub fn spatial(random: &mut Random) -> Result<Scene<3>, Error> {
     Scene::of(fingers, if is_loaded { base } else { Wrench::ZERO }, load)
 }
 
-/// A quantity: its need, and whether an amount of it is held.
+/// A sought quantity: the question for `need`, and whether `hold` says that the grasp holds with a given amount of it.
 pub type Quantity<const C: usize> =
     (fn(&Scene<C>) -> Need<C>, fn(&Scene<C>, f64) -> Result<Option<bool>, Error>);
 
@@ -193,19 +194,20 @@ pub fn force<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// One answer compared with brute force.
+/// The comparison of one answer of `need` with verdicts of `hold`.
 pub struct Checked {
-    /// A sentence for each claim of the answer that an amount refutes.
+    /// A sentence for each statement of the answer that the verdict on some amount contradicts.
     pub wrong: Vec<String>,
-    /// Whether no amount is the answer because a trial is undecided.
+    /// Whether the answer gives no amount, because a verdict of its search was undecided.
     pub is_undecided: bool,
-    /// Amounts tried for what holds, where the answer says so.
+    /// Number of amounts that the search tried, if the answer gives it.
     pub tried: Option<usize>,
     /// Run times of `need` and, on average, of `hold`, s.
     pub times: [f64; 2],
 }
 
-/// Asks for the amount of a scene, and tries `amounts` others around the answer, at random places in equal parts of the reach.
+/// Asks `need` for the amount, and checks the answer with verdicts on `amounts` further amounts. These are random, one in each of equal intervals of
+/// the logarithm.
 pub fn checked<const C: usize>(
     scene: &Scene<C>,
     (need, tried): Quantity<C>,
@@ -216,7 +218,7 @@ pub fn checked<const C: usize>(
     let needed = scene.grasp.need(&need(scene).if_lower_by(0.0, 0.0))?;
     let time = begin.elapsed().as_secs_f64();
     let is_least = needed.quantity.is_least();
-    // Where no finger presses by command, the answer has a multiple of the load at rest in place of the squeeze.
+    // If no finger is pressed by a command, the answer is a multiple of the load at rest instead of the squeeze.
     let tried = if needed.in_place_of_squeeze && needed.of.is_some() { at_rest().1 } else { tried };
     let mut wrong = Vec::new();
     let mut claim = |is_right: bool, what: &str, amount: f64| {
@@ -224,7 +226,7 @@ pub fn checked<const C: usize>(
             wrong.push(format!("{what} {amount}: {needed}"));
         }
     };
-    // Here a force is multiplied before a command is computed from it, in the crate after: their last digits differ.
+    // This module multiplies a force and computes the command from it, the library multiplies the command. Their results differ in the last digits.
     let off = if needed.of.is_some() { 1e-12 } else { 0.0 };
     let middle = match &needed.amount {
         Amount::Bound { sufficient, insufficient, until, .. } => {
@@ -254,7 +256,7 @@ pub fn checked<const C: usize>(
                 });
                 claim(!(is_beyond && holds == Some(true)) || is_told, "less would do", amount);
             }
-            // Without an end nothing is claimed of amounts beyond those tried.
+            // If the answer has no far end, it says nothing about amounts beyond those that its search tried.
             Amount::Any { to, until, tried, .. } => {
                 let last = tried.as_ref().map(|tried| if is_least { tried.to } else { tried.from });
                 let open = last.unwrap_or(if is_least { f64::INFINITY } else { 0.0 });

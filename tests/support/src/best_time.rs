@@ -13,7 +13,7 @@ const PATIENCE: Duration = Duration::from_millis(60);
 const REPEATS: u32 = 3;
 const AT_MOST: Duration = Duration::from_secs(1);
 
-/// The number of calls: `told`, or 1 with `ONE_CALL` in the environment.
+/// The number of calls: the given one, or 1 with `ONE_CALL` in the environment.
 pub fn repeats(told: u32) -> u32 {
     if std::env::var_os("ONE_CALL").is_some() { 1 } else { told }
 }

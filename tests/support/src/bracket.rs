@@ -5,14 +5,14 @@ use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{Error, PolygonCone, PolygonFit};
 
-/// The three answers, and the largest distances between them.
+/// The answers for one load on three friction cones, and the largest distances between them.
 #[derive(Debug, Clone)]
 pub struct Bracket<const C: usize> {
-    /// On the polygon with corners on the round cone.
+    /// The answer on the polygon with corners on the round cone.
     pub inscribed: Outcome<C>,
-    /// On the round cone.
+    /// The answer on the round cone.
     pub round: Outcome<C>,
-    /// On the polygon with facets that touch the round cone.
+    /// The answer on the polygon with facets that touch the round cone.
     pub circumscribed: Outcome<C>,
     /// Largest difference of the force of a contact, N, and of the displacement of the body's core at a contact, m; `None` unless all three are
     /// equilibria.

@@ -25,7 +25,7 @@ pub struct HouseOfCards {
 }
 
 impl HouseOfCards {
-    /// With so many rows, of `rows (3 rows + 1) / 2` cards in all.
+    /// A house with this number of rows; it has `rows (3 rows + 1) / 2` cards in all.
     #[must_use]
     pub fn of(rows: usize) -> Self {
         let (half, high) = (LENGTH * LEANS.sin(), LENGTH * LEANS.cos());
@@ -61,7 +61,7 @@ impl HouseOfCards {
                 let on = centres.len();
                 centres.push([0.5 * (middle(left) + middle(left + 1)), above]);
                 lying.push(on);
-                // On both cards of the pairs at its ends.
+                // A lying card touches both cards of each of the two pairs below its ends.
                 for card in 0..4 {
                     let side = if card % 2 == 0 { -0.5 } else { 0.5 };
                     let point = [middle(left + card / 2) + side * APART, above];
@@ -73,13 +73,13 @@ impl HouseOfCards {
         Self { centres, touches }
     }
 
-    /// How many cards it has.
+    /// The number of cards.
     #[must_use]
     pub fn cards(&self) -> usize {
         self.centres.len()
     }
 
-    /// Its cards as bodies with this friction everywhere.
+    /// The cards as bodies, with this coefficient of friction at all contacts.
     pub fn bodies(&self, friction: f64) -> Bodies {
         let name = |card: usize| format!("card {card}");
         let bodies = self.centres.iter().enumerate().map(|(card, at)| Body::new(name(card)).mass(MASS, *at));

@@ -34,7 +34,7 @@ impl Dyadic {
     pub fn float(&self) -> f64 {
         let short = self.rounded(60);
         let mantissa = short.mantissa.to_f64().expect("60 bits");
-        // In two steps: 2^e alone may overflow where the product does not.
+        // The power of two is applied in two factors, because 2^e alone may overflow although the product does not.
         let half = short.exponent / 2;
         let power = |e: i64| 2_f64.powi(i32::try_from(e.clamp(-1100, 1100)).expect("clamped"));
         mantissa * power(half) * power(short.exponent - half)
@@ -43,7 +43,7 @@ impl Dyadic {
     /// The number rounded down to a mantissa of `bits` bits.
     pub fn rounded(&self, bits: u64) -> Self {
         let excess = self.mantissa.bits().saturating_sub(bits);
-        // Shifts of a BigInt round downwards: within one unit of the last bit.
+        // A shift of a BigInt rounds downwards, by less than one unit of the last bit.
         Self { mantissa: &self.mantissa >> excess, exponent: self.exponent + excess.cast_signed() }
     }
 

@@ -179,7 +179,7 @@ fn law(contact: &Contact) -> Vec<Law> {
     assert_eq!(length, length.round(), "a Pythagorean normal");
     let n = [i, j].map(|c| rational(f64::from(c)) / rational(length));
     let t = [n[1].clone(), -&n[0]];
-    // v = a - axis · (q_x - q_θ y, q_y + q_θ x)
+    // The stretch of the springs along `axis` at the twist q: v = a - axis · (q_x - q_θ y, q_y + q_θ x)
     let stretch = |axis: &[Rational; 2], a: f64| Affine {
         slope: [-&axis[0], -&axis[1], &axis[0] * &y - &axis[1] * &x],
         constant: rational(a),

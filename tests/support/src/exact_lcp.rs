@@ -12,7 +12,7 @@ use super::elimination::Eliminated;
 pub struct Exact {
     /// M by rows.
     pub m: Vec<Vec<BigInt>>,
-    /// One number for each row.
+    /// The vector q, one number for each row.
     pub q: Vec<BigInt>,
 }
 

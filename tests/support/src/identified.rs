@@ -108,7 +108,7 @@ impl<const C: usize> Known<C> {
         }
     }
 
-    /// The same slips, with groups that the search does not know.
+    /// The same slips with the same common errors, but without groups in the question.
     pub fn without_groups(mut self) -> Self {
         self.shared.iter_mut().for_each(|shared| shared.is_told = false);
         self

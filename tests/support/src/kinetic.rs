@@ -56,7 +56,7 @@ pub enum State {
     Backward,
 }
 
-/// A combination of states that satisfies the law.
+/// An equilibrium in which contacts catch the object: a state for each contact that satisfies the law of friction.
 #[derive(Debug, Clone)]
 pub struct Catch {
     /// State of each contact.
@@ -97,7 +97,7 @@ impl Datum {
         [n, t]
     }
 
-    /// Wrench about the origin of a unit force along an axis.
+    /// The wrench about the origin of a unit force along the axis (a, b).
     fn map(&self, [a, b]: &[Rational; 2]) -> [Rational; 3] {
         let [x, y] = self.point.map(rational);
         [a.clone(), b.clone(), x * b - y * a]
@@ -202,7 +202,7 @@ impl Scene {
         std::array::from_fn(|k| rational(self.base[k]) + rational(self.more[k]) * part)
     }
 
-    /// Every combination of states that satisfies the law at this factor of the load, where contact `begun` is not stuck any more.
+    /// All combinations of contact states that satisfy the law at this load factor, if contact `begun` no longer sticks.
     pub fn catches(&self, part: &Rational, begun: usize) -> Vec<Catch> {
         let branches: Vec<Vec<Branch>> =
             self.contacts.iter().map(|datum| ALL.map(|state| datum.branch(state)).into()).collect();
@@ -234,7 +234,7 @@ impl Branch {
     }
 }
 
-/// The balance of branches under a load, with each row scaled to integers.
+/// The equations of equilibrium for contacts in given states, with each row scaled to integers.
 struct Balance {
     load: [BigInt; 3],
     wrenches: Vec<Vec<[Affine<BigInt>; 3]>>,
@@ -253,7 +253,7 @@ impl Balance {
         }
     }
 
-    /// The twist at which these branches balance the load; `None` where the system is singular.
+    /// The twist at which contacts in these states balance the load; `None` if the system of equations is singular.
     fn twist(&self, at: &[usize]) -> Option<Point> {
         cramer(&std::array::from_fn(|row| {
             let zero = || [(); 3].map(|()| BigInt::ZERO);

@@ -6,7 +6,7 @@ use nalgebra::{Vector2, Vector3};
 use crate::Failure;
 use crate::splitmix::Random;
 
-/// A grasp, a ramp of load and finger commands, and a multiple of the onset at which contacts slide far.
+/// A grasp, a ramp of load and finger commands, and a multiple of the load factor at first slip at which contacts slide far.
 pub struct Scene {
     /// Name in tables and pictures.
     pub name: &'static str,
@@ -18,7 +18,7 @@ pub struct Scene {
     pub direction: Wrench,
     /// Change of the finger commands per unit of the factor, in the contact frames, m.
     pub commands: Vec<Vector3<f64>>,
-    /// Multiple of the onset at which contacts slide far.
+    /// Multiple of the load factor at first slip at which contacts slide far.
     pub deep: f64,
 }
 

@@ -19,7 +19,7 @@ pub const LAYOUTS: [(&str, [[f64; 2]; 3]); 4] = [
     ("3pts3", [[30.0, 30.0], [90.0, 30.0], [30.0, 90.0]]),
     ("3pts4", [[10.0, 10.0], [90.0, 30.0], [10.0, 130.0]]),
 ];
-/// The centre of mass relative to the right-angled corner, mm. It is the origin of the grasps.
+/// The centre of mass relative to the right-angled corner, mm. It is the origin of coordinates of the grasps.
 const CENTRE: [f64; 2] = [50.0, 50.0];
 /// Weight of the block, N.
 pub const WEIGHT: f64 = 1.518 * 9.8;
@@ -56,7 +56,8 @@ pub enum Together {
 
 /// Inward normals of the sides of the block, degrees.
 const SIDES: [f64; 3] = [0.0, 90.0, -135.0];
-/// Angle between force and normal beyond which the finger slides, degrees. Its friction angle is some 23° to 25°, where measured forces accumulate.
+/// The finger is taken to slide along the block if its force makes more than this angle with the normal, degrees. Its friction angle is some 23° to
+/// 25°: many measured forces have such an angle.
 const SLIDES: f64 = 20.0;
 
 impl Together {
@@ -65,7 +66,7 @@ impl Together {
         let direction = push.load.y.atan2(push.load.x).to_degrees();
         match self {
             Self::Direction(wide) => {
-                // Number of the last sector that begins at or below the direction.
+                // The number of the last sector that begins at or below the direction of the force.
                 (0..360).take_while(|k| f64::from(*k) * wide <= direction + 180.0).count()
             }
             Self::SideAndFinger => {

@@ -128,12 +128,12 @@ fn around<const C: usize>(random: &mut Random, count: usize) -> Around<C> {
     for i in 0..count {
         let mut out: [f64; C] = direction(random);
         if !opposite {
-            // Keep the random direction.
+            // The random direction of the contact is kept.
         } else if C == 2 {
             let (sin, cos) = (begin + TAU * (i as f64 + 0.6 * random.uniform()) / count as f64).sin_cos();
             (out[0], out[1]) = (cos, sin);
         } else if i % 2 == 1 {
-            // Roughly opposite the previous contact.
+            // The contact is roughly opposite the previous contact.
             let before: [f64; C] = std::array::from_fn(|a| made.contacts[i - 1].point()[a]);
             out = std::array::from_fn(|a| 0.4 * out[a] - before[a]);
             let size = out.iter().map(|x| x * x).sum::<f64>().sqrt();

@@ -13,29 +13,29 @@ use crate::reduced_program::{facets, wrench_of};
 pub enum Equality {
     /// The springs of body and finger carry the same force along this axis.
     SpringContinuity {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
-        /// The axis of its frame, 0 for the normal.
+        /// Axis of the contact frame: 0 for the normal, then the tangents.
         axis: usize,
     },
     /// The surfaces do not slip along this axis.
     Sticking {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
-        /// The axis of its frame, from 1.
+        /// Axis of the contact frame: a tangent, from 1.
         axis: usize,
     },
     /// The contact is kept closed.
     Closed {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
     },
     /// The component of u_c along this axis is the component of the object's motion. The multiplier is minus the contact force along the axis as long
     /// as no inequality of the contact binds.
     BodyMotion {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
-        /// The axis of its frame, 0 for the normal.
+        /// Axis of the contact frame: 0 for the normal, then the tangents.
         axis: usize,
     },
 }
@@ -45,22 +45,22 @@ pub enum Equality {
 pub enum Inequality {
     /// The body's normal spring is compressed.
     BodyPushes {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
     },
     /// The surfaces do not penetrate.
     NoPenetration {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
     },
     /// The finger's normal spring is compressed.
     FingerPushes {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
     },
     /// The force does not exceed this facet of the friction cone.
     Friction {
-        /// The contact.
+        /// Index of the contact.
         contact: usize,
         /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n; in space as in [`PolygonCone`].
         facet: usize,
@@ -122,7 +122,7 @@ pub struct Displacements<const C: usize> {
     pub finger_surface: SVector<f64, C>,
 }
 
-/// What the printed program asks of a contact beside what [`Contact`](grasp_lcp::grasp::Contact) says of itself.
+/// The data of a contact that the printed program needs, but [`Contact`](grasp_lcp::grasp::Contact) does not give.
 #[derive(Debug, Clone, Copy)]
 pub struct PrintedContact<const C: usize> {
     /// Stiffness of the body's spring along each axis, N/m.
@@ -222,7 +222,7 @@ impl<const C: usize> PrintedProgram<C> {
 
     /// Contact force in the contact frame, N, from the spring of the body: `k_b (u_d - u_c)`.
     ///
-    /// It is a difference of displacements: for a contact stiffer than the others by 10^p it has p digits less than x.
+    /// The force is computed from a difference of displacements. For a contact stiffer than the others by 10^p it has p digits less than x.
     pub fn force(&self, x: &DVector<f64>, contact: usize) -> SVector<f64, C> {
         let u = self.displacements(x, contact);
         let stretch = u.body_surface - u.body_core;

@@ -37,13 +37,13 @@ pub struct QuadraticProgram {
 /// A minimum of a [`QuadraticProgram`] with its multipliers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QpMinimum {
-    /// x (n).
+    /// The minimiser x (n numbers).
     pub x: DVector<f64>,
-    /// y, multipliers of the equality rows (m): cost per unit of C.
+    /// Multipliers y of the equality rows (m numbers): cost per unit of C.
     pub equality_multipliers: DVector<f64>,
-    /// λ >= 0, multipliers of the inequality rows (k): cost per unit of D. Positive only where the row binds.
+    /// Multipliers λ >= 0 of the inequality rows (k numbers): cost per unit of D. Positive only for rows that bind.
     pub multipliers: DVector<f64>,
-    /// `Gᵀx + ½ xᵀH x` at x.
+    /// The cost `Gᵀx + ½ xᵀH x` at the minimum.
     pub value: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Random ramps of load and finger commands, and an oracle for the onset: the slack of all sticking conditions, without the library.
+//! Random ramps of load and finger commands, and an oracle for the factor of first slip: the slack of all sticking conditions, without the library.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -19,9 +19,9 @@ pub const FACETS: usize = 8;
 /// The change of load and commands per unit of the factor. The scene itself is the base.
 #[derive(Debug, Clone)]
 pub struct Change<const D: usize, const C: usize> {
-    /// Change of the load.
+    /// Change of the load per unit of the factor.
     pub load: SVector<f64, D>,
-    /// Change of the commands, contact by contact.
+    /// Change of the commands per unit of the factor, contact by contact.
     pub commands: Vec<SVector<f64, C>>,
 }
 
@@ -85,7 +85,7 @@ pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Fric
     Some(each.fold(f64::INFINITY, f64::min) / size)
 }
 
-/// Counts of outcomes of onsets.
+/// Counts of answers about the first slip along a ramp, by kind.
 #[derive(Debug, Default)]
 pub struct Tally {
     /// A contact slides.
@@ -97,7 +97,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts an onset.
+    /// Counts an answer about first slip by its kind.
     pub fn count<const C: usize>(&self, onset: &Onset<C>) {
         let add = |cell: &Cell<usize>, yes: bool| cell.set(cell.get() + usize::from(yes));
         add(&self.never, matches!(onset, Onset::Never));
@@ -108,7 +108,7 @@ impl Tally {
         }
     }
 
-    /// Asserts that so many onsets of each kind were found, times the factor of samples.
+    /// Asserts that so many answers of each kind were found, times the factor of samples.
     pub fn assert_at_least(&self, slides: usize, opens: usize, never: usize) {
         println!("{self:?}");
         let met = [self.slides.get(), self.opens.get(), self.never.get()];

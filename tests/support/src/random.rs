@@ -114,7 +114,7 @@ pub fn scene<const D: usize, const C: usize>(
     })
 }
 
-/// This many scenes of a strategy by default, the same in every run.
+/// Draws scenes of a strategy, `default` of them unless more samples are requested. The scenes are the same in every run.
 pub fn drawn<S: Strategy>(default: usize, strategy: &S) -> Vec<S::Value> {
     let mut runner = runner(config(default));
     let draw = |_| strategy.new_tree(&mut runner).expect("a scene").current();

@@ -173,8 +173,8 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         sizes
     }
 
-    /// The worst violation of the conditions above, relative to the sizes of the scene. `facets` is the number of
-    /// corners of the polygon in space.
+    /// The worst violation of the conditions at the top of this file, relative to the sizes of the scene. `facets` is the number of corners of the
+    /// polygon in space.
     pub fn violation(&self, answer: &Equilibrium<C>, facets: usize) -> f64 {
         let sizes = self.sizes(answer);
         let mut worst = 0.0_f64;
@@ -231,12 +231,12 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 }
 
-/// Corners of P, as vectors in the contact frame without normal component.
+/// Corners of P, the set of friction forces divided by `μ F_n`, as vectors in the contact frame without normal component.
 fn corners<const C: usize>(facets: usize) -> Vec<SVector<f64, C>> {
     ring(if C == 2 { 2 } else { facets }, 0.0, 1.0)
 }
 
-/// Vectors h with P = {x : h·x <= 1}.
+/// The facet normals h of P, the set of friction forces divided by `μ F_n`: P = {x : h·x <= 1}.
 fn facet_normals<const C: usize>(facets: usize) -> Vec<SVector<f64, C>> {
     if C == 2 { corners(2) } else { ring(facets, 0.5, 1.0 / (TAU / (2.0 * facets as f64)).cos()) }
 }

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 pub enum Error {
     /// A word of a file is not of the required kind.
     Word {
-        /// Its position, counted from 1.
+        /// The position of the word in the file, counted from 1.
         at: usize,
         /// The word; `None` at the end of the file.
         word: Option<String>,

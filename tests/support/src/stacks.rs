@@ -88,7 +88,7 @@ impl<const D: usize, const C: usize> Stack<D, C> {
             let limit = datum.friction * told.force[0];
             check(friction.norm() - limit, force);
             let slip = SVector::<f64, C>::from_fn(|a, _| if a == 0 { 0.0 } else { told.slip[a] });
-            // An open contact has no reference for its slip.
+            // The slip of an open contact is not checked, because it has no reference position.
             if told.state != ContactState::Separated && datum.friction > 0.0 {
                 check((limit * slip.norm() - friction.dot(&slip)).abs(), force * motion);
             }
@@ -111,8 +111,8 @@ pub fn grasp<const C: usize>(bodies: Bodies<C>) -> Grasp<C> {
     bodies.grasp().expect("well posed")
 }
 
-/// Contacts at the lower face of body `below`, at height `below`: two points in the plane, three in space. `bends` perturbs places, normals and
-/// stiffnesses.
+/// Contacts at the lower face of body `below`, at the height `below`: two points in the plane, three in space. The numbers `bends` perturb points,
+/// normals and stiffnesses.
 fn face<const C: usize>(below: usize, bends: &[f64], friction: f64) -> Vec<Touch<C>> {
     let on = below;
     let against = below.checked_sub(1);

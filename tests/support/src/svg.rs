@@ -20,7 +20,7 @@ pub struct Shape {
     pub words: String,
     /// Font size of the words, pixels; 0 for other shapes.
     pub size: f64,
-    /// Part of the width of the words that lies left of the place: 0, 0.5 or 1.
+    /// Fraction of the width of the words that lies left of their place: 0, 0.5 or 1.
     pub left: f64,
 }
 
@@ -57,7 +57,7 @@ pub fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
     Ok(shapes)
 }
 
-/// Closed polygons of each path, pixels.
+/// The closed polygons of each path element, pixels.
 pub fn paths(svg: &str) -> Result<Vec<Vec<Vec<[f64; 2]>>>, Failure> {
     let ways = svg.split("<path").skip(1).filter_map(|text| text.split(" d=\"M").nth(1)?.split('"').next());
     ways.map(|way| way.trim_end_matches('Z').split("ZM").map(pairs).collect()).collect()
@@ -87,7 +87,7 @@ pub fn view_box(svg: &str) -> Result<[f64; 2], Failure> {
 /// Left, top, right and bottom, pixels.
 pub type Edges = [f64; 4];
 
-/// The light backgrounds of names, one for each line of text.
+/// The light backgrounds of names in a picture, one for each line of text.
 pub fn plaques(svg: &str) -> Result<Vec<Edges>, Failure> {
     let grounds =
         svg.split('<').filter(|text| text.starts_with("polygon fill=\"#FFFFFF\" fill-opacity=\"0.75\""));

@@ -9,7 +9,7 @@ const SUPPORT: f64 = 4e4;
 const FRICTION: f64 = 0.5;
 /// Commanded squeeze, m.
 const SQUEEZE: f64 = 1e-3;
-/// Path of the finger after the corner, in multiples of [`leash`].
+/// Length of the finger's path after the corner, in multiples of [`leash`].
 pub const WAY: f64 = 4.0;
 
 /// Stiffness of a finger spring in series with the support, N/m.
@@ -22,7 +22,7 @@ pub fn limit() -> f64 {
     FRICTION * series(FINGER[0]) * SQUEEZE
 }
 
-/// Distance of the finger ahead of its contact point while it slides: friction over tangential stiffness, m.
+/// Distance by which the finger is ahead of its contact point while it slides, m: the friction force divided by the tangential stiffness.
 pub fn leash() -> f64 {
     limit() / series(FINGER[1])
 }
@@ -63,7 +63,7 @@ pub fn exact(leashes: f64) -> f64 {
     2.0 * (-leashes).exp().atan()
 }
 
-/// Distance of a force, in the contact frame of the finger, from the force of the tractrix, relative to its size.
+/// Distance of the friction force (in the contact frame of the finger) from the force of the tractrix, as a fraction of its size.
 pub fn off(force: &Vector3<f64>, leashes: f64) -> f64 {
     let (sin, cos) = exact(leashes).sin_cos();
     (force[1] / limit() - cos).hypot(force[2] / limit() - sin)

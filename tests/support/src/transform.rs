@@ -72,12 +72,12 @@ impl<const C: usize> Transform<C> {
         self.rotation * f * self.force
     }
 
-    /// A force of the image, transformed back to the first scene.
+    /// A force of the image, transformed back to the original scene.
     pub fn force_back(&self, f: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation.tr_mul(f) / self.force
     }
 
-    /// A displacement of the image, transformed back to the first scene.
+    /// A displacement of the image, transformed back to the original scene.
     pub fn displacement_back(&self, u: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation.tr_mul(u) / self.length
     }
@@ -93,7 +93,7 @@ impl<const C: usize> Transform<C> {
         SVector::from_fn(|k, _| if k < C { force[k] } else { side * turned(k - C) + carried[k] })
     }
 
-    /// A displacement in the contact frame. A mirrored frame has its last tangent reversed, to stay right-handed.
+    /// A displacement in the contact frame of the image. A mirrored frame has its last tangent reversed, to stay right-handed.
     fn command(&self, mut command: SVector<f64, C>) -> SVector<f64, C> {
         if self.turns_over() {
             command[C - 1] = -command[C - 1];

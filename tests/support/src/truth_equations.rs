@@ -114,7 +114,7 @@ pub(crate) fn equations<const D: usize, const C: usize>(
                     let mut slope = by_twist(&contact.axes[0], &drag);
                     slope.push((at + a - 1, limit.clone()));
                     push(&contact.axes[a], &force[a], &slope, &mut matrix);
-                    // μ N d + k σ d - k v = 0
+                    // The friction force is that of the springs, stretched by v less the slip σ d: μ N d + k σ d - k v = 0
                     let row = at + a;
                     let k = &contact.k[a];
                     own.push((row, &(&force[a] + &(&(k * sigma) * d)) - &(k * &v[a])));

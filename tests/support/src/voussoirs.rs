@@ -52,7 +52,8 @@ impl Voussoirs {
         let Self { joints, weights } = self;
         let upwards = 0.5 * weights.iter().map(|(_, weight)| weight).sum::<f64>();
         let vertical = |k: usize| upwards - weights[..k].iter().map(|(_, weight)| weight).sum::<f64>();
-        // Thrusts with which friction holds every joint: `μ N ± S >= 0`, linear in the thrust.
+        // The interval of horizontal thrusts with which friction holds every joint: `μ N ± S >= 0`, with normal force N and shear force S, is linear
+        // in the thrust.
         let (mut least, mut most) = (0.0_f64, 100.0 * upwards);
         for (k, Joint { across: [a, b], .. }) in joints.iter().enumerate() {
             for sign in [1.0, -1.0] {
@@ -70,7 +71,7 @@ impl Voussoirs {
         if least > most {
             return false;
         }
-        // At a given thrust: width of the interval of moments at the foot with which the line lies within all joints.
+        // At a given thrust, the width of the interval of moments at the foot with which the line of thrust lies within all joints.
         let [foot_x, foot_y] = joints[0].middle;
         let room = |thrust: f64| {
             let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -90,7 +91,7 @@ impl Voussoirs {
     }
 }
 
-/// The least number in [0, `most`] with `is_so`, to 1e-12, if `is_so` is monotonic.
+/// The least number in [0, `most`] for which `is_so` is true, to 1e-12, if `is_so` changes once, from false to true.
 pub fn bisected(most: f64, is_so: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, most);
     while high - low > 1e-12 {

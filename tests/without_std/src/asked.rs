@@ -13,7 +13,8 @@ use crate::scenes::Numbers;
 /// Answers about one grasp.
 #[derive(Debug)]
 pub struct Asked {
-    /// The first slip as a factor of the load; slips (m) and forces (N) of the equilibrium; margin (N), first slip and extra squeeze of the watch.
+    /// Of the first slip: the load factor. Of the equilibrium: slips (m) and forces (N). Of the watch over forces: margin (N), load factor of the
+    /// first slip, and extra squeeze.
     pub numbers: Vec<f64>,
     /// The verdict on the load, as a sentence.
     pub sentence: String,

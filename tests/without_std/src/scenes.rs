@@ -1,7 +1,7 @@
 //! Pseudo-random grasps, the same on every machine, because they need only additions, products and quotients.
 //!
-//! Loads are large enough that some grasps slide, some have several equilibria, and some are lost. With several equilibria the answer could depend on
-//! the last digits; with these loads it does not.
+//! Loads are large enough that some grasps slide, some have several equilibria, and some are lost. If there are several equilibria, rounding could
+//! decide which one is found; with these loads it does not.
 
 use grasp_lcp::grasp::Contact;
 use grasp_lcp::{planar, spatial};

@@ -38,7 +38,8 @@ fn a_load_that_turns_slides_at_its_angle() {
 
 #[test]
 fn a_watch_sees_what_measured_forces_have_left() {
-    // Each palm carries 3 N of at most 5 N. Of a further load of 5 N they hold four fifths; for the whole load each must press with 11 N.
+    // Each palm presses with 10 N, so that it holds up to 5 N, and carries 3 N. Of a further load of 5 N both palms hold four fifths. To hold all of
+    // it, each must press with 11 N.
     let fingers = planar::Fingers::new(&[palm(-1.0), palm(1.0)]).unwrap();
     let watched = fingers.watch(&[[10.0, 3.0], [-10.0, 3.0]], &planar::Wrench::force([0.0, -5.0])).unwrap();
     assert!((watched.margin() - 2.0).abs() < 1e-13);

@@ -12,8 +12,8 @@ use super::tally::Tally;
 use super::{Goal, Scene, Spot, Swing};
 use crate::samples::{config, runner};
 
-/// Tests a property on scenes, by default on this many, the same in every run, and returns its counts. A failing scene is shrunk before it is
-/// printed.
+/// Tests a property on random scenes and returns the counts. The scenes are the same in every run; `default` is their number unless more are
+/// requested. A failing scene is shrunk before it is printed.
 pub fn over<S: Strategy>(
     default: usize,
     scenes: &S,

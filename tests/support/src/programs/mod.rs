@@ -202,8 +202,8 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         presses.fold(0.0, f64::max)
     }
 
-    /// The worst violation of the contact law on the polygon by a state, relative to the terms of each condition. The law is the law on the crate's
-    /// first page, with the slip of the state.
+    /// The worst violation by a state of the contact law on the polygon, relative to the terms of each condition. The law is the law on the crate's
+    /// first page, with the slip so far of each contact.
     pub fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<C>) -> f64 {
         let reach = |t: &SVector<f64, C>| facets::<C>().iter().map(|h| h.dot(t)).fold(f64::MIN, f64::max);
         self.breach_of(leg, fraction, state, reach)
@@ -214,7 +214,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         self.breach_of(leg, fraction, state, nalgebra::Matrix::norm)
     }
 
-    /// The worst violation on the cone `reach(F_t) <= μ F_n`.
+    /// The worst violation by a state of the contact law with the cone `reach(F_t) <= μ F_n`.
     fn breach_of(
         &self,
         leg: usize,

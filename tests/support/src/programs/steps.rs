@@ -42,7 +42,7 @@ impl Step {
 }
 
 impl Scene<3, 2> {
-    /// Behaviour of each contact in a state of the crate.
+    /// Behaviour of each contact in an equilibrium that the library computed.
     pub fn does(&self, state: &Equilibrium<2>) -> Vec<Does> {
         let of = |(spot, c): (&Spot<2>, &ContactAnswer<2>)| match c.state {
             ContactState::Separated => Does::Opens,
@@ -52,7 +52,7 @@ impl Scene<3, 2> {
         self.spots.iter().zip(&state.contacts).map(of).collect()
     }
 
-    /// The step from which a path starts, in a state of the crate.
+    /// The first step of a path, from an equilibrium that the library computed.
     pub fn first_step(&self, state: &Equilibrium<2>) -> Step {
         Step {
             does: self.does(state),
@@ -190,7 +190,7 @@ impl Scene<3, 2> {
 }
 
 impl Step {
-    /// Relative difference of forces plus relative difference of twists.
+    /// The relative difference of the forces plus the relative difference of the twists of this step and the next.
     pub fn apart(&self, next: &Self) -> f64 {
         let size = self.forces.iter().map(Vector2::norm).fold(0.0, f64::max);
         let travel = self.twist.norm();

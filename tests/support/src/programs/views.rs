@@ -34,7 +34,7 @@ impl<const C: usize> View<C> {
         view
     }
 
-    /// The image of a unit vector of the first scene.
+    /// The image of a unit vector of the original scene.
     pub fn direction(&self, d: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation * d
     }
