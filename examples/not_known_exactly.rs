@@ -16,7 +16,8 @@ fn main() -> Result<(), grasp_lcp::Error> {
     ])?;
     let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
 
-    // Standard deviations: 10 % of friction and stiffness, 5 % of the squeeze, 1 mm of places, 2 degrees of normals.
+    // Standard deviations: 10 % of friction and stiffness, 5 % of the squeeze, 1 mm of contact places, 2 degrees of
+    // contact normals.
     let uncertainty = Uncertainty::seeded(1)
         .with_friction(0.1)
         .with_stiffness(0.1)

@@ -25,7 +25,7 @@ fn fingers(squeeze: f64) -> [Contact; 3] {
     })
 }
 
-/// The load of a bottle that is lifted and swung, at a time in s.
+/// The load of a bottle that is lifted and swung, at the time `time`, s.
 fn load(time: f64) -> Wrench {
     let push = (PI * time).sin().powi(2);
     Wrench::force_at([-8.0 * MASS * push, 0.0, -MASS * (9.81 + 20.0 * push)], [0.0, 0.0, -0.005])
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mut slipped = None;
         for tick in 0..1000_u16 {
             let time = f64::from(tick) * TICK;
-            // The simulated world: springs and Coulomb's law.
+            // The simulated grasp, whose contact forces the sensors measure: springs and Coulomb's law.
             let world = Grasp::new(fingers(squeeze))?;
             let outcome = world.solve(load(time))?;
             let Some(state) = outcome.equilibrium() else {
@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             if state.contacts.iter().any(|contact| contact.state != ContactState::Sticking) {
                 slipped = slipped.or(Some(time));
             }
-            // The simulated sensors.
+            // Measured forces on the object, along the coordinate axes, N.
             let mut forces = [[0.0; 3]; 3];
             for ((force, contact), frame) in forces.iter_mut().zip(&state.contacts).zip(world.frames()) {
                 *force = (frame * contact.force).into();

@@ -28,7 +28,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
     if let Some(end) = path.end() {
         println!("{end}");
     }
-    // Slips remain: after the load is removed, the jar is not at its initial place.
+    // Some slip remains: after the load is removed, the jar is not at its initial place.
     if let Some(state) = path.state() {
         println!("{state}");
     }

@@ -37,7 +37,7 @@ pub(crate) trait HeldGrasp: Send + Sync {
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String>;
     fn watch(&self) -> PyResult<Watch>;
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>>;
-    /// Mass, kg, and centre of mass, m, of the part of the scene, as far as they are known.
+    /// Mass, kg, and centre of mass, m, of the scene's part; `None` for a quantity that is not known.
     fn part(&self) -> (Option<f64>, Option<[f64; 3]>);
     /// Points of all contacts, and edges of the grasped part's mesh, m.
     fn places(&self) -> PyResult<Places>;
@@ -200,7 +200,7 @@ pub(crate) struct Grasp {
     held: Arc<dyn AnyQuestion>,
 }
 
-/// The questions about equilibria and those about closure, limits and squeeze.
+/// Questions about equilibria, and questions about closure, load limits and squeeze.
 pub(crate) trait AnyQuestion: HeldGrasp + Quality {}
 impl<T: HeldGrasp + Quality> AnyQuestion for T {}
 

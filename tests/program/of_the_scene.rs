@@ -56,6 +56,34 @@ fn loads_of_other_questions_are_taken() {
     );
 }
 
+/// Friction carries 10 N along the jaws, of which 2 N act at rest.
+#[test]
+fn a_map_is_on_top_of_the_load_at_rest_of_any_question() {
+    let map = |questions: &str| {
+        let (answer, warned) = told(questions, &["map", "-", "--json"]);
+        let map: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
+        let down =
+            map["onsets"].as_array().and_then(|all| all.iter().find(|one| one["direction"][1] == -1.0));
+        (down.and_then(|one| one["onset"].as_f64()).expect("a force"), warned)
+    };
+    let need = NEED.replace(r#""load""#, r#""base": {"force": [0, -2]}, "load""#);
+    for questions in [HOLD, &need] {
+        let (down, warned) = map(questions);
+        assert!((down - 8.0).abs() < 1e-9 && warned.is_empty(), "{down} {warned}");
+    }
+    let (down, warned) = map(&format!("{NEED}, {HOLD}"));
+    assert!((down - 8.0).abs() < 1e-9 && warned.contains("that of question 2, (0, -2) N"), "{down} {warned}");
+}
+
+#[test]
+fn a_load_at_rest_that_is_left_out_has_a_warning() {
+    let (answer, warned) = told(HOLD, &["hold", "-", "--force", "0,-4"]);
+    assert!(answer.contains("10 N (2.5 times this load)"), "{answer}");
+    assert!(warned.contains("without that at rest of the scene's question 1, (0, -2) N"), "{warned}");
+    let (answer, warned) = told(HOLD, &["hold", "-", "--force", "0,-4", "--base", "0,-2"]);
+    assert!(answer.contains("8 N (2 times this load)") && warned.is_empty(), "{answer} {warned}");
+}
+
 #[test]
 fn without_any_load_it_is_refused() {
     let (answer, warned) = told("", &["need", "-", "squeeze"]);

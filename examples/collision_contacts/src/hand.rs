@@ -33,7 +33,7 @@ pub fn fingertips() -> [Fingertip; 4] {
         let (sin, cos) = degrees.to_radians().sin_cos();
         Vector::new(distance * cos, distance * sin, z)
     };
-    // The last phalanx of a finger is tangential to the mug, with its pad towards the axis.
+    // The last phalanx of a finger is tangential to the mug, with its pad towards the axis of the mug.
     let finger = |name, degrees: f64, distance, z| Fingertip {
         name,
         shape: SharedShape::new(Capsule::new_y(0.01, 0.008)),

@@ -120,7 +120,8 @@ fn with_joints(robot: &Robot, ball: &Ball, palm: Option<&Contact>) -> Result<Gra
     Ok(robot.hand(&on_links)?.grasp()?)
 }
 
-/// The same contacts without joints. The stiffness along each axis is the inverse of a diagonal entry of the compliance `J K⁻¹ Jᵀ + 1/pad`.
+/// The grasp with the same contacts but without joints. The stiffness along each axis of a contact is the inverse of a diagonal entry of
+/// its compliance. This is the compliance of the pad plus `J K⁻¹ Jᵀ`, with the Jacobian J of the contact and the joint stiffness K.
 fn with_springs(
     robot: &Robot,
     ball: &Ball,

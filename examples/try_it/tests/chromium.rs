@@ -149,7 +149,7 @@ fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
     let numbers: usize = records.iter().map(compare).sum();
     println!("{} states of the page, {numbers} numbers equal to the bit", records.len());
 
-    // Closed forms: the paper's onset, and that of two fingers with friction 0.5 and 8 N each.
+    // Closed forms of the onset of sliding: of the paper's two fingers, and of two fingers with friction 0.5 that press with 8 N each.
     let paper = shown(of("paper_two_fingers"), "onset").unwrap() * 0.12;
     assert!((paper - 65f64.sqrt() / 66.0).abs() < 1e-15, "{paper}");
     let before = shown(of("box"), "onset").unwrap();

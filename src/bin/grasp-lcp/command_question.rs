@@ -42,10 +42,12 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let base =
         |(k, asked): (usize, &Question<3>)| Some((k, asked.base().filter(|base| *base != Wrench::ZERO)?));
+    let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)
+        && !is_own
         && let Some((k, left_out)) = setup.questions.iter().enumerate().find_map(base)
     {
-        let load = Words::default().load(&left_out);
+        let load = setup.words(Words::default()).load(&left_out);
         eprintln!(
             "warning: the load acts alone, without that at rest of the scene's question {}, {load}",
             k + 1

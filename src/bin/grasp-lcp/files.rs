@@ -1,4 +1,4 @@
-//! Scenes from files, pictures into files.
+//! Reads scenes from files, and writes pictures into files.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -110,7 +110,6 @@ impl Pictures {
         Self { folder: place.clone(), stem }
     }
 
-    /// The title of the scene's pictures.
     pub(crate) fn title(&self) -> String {
         printable(&self.stem.replace('_', " ")).into_owned()
     }

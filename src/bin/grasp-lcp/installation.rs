@@ -25,7 +25,7 @@ pub(crate) fn completions(shell: Shell, out: &mut impl Write) -> Result<(), Fail
     Ok(out.write_all(&text)?)
 }
 
-/// The manual page of the program, then the manual pages of its commands.
+/// Writes the manual page of the program, then the manual pages of its commands.
 pub(crate) fn manual(out: &mut impl Write) -> Result<(), Failure> {
     let command = Arguments::command();
     clap_mangen::Man::new(command.clone()).render(out)?;

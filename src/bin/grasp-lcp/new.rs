@@ -39,7 +39,6 @@ pub(crate) enum Template {
 }
 
 impl Template {
-    /// The scene as text.
     pub(crate) fn text(self) -> &'static str {
         match self {
             Self::Gripper => include_str!("../../../examples/scenes/everyday/gripper.json"),

@@ -10,7 +10,8 @@ const VALUES_FOOT: &str = "\
 Springs in series add their compliances, 1/k: of pad, finger and mechanism the softest counts. Of a bellows or a clamp it is force over stroke
 in its data sheet.";
 
-/// Prints every value as a range with its unit, the material or part that has it, and the number of its source in the list at the end.
+/// Prints every value as a range with its unit and the material or part that has it. A number refers to the list of sources at the
+/// end.
 pub(crate) fn print(out: &mut dyn Write) -> io::Result<()> {
     let lines = || {
         include_str!("values.tsv")

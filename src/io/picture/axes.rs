@@ -86,7 +86,6 @@ impl EqualScales {
     }
 }
 
-/// The smallest and the largest coordinates of points.
 pub(super) fn bounds(points: impl IntoIterator<Item = Vector2<f64>>) -> (Vector2<f64>, Vector2<f64>) {
     let none = (Vector2::repeat(f64::INFINITY), Vector2::repeat(f64::NEG_INFINITY));
     points.into_iter().fold(none, |(low, high), p| (low.inf(&p), high.sup(&p)))

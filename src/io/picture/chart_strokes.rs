@@ -49,7 +49,7 @@ fn draw_piece(paper: &mut Sheet, places: &[PaperPoint], stroke: Stroke, color: R
     }
 }
 
-/// An arrow in the middle of one segment of a line, if the segment is long enough.
+/// Draws an arrow in the middle of one segment of a line, if the segment is long enough.
 fn draw_arrow(paper: &mut Sheet, a: PaperPoint, b: PaperPoint, color: Rgb) {
     let (x, y) = (b.0 - a.0, b.1 - a.1);
     let size = x.hypot(y);

@@ -138,7 +138,6 @@ impl Labels {
         (within(x, left, self.window.wide, wide), within(y, top, self.window.high, high))
     }
 
-    /// Whether another name overlaps this rectangle.
     fn overlaps(&self, (middle, (wide, high)): &NamePlate) -> bool {
         self.taken.iter().any(|(other, (w, h))| {
             let (x, y) = ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());

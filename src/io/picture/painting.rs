@@ -42,18 +42,18 @@ impl Painting {
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
-    /// A closed line.
+    /// Paints a closed line.
     pub(super) fn contour(&mut self, mut places: Vec<PaperPoint>, ink: Rgb, width: f64, depth: f64) {
         places.extend(places.first().copied());
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
-    /// A dashed line just behind depth zero.
+    /// Paints a dashed line just behind depth zero.
     pub(super) fn dashes(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }
 
-    /// A dashed line at depth zero.
+    /// Paints a dashed line at depth zero.
     pub(super) fn dashed_line(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((0.0, Shape::Dashes { ends, ink, width }));
     }
@@ -62,7 +62,7 @@ impl Painting {
         self.strokes.push((depth, Shape::Area { corners, ink }));
     }
 
-    /// A dot in front of the lines that end at it; if `open`, a circle, which marks a contact without force.
+    /// Paints a dot in front of the lines that end at it; if `open`, a circle, which marks a contact without force.
     pub(super) fn dot(&mut self, at: EyePoint, radius: f64, ink: Rgb, open: bool) {
         self.strokes.push((at.z + IN_FRONT, Shape::Dot { at: place(&at), radius, ink, open }));
     }
@@ -76,7 +76,7 @@ impl Painting {
             return;
         }
         let long = (ARROW_HEAD.0 * width).min(size);
-        // The line ends inside the last head.
+        // The line of the arrow ends inside its last arrowhead.
         let neck = (1.0 - 3.0 * width * heads as f64 / size).max(0.0);
         self.line([from, from.lerp(&tip, neck)], ink, width);
         let along = along / size;
@@ -86,7 +86,7 @@ impl Painting {
         }
     }
 
-    /// An arrow along the line of sight: a dot in a circle if it points to the eye, a cross in a circle otherwise.
+    /// Paints an arrow along the line of sight: a dot in a circle if it points to the eye, a cross in a circle otherwise.
     pub(super) fn end_on(&mut self, at: EyePoint, to_the_eye: bool, ink: Rgb, width: f64) {
         let radius = 3.0 * width;
         self.dot(at, radius, ink, true);
@@ -102,7 +102,7 @@ impl Painting {
         }
     }
 
-    /// Three quarters of a circle with an arrow at its end, clockwise or counterclockwise. The open quarter is in the direction `gap`, rad,
+    /// Paints three quarters of a circle with an arrow at its end, clockwise or counterclockwise. The open quarter is in the direction `gap`, rad,
     /// counterclockwise from the right.
     pub(super) fn arc(
         &mut self,
@@ -129,7 +129,7 @@ impl Painting {
         self.head(tip, (tip - base).xy(), ink, width);
     }
 
-    /// The head of an arrow; `along` is the vector from its base to its tip, pixels.
+    /// Paints the head of an arrow; `along` is the vector from its base to its tip, pixels.
     fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: Rgb, width: f64) {
         let base = tip.xy() - along;
         let across = Vector2::new(-along.y, along.x).normalize() * (ARROW_HEAD.1 * width);

@@ -10,7 +10,8 @@ pub(super) type Corner = (PaperPoint, f64);
 
 /// The closed lines around the region in which the function is at least `level`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
-    // For each edge, the number of polygons that traverse it forwards minus the number that traverse it backwards.
+    // For each edge, the number of polygons (the parts of triangles above the level) that traverse the edge forwards, minus the number that traverse
+    // it backwards.
     let mut edges: Vec<(Pixel, Pixel, i32)> = Vec::new();
     for triangle in triangles {
         let piece = above(triangle, level);

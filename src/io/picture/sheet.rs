@@ -63,12 +63,12 @@ impl Sheet {
         let _ = writeln!(self.svg, "{element}");
     }
 
-    /// A line through points on paper.
+    /// Draws a line through points on paper.
     pub(super) fn line(&mut self, places: &[PaperPoint], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, "");
     }
 
-    /// A dashed line.
+    /// Draws a dashed line.
     pub(super) fn dashes(&mut self, places: &[PaperPoint], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, " stroke-dasharray=\"7,5\"");
     }
@@ -84,13 +84,13 @@ impl Sheet {
         }
     }
 
-    /// A filled area.
+    /// Draws a filled area.
     pub(super) fn area(&mut self, corners: &[PaperPoint], ink: impl Into<Ink>) {
         let (ink, points) = (paint("fill", ink.into()), points(corners));
         self.put(format_args!("<polygon{ink} points=\"{points}\"/>"));
     }
 
-    /// A filled area bounded by closed lines of one orientation, with an optional line of another ink around it.
+    /// Draws a filled area bounded by closed lines of one orientation, with an optional line of another ink around it.
     pub(super) fn region(&mut self, loops: &[Vec<Pixel>], ink: impl Into<Ink>, around: Option<(Ink, f64)>) {
         let closed = |line: &Vec<Pixel>| format!("M{}Z", line.iter().copied().map(written).list().join(" "));
         let (ink, way) = (paint("fill", ink.into()), loops.iter().map(closed).collect::<String>());
@@ -100,7 +100,7 @@ impl Sheet {
         self.put(format_args!("<path{ink}{around} d=\"{way}\"/>"));
     }
 
-    /// A circle, filled or as a line of the given width.
+    /// Draws a circle, filled or as a line of the given width.
     pub(super) fn circle(&mut self, middle: PaperPoint, radius: f64, ink: impl Into<Ink>, line: Option<f64>) {
         let ink = ink.into();
         let style = match line {
@@ -113,12 +113,13 @@ impl Sheet {
         self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{style}/>"));
     }
 
-    /// A line of text, vertically centred at the position `place`; `left` (0, 1/2 or 1) is the fraction of its width to the left of this position.
+    /// Writes a line of text, vertically centred at the position `place`; `left` (0, 1/2 or 1) is the fraction of its width to the left of this
+    /// position.
     pub(super) fn text(&mut self, place: PaperPoint, words: &str, size: f64, left: f64, color: Rgb) {
         self.letters(place, words, size, left, color, "");
     }
 
-    /// A line of text that runs upwards; its middle is at the position `place`.
+    /// Writes a line of text that runs upwards; its middle is at the position `place`.
     pub(super) fn text_upwards(&mut self, place: PaperPoint, words: &str, size: f64, color: Rgb) {
         let (x, y) = pixel(place);
         self.letters(place, words, size, 0.5, color, &format!(" transform=\"rotate(-90 {x} {y})\""));
@@ -138,19 +139,19 @@ impl Sheet {
         ));
     }
 
-    /// The title of the picture in its upper left corner, in smaller letters if it would not fit.
+    /// Writes the title of the picture in its upper left corner, in smaller letters if it would not fit.
     pub(super) fn title(&mut self, words: &str) {
         self.title_line(0.0, words);
     }
 
-    /// A further line of the title, `below` pixels lower.
+    /// Writes a further line of the title, `below` pixels lower.
     pub(super) fn title_line(&mut self, below: f64, words: &str) {
         let aside = 18.0;
         let room = (self.wide - 2.0 * aside) / (0.6 * words.chars().count() as f64);
         self.text((aside, 26.0 + below), words, 20.0_f64.min(room), 0.0, BLACK);
     }
 
-    /// A line of text on a light background, legible on any ground.
+    /// Writes a line of text on a light background, legible on any ground.
     pub(super) fn plaque(&mut self, place: PaperPoint, words: &str, size: f64, left: f64) {
         let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);

@@ -45,7 +45,7 @@ pub(super) fn short(x: f64) -> String {
     if x < 0.0 { format!("−{written}") } else { written }
 }
 
-/// A text in lines of at most `letters` letters; a longer word is broken.
+/// Breaks a text into lines of at most `letters` letters; a longer word is broken, too.
 pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {

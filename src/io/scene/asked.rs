@@ -16,8 +16,8 @@ use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// Refuses a question with a list whose length is not the number of contacts, drives or joints of this setup, or in which neither a load nor a
-    /// command changes.
+    /// Refuses a question with a list whose length is not the number of contacts, drives or joints of this setup. Refuses a question in which
+    /// neither a load nor a command changes.
     ///
     /// # Errors
     /// As for [`Self::answers`].

@@ -108,15 +108,15 @@ impl Setup<3> {
                 point.force_world.dot(&along)
             });
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal {
-                // Of a contact that loses its object, rounding leaves some 1e-77 N.
+                // If a contact has lost the object, rounding errors leave a force of about 1e-77 N, which is reported as zero.
                 let force = if force.abs() <= NEGLIGIBLE * nominal { 0.0 } else { force };
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, stated: nominal, force });
             }
         }
         if pressed > 0 && warnings.len() == pressed {
-            // If no contact presses with the force that the scene states, and all contacts are on the same side, one warning about this common reason
-            // replaces the others.
+            // If no contact presses with the force that the scene states, all contacts may be on the same side. One warning about this common reason
+            // then replaces the others.
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
         let contacts = self.entries().count();

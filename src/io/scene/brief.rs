@@ -88,7 +88,6 @@ impl Setup<3> {
         tried(&self.questions, &|question| self.brief_answer(&grasp, question))
     }
 
-    /// The short answer to one question.
     pub(super) fn brief_answer(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Brief, Error> {
         self.check_question(question)?;
         let grasp = &self.grasp_of(grasp, question)?;

@@ -1,4 +1,4 @@
-//! The first line of every answer, as one would say it to a colleague.
+//! The first line of every answer: one sentence, in everyday words, with the result.
 
 use super::answer::Answer;
 use super::onset::{OnsetAnswer, OnsetAt};
@@ -237,7 +237,8 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let slips = |what: &Change<C>| matches!(what, Change::Slides { .. } | Change::ClosesSliding { .. });
     let first = path.events.iter().find(|event| event.changes.iter().any(|change| slips(&change.what)));
     let step = path.steps.iter().find(|step| step.sliding > 0);
-    // The first event has the states before it, those of the start; without events these are the states of the end.
+    // The first event stores the contact states before it, which are the states at the start of the path. Without events the states at the end equal
+    // the states at the start.
     let start = match (path.events.first(), &path.end) {
         (Some(event), _) => Some(&event.state),
         (None, PathOutcome::Completed { state: Some(state) }) if path.steps.is_empty() => Some(&**state),

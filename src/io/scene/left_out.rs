@@ -145,7 +145,8 @@ impl Setup<3> {
                 // If the grasp does not hold the whole load, the load factor at first slip is not part of the answer.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let first = first.map_or(f64::INFINITY, |first| first.factor);
-                // What buckles may do so with all trial stiffnesses, but not with stiffer springs. A NaN differs from every number.
+                // A grasp that buckles with all trial stiffnesses may not buckle with stiffer springs. NaN differs from every number, so that the
+                // question counts as dependent on stiffness.
                 let buckles = lost.is_some_and(|lost| lost.too_far == Some(TooFar::Buckles));
                 let lost = lost.map_or(f64::INFINITY, |lost| if buckles { f64::NAN } else { lost.factor });
                 Ok(vec![known(verdict.holds()), known(verdict.sticks()), first, lost])

@@ -59,7 +59,7 @@ pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     if let Some(fields) = scene.as_object_mut() {
         fields.remove("unit");
     }
-    // Converted to text and read again: reading from a `Value` directly would compile the whole deserialiser a second time.
+    // The JSON value is converted to text and read again: reading from a `Value` directly would compile the whole deserialiser a second time.
     let scene: Scene = serde_json::from_slice(&serde_json::to_vec(&scene).map_err(fault)?).map_err(fault)?;
     Ok(Scene { unit, ..scene })
 }
@@ -141,7 +141,7 @@ impl Lengths {
         }
     }
 
-    /// Converts those fields of a JSON object to m that are lengths. `of` is the name of the field that has this JSON object as its value, or "".
+    /// Converts the fields of a JSON object that are lengths to m. `of` is the name of the field that has this JSON object as its value, or "".
     fn object(&self, fields: &mut Map<String, Value>, of: &str) {
         let is_turning = of == "joints" && !fields.contains_key("prismatic");
         for (name, value) in fields {
@@ -179,7 +179,7 @@ impl Lengths {
         }
     }
 
-    /// Converts those entries of a JSON list to m for whose index `is_length` returns true.
+    /// Converts the entries of a JSON list to m for whose index `is_length` returns true.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {

@@ -65,8 +65,8 @@ impl Setup<3> {
     /// The question in the form in which the grasp of [`Self::grasp_of`] answers it. If gravity turns, the turning load is the weight of the bodies.
     ///
     /// # Errors
-    /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts in addition to the turning gravity and loads
-    /// are not shared by mass.
+    /// [`Error::Question`] if gravity should turn but the bodies have no weight. Also if a base load acts in addition to the turning gravity, and
+    /// loads are not shared by mass.
     pub fn meant<'q>(&self, question: &'q Question<3>) -> Result<Cow<'q, Question<3>>, Error> {
         Ok(match question {
             Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {

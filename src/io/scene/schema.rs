@@ -147,7 +147,7 @@ fn by_parts<K: Bounded, const C: usize>(
     })
 }
 
-/// The schema `part` of a component with a description; in input the component may be `null`.
+/// Adds a description to `part`, the schema of a component of a wrench or twist. In input the component may be `null`.
 fn described(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema {
     let mut part = if generator.contract().is_serialize() {
         part

@@ -68,7 +68,7 @@ impl Setup<3> {
             let points = &grasp.contacts()[grasp.engine.wholes()[i].range.clone()];
             pressure_of_cup(points).unwrap_or(0.0)
         };
-        // One part in a thousand is left to an atmosphere that is given rounded.
+        // The atmospheric pressure may be given rounded; a deviation of one part in a thousand is allowed.
         let contacts: Vec<_> = chosen(entries.len(), &|i| vacuum(*i) > 1.001 * ATMOSPHERE);
         if let Some(first) = contacts.first() {
             let (names, pressure) = (names(&contacts), vacuum(*first));
@@ -79,7 +79,8 @@ impl Setup<3> {
         for (i, (entry, contact)) in entries.iter().zip(grasp.engine.wholes().iter()).enumerate() {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
-            // Pallets and sheets are wider than what they are stacked on is high; a pad of a few mm, read in m, is wider than 2 m.
+            // A patch may be wider than the distance of the contacts, as on stacked pallets or sheets. Only a patch wider than 2 m is suspicious,
+            // such as a pad of a few mm whose width was read in m.
             if size > 0.0 && wide > f64::max(2.0, 10.0 * size) && !is_wide {
                 is_wide = true;
                 let what = format!("the patch of {} is as wide as", name(i));

@@ -10,8 +10,8 @@ const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
     /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large,
-    /// or if that of one contact is ten times as large. Each question is answered with the limits of
-    /// [small motions](crate::Settings::small_motions).
+    /// or if the tangential stiffness of one contact is ten times as large. Each question is answered with the limits of [small
+    /// motions](crate::Settings::small_motions).
     ///
     /// # Errors
     /// As for [`Self::answers`].

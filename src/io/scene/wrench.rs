@@ -133,7 +133,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if let Some(points) = points {
                 wrench = wrench.acting_at(points);
             }
-            // Added only if there is a carried body: adding a zero wrench would change -0 to 0.
+            // The weight and inertia of a carried body are added only if there is such a body: adding a zero wrench would change -0 to 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })
     }

@@ -36,7 +36,6 @@ impl ActiveSet {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Empties the set: the contact force leaves all edges of its cone.
     pub(crate) fn clear(&mut self) {
         self.facets.clear();
         self.apex = false;
@@ -60,14 +59,15 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // If the force is on as many facets as the frame has axes, the force is at the apex, the only common point of the facets.
+        // If the force is on as many facets as the contact frame has axes, the force is at the apex, the only common point of the facets.
         self.apex |= self.facets.len() >= axes;
     }
 }
 
 impl LocalLaw<'_> {
     /// The law for the rates of force and stretch, per change of the load, of a contact with this active set. It is [`Law::Bonded`] if the force lies
-    /// inside the cone, [`Law::Edge`] on facets, and the whole law at the apex. For an open contact with a positive gap it is [`Law::Absent`].
+    /// inside the cone, [`Law::Edge`] on facets, and the whole contact law at the apex. For an open contact with a positive gap it is
+    /// [`Law::Absent`].
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -82,8 +82,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The active set of a closed contact under the force of `line`: the facets whose friction margin `μ F_n - h·F_t` is zero up to rounding. If the
-    /// force is zero up to rounding, the set also contains the apex.
+    /// The active set of a closed contact under the force `line.force`: the facets whose friction margin `μ F_n - h·F_t` is zero up to rounding. If
+    /// the force is zero up to rounding, the set also contains the apex.
     pub(crate) fn active_set(&self, line: &Line) -> ActiveSet {
         if !self.has_edges() {
             return ActiveSet::EMPTY;
@@ -118,7 +118,7 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes from the active set the facets whose friction margin grows at the force rate of `line`. Also removes the apex if the normal force or
+    /// Removes from the active set the facets whose friction margin grows at the force rate `line.rate`. Also removes the apex if the normal force or
     /// the gap grows. Facets on which the contact slides stay in the set. If the force leaves the apex along facets, these facets stay, too.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
@@ -151,8 +151,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Removes from the active set the facets, or the apex, on which the force of `line` does not lie. Facets on which the contact slides stay in the
-    /// set.
+    /// Removes from the active set the facets, or the apex, on which the force `line.force` does not lie. Facets on which the contact slides stay in
+    /// the set.
     pub(crate) fn drop_by_force(&self, active: &mut ActiveSet, state: &State, line: &Line) {
         let reached = self.active_set(line);
         active.apex &= reached.apex;
@@ -163,7 +163,6 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Whether a contact in this state slides on the facet with this normal.
     fn slides_on(&self, state: &State, facet: &SVector<f64, 3>) -> bool {
         let facets = self.facets();
         state.own_facets(facets.len()).iter().any(|own| own.is_some_and(|j| facets[j] == *facet))

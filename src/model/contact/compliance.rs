@@ -30,7 +30,6 @@ impl Compliance {
         Self { k: by_axis(|a| if a < axes { series[a] } else { 0.0 }), axes }
     }
 
-    /// Number of axes along which the contact has a spring.
     #[inline(always)]
     pub(crate) fn axes(&self) -> usize {
         self.axes

@@ -149,7 +149,6 @@ fn on_circle(angle: f64) -> [f64; 2] {
     [cos, sin]
 }
 
-/// The vector with this normal component and these tangential components.
 fn vector(normal: f64, tangential: [f64; 2]) -> SVector<f64, 3> {
     by_axis(|a| if a == 0 { normal } else { tangential[a - 1] })
 }

@@ -25,8 +25,8 @@ pub(crate) enum Law {
         /// `true` if the contact may also open: then gap and normal force are complementary.
         gap: bool,
     },
-    /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. There are at most as
-    /// many facets as tangents.
+    /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. The list has at most
+    /// as many facets as the contact frame has tangents: one in the plane, two in space.
     Edge(Vec<SVector<f64, 3>>),
 }
 
@@ -62,7 +62,7 @@ impl<'c> LocalLaw<'c> {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
 
-    /// Whether the contact has one tangent only.
+    /// Whether the contact frame has only one tangent, as in the plane.
     #[inline(always)]
     pub(crate) fn is_planar(&self) -> bool {
         self.polygon.is_interval()

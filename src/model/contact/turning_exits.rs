@@ -15,7 +15,7 @@ use crate::numerics::tolerances::ROUNDED_SUM;
 use crate::numerics::{FirstZero, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
-/// A contact force, or a displacement of the body relative to the finger, as a function of the angle φ by which the load has turned from its present
+/// A contact force, or a displacement of the body relative to the finger, as a function of the angle φ. The load has turned by φ from its present
 /// direction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
@@ -27,7 +27,7 @@ pub(crate) struct Wave {
 }
 
 impl Wave {
-    /// A linear function `by` of the vector, as a scalar function of φ.
+    /// Applies the linear function `by` to this vector. The result is a scalar function of the load's angle φ.
     fn component(&self, by: impl Fn(&SVector<f64, 3>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
@@ -141,7 +141,7 @@ impl LocalLaw<'_> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
         let difference = margin.square();
-        // Rounding of a squared margin, relative to its largest coefficient.
+        // Rounding error of the difference (μF_n)² - |F_t|², N².
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
@@ -155,7 +155,7 @@ impl LocalLaw<'_> {
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
-        // Newton steps: each doubles the correct digits of the root.
+        // Number of Newton steps; each step doubles the number of correct digits of the root.
         for _ in 0..3 {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));

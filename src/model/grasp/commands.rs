@@ -44,7 +44,7 @@ impl<const C: usize> Contact<C> {
     }
 
     setters! {
-        /// Squeeze given as a force, N, zero or positive. The finger is commanded to the **position** at which it presses with this force on an
+        /// Sets the squeeze as a force, N, zero or positive. The finger is commanded to the **position** at which it presses with this force on an
         /// object that does not move. The squeeze replaces the normal component of the command by `clearance + force / k_n`, with the normal series
         /// stiffness k_n. The tangential components stay. When the object moves, the force changes. Fingers with unequal forces therefore push the
         /// object until their forces balance.
@@ -66,9 +66,9 @@ impl<const C: usize> Contact<C> {
         #[doc(alias = "grip force", alias = "preload", alias = "squeeze")]
         pub fn pressed_with(mut self, force: f64) { (self.press, self.force) = (Some(force), None); }
 
-        /// A **constant** normal force, N, zero or positive, as exerted by an air cylinder, a weight on a lever or a motor at constant current. Along
-        /// the normal the finger follows the object instead of holding a position. Along the tangents its springs act as usual. The force replaces
-        /// [`Self::pressed_with`] and the normal component of the command.
+        /// Sets a **constant** normal force, N, zero or positive, as exerted by an air cylinder, a weight on a lever or a motor at constant current.
+        /// Along the normal the finger follows the object instead of holding a position. Along the tangents its springs act as usual. The force
+        /// replaces [`Self::pressed_with`] and the normal component of the command.
         ///
         /// The grasp gets one more joint, a slide along the normal on which the finger follows the object. All points of a soft fingertip move on one
         /// common slide, so that their springs share the force. The joint is named "slide of" and the name of the contact, and comes after all other
@@ -90,7 +90,7 @@ impl<const C: usize> Contact<C> {
         #[doc(alias = "force control")]
         pub fn force(mut self, force: f64) { (self.force, self.press) = (Some(force), None); }
 
-        /// Clearance between finger and object before anything moves, m (default 0).
+        /// Sets the clearance between finger and object before anything moves, m (default 0).
         ///
         /// The finger must travel this far along the inward normal n before it touches: `F_n = k_n (command - clearance - n·u_c)`. Here k_n is the
         /// normal series stiffness and u_c the displacement of the object at the contact. A negative clearance is an initial overlap, the depth that
@@ -147,7 +147,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Multiplies the squeeze of this contact by `factor`: its command, constant force, vacuum, and given tension without load.
+    /// Multiplies the squeeze of this contact by `factor`: its command, constant force and vacuum, and the force prescribed for the equilibrium under
+    /// constant loads alone.
     pub(crate) fn squeeze(&mut self, factor: f64) {
         self.command *= factor;
         self.force = self.force.map(|force| force * factor);

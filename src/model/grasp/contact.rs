@@ -130,15 +130,16 @@ impl<const C: usize> Contact<C> {
         /// named here.
         pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
-        /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The lip presses with this
-        /// force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+        /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The lip presses with
+        /// this force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
         pub fn suction(mut self, force: f64) { self.suction = force; }
 
         /// Sets the name for messages and tables.
         pub fn name(mut self, name: impl Into<String>) { self.name = Some(name.into().into()); }
 
-        /// Direction of the first tangent; its component along the normal is removed. In the plane the argument only selects the sign of t. The default
-        /// is `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the normal.
+        /// Sets the direction of the first tangent; its component along the normal is removed. In the plane the argument only selects the sign of t.
+        /// The default is `(n_y, -n_x)` in the plane. In space it is the projection of the coordinate axis that makes the largest angle with the
+        /// normal.
         ///
         /// ```
         /// use grasp_lcp::nalgebra::Vector3;
@@ -155,13 +156,14 @@ impl<const C: usize> Contact<C> {
             self.tangent = Some(SVector::from(tangent.into()));
         }
 
-        /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is given. With
-        /// `f64::INFINITY` the contact never slides while it is closed. A [bonded](Self::bonded) contact has its tangential springs for every μ.
+        /// Sets the coefficient of friction, μ >= 0. With 0 (the default) the contact has no tangential spring, even if a tangential stiffness is
+        /// given. With `f64::INFINITY` the contact never slides while it is closed. A [bonded](Self::bonded) contact has its tangential springs for
+        /// every μ.
         pub fn friction(mut self, mu: f64) { self.friction = mu; }
 
-        /// Coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to the static coefficient itself. When the
-        /// contact begins to slide, its friction drops to this value at constant load. Other contacts then carry the difference, or no equilibrium exists
-        /// and the object is lost. A contact that has stopped sliding has static friction again.
+        /// Sets the coefficient of kinetic friction, from a millionth of the [static coefficient](Self::friction) up to the static coefficient
+        /// itself. When the contact begins to slide, its friction drops to this value at constant load. Other contacts then carry the difference, or
+        /// no equilibrium exists and the object is lost. A contact that has stopped sliding has static friction again.
         ///
         /// Answers are **overdamped**: the object moves without overshoot to where forces balance again. An undamped object overshoots up to twice as
         /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
@@ -189,7 +191,7 @@ impl<const C: usize> Contact<C> {
         #[doc(alias = "dynamic friction")]
         pub fn kinetic(mut self, mu: f64) { self.kinetic = Some(mu); }
 
-        /// The contact never opens; see [`Hold::KeptClosed`].
+        /// Keeps the contact closed, so that it never opens; see [`Hold::KeptClosed`].
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -207,7 +209,7 @@ impl<const C: usize> Contact<C> {
         /// ```
         pub fn kept_closed(mut self) { self.hold = Hold::KeptClosed; }
 
-        /// The contact is glued; see [`Hold::Bonded`].
+        /// Glues the surfaces at the contact; see [`Hold::Bonded`].
         pub fn bonded(mut self) { self.hold = Hold::Bonded; }
     }
 

@@ -164,7 +164,7 @@ impl Engine {
         offsets
     }
 
-    /// The offsets that [`Self::offsets`] returns, the commanded displacements of the springs of contacts and drives, written into existing memory.
+    /// Writes the offsets that [`Self::offsets`] returns, the commanded displacements of the springs of contacts and drives, into existing memory.
     pub(crate) fn offsets_into(&self, offsets: &mut Vec<SVector<f64, 3>>) {
         self.offsets_under(
             self.contacts.iter().map(|contact| contact.command),
@@ -203,7 +203,8 @@ impl Engine {
         changes
     }
 
-    /// [`Self::offset_changes`], written into existing memory; contacts after the end of `commands` have a change of zero.
+    /// Writes the changes of the offsets, as in [`Self::offset_changes`], into existing memory. Contacts after the end of `commands` have a change
+    /// of zero.
     pub(crate) fn changed_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

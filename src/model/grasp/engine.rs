@@ -19,7 +19,6 @@ use crate::prelude::*;
 /// other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
-    /// Whether the grasp is in the plane or in space.
     pub(super) space: Space,
     size: Size,
     pub(super) contacts: Vec<Contact<3>>,
@@ -65,8 +64,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// A copy of this grasp with other contact data at the same contact points. The stiffness and the squeeze of the joint or tendon with index k are
-    /// multiplied by `times(k)`.
+    /// A copy of this grasp with other contact data at the same contact points. Of the joint or tendon with index k, the stiffness is multiplied by
+    /// `times(k)[0]`, the command and the constant torque or tension by `times(k)[1]`.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<3>>,
@@ -143,7 +142,6 @@ impl Engine {
         Ok(Self { space, size, contacts, sites, wholes, origin, length, linkage, vacuum, trial, near })
     }
 
-    /// Whether the grasp is in the plane or in space.
     #[inline]
     pub(crate) fn space(&self) -> Space {
         self.space

@@ -234,12 +234,12 @@ impl SoftFingertip<2> {
 }
 
 impl SoftFingertip<3> {
-    /// [`SoftFingertip::pair`] in the engine's three components.
+    /// The fingertip of [`SoftFingertip::pair`], with three components per vector as in the engine.
     pub(crate) fn pair_inside(width: f64) -> Result<Self, Error> {
         Self::of_layers(width, &[Layer { distance: 1.0, weight: 1.0 }])
     }
 
-    /// [`SoftFingertip::pad`] in the engine's three components.
+    /// The fingertip of [`SoftFingertip::pad`], with three components per vector as in the engine.
     pub(crate) fn pad_inside(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
         check(strips >= 1, "number of strips", strips as f64, "at least 1")?;
         let all = strips.saturating_mul(4);

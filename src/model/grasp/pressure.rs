@@ -127,7 +127,8 @@ mod tests {
         layers_carry_the_moments_of_their_band(Space::Planar);
     }
 
-    /// Thin bands lose digits to cancellation. Their nodes must still lie in their bands, in order, and carry positive fractions of the load.
+    /// Thin bands lose digits to cancellation. The quadrature nodes of such bands must still lie in their bands, in order, and carry positive
+    /// fractions of the load.
     #[test]
     fn layers_lie_in_their_bands() {
         for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {

@@ -25,7 +25,6 @@ pub(crate) struct Site {
     pub(crate) support: Support,
     /// Contact frame: its columns are the normal, the first tangent and, in space, the second tangent.
     pub(crate) frame: SMatrix<f64, 3, 3>,
-    /// Whether the grasp is in the plane or in space.
     pub(crate) space: Space,
     pub(crate) springs: Compliance,
     pub(crate) friction: Coulomb,

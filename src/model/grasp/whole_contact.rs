@@ -73,7 +73,7 @@ impl ContactPoints {
         self.range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / self.range.len() as f64
     }
 
-    /// This contact in a list that applies to `points` of its points.
+    /// An entry for this contact in a list of an answer, such as the contacts that slide, which concerns `points` of the contact's points.
     pub(crate) fn with(&self, points: usize) -> WholeContact {
         let ContactLabel { index: contact, link, .. } = self.label;
         WholeContact { contact, label: self.text(), link, points, of: self.range.len() }

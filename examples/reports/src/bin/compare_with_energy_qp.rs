@@ -1,5 +1,5 @@
-//! The paper's second example under its growing load, by complementarity and by the paper's quadratic program. Both agree while everything sticks;
-//! beyond, the minimum of the program is no equilibrium.
+//! The second grasp of the paper "Position Control for Multifingered Robot Hand" under a growing load, by complementarity and by the paper's
+//! quadratic program. Both agree while everything sticks; beyond the first slip the minimum of the program is no equilibrium.
 //!
 //! `cargo run --release -p reports --bin compare_with_energy_qp`
 
@@ -45,7 +45,8 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
         }
         println!("   {:.6}       {}", minimum.out_of_balance().0, comparison);
 
-        // The program as printed in the paper, in all displacements, by Lemke's method and by an interior-point method.
+        // The quadratic program as printed in the paper, with all displacements as unknowns, solved by Lemke's method and by an interior-point
+        // method.
         let printed = PrintedProgram::of(grasp, &printed_contacts(grasp), &load, &settings.cone);
         let lemke = printed.program.solve()?.ok_or("no minimum")?;
         let Oracle::Minimum(interior, _) = interior_point(&printed.program) else {
@@ -70,12 +71,13 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
     Ok(())
 }
 
-/// The next larger power of ten, since digits below the tolerance of an iterative method have no meaning.
+/// Rounds a difference up to a power of ten, since digits below the tolerance of an iterative method have no meaning.
 fn ceil(x: f64) -> f64 {
     10f64.powf(x.log10().ceil())
 }
 
-/// The minimum power principle with given normal forces, compared with Coulomb's law. Fingers slide over an object that settles on soft rests.
+/// Compares the friction forces of the minimum power principle with those of Coulomb's law. Two fingers slide over an object that settles on soft
+/// rests. The principle needs the normal forces as data.
 fn power() -> Result<()> {
     println!(
         "\nMinimum power principle, normal forces given: two sliding fingers and soft rests, W = 0.5 N\n"
@@ -113,7 +115,8 @@ fn power() -> Result<()> {
             }
             normal = answer.forces.iter().map(|f| f[0]).collect();
         }
-        // d/dy of Σ μ F_n(y) |s| at Coulomb's equilibrium: the term that a cost with varying F_n would add to the balance.
+        // The derivative of the friction cost Σ μ F_n |s| with respect to the height y of the object, at Coulomb's equilibrium with the slips s. A
+        // cost whose normal forces F_n vary with y would add this force to the balance.
         let added: f64 = grasp
             .contacts()
             .iter()

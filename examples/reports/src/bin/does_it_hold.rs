@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release -p reports --bin does_it_hold [how many]`
 //!
-//! Opposed soft jaws that are pulled along their faces keep their normal forces N, so that they hold 2 μ N. Each gripper gets loads around this.
+//! Opposed soft jaws that are pulled along their faces keep their normal forces N. With the friction coefficient μ they hold 2 μ N. Each gripper
+//! gets loads around this limit.
 
 use std::time::Instant;
 

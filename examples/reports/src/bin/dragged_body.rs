@@ -14,7 +14,7 @@ use support::tractrix::{self, WAY, exact, leash, limit};
 
 const SAMPLES: u32 = 200;
 
-/// Track of the slip, the worst error of the friction force over its size, and the run time, s.
+/// The track of the slip; the largest error of the friction force relative to its size, and the library's estimate of this error; the run time, s.
 struct Followed {
     track: Vec<(f64, f64)>,
     error: f64,

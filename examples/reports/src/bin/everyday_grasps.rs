@@ -179,7 +179,8 @@ fn main() -> Result<(), Failure> {
 /// Number of states requested of each odd path, over all legs.
 const FRACTIONS: usize = 2001;
 
-/// Follows `count` odd programs of each family, and prints how they end and whether the state is known at every fraction that was passed.
+/// Follows `count` odd load programs of each family. Prints how the load paths end, and whether the state is known at every fraction that was
+/// passed.
 fn odd_paths(count: usize) -> Result<(), Failure> {
     println!("\n  odd programs                     paths     median     99 %  longest");
     let mut untold = [0, 0];
@@ -200,7 +201,8 @@ fn odd_paths(count: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Follows a program, and counts the requested states and those that are missing.
+/// Follows a load program. Counts the equilibria that are requested along its path (`asked`), and the requested equilibria that the path does not
+/// give (`untold`).
 fn followed<const C: usize>(
     odd: &OddPath<C>,
     tally: &mut Tally,

@@ -27,7 +27,8 @@ fn told(what: &str, after: Option<f64>, exact: f64, residual: Option<f64>) {
     println!("{what:42} {after:13.9} N {off:11.1e} {residual:10.1e}");
 }
 
-/// Two jaws under a load at the distance e. If one jaw is higher by 2 μ e, both carry half, and the grasp holds 2 μ N.
+/// Improves a pinch of two jaws that press with the force N each, under a load at the distance e from the middle. If
+/// one jaw is higher by 2 μ e, both carry half of the load, and the grasp holds 2 μ N.
 fn pinch() -> Result<(), grasp_lcp::Error> {
     let jaw =
         |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(8.0);
@@ -41,7 +42,8 @@ fn pinch() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Three fingers on a disc under a force of any direction. The best grasp has them 120° apart and holds 3 N sin α.
+/// Improves three fingers that press with at most N each on a disc, under a force of any direction. The best grasp
+/// has the fingers 120° apart and holds 3 N sin α, with the friction angle α = atan μ.
 fn disc() -> Result<(), grasp_lcp::Error> {
     let fingers = [0.3, 1.9, 4.4].map(|angle| finger(angle, 1e3));
     let any = Loads::AnyForce { base: Wrench::ZERO, size: 1.0, point: [0.0; 2] };
@@ -50,7 +52,7 @@ fn disc() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Three fingers on a can under its weight; the best grasp holds 3 μ N.
+/// Improves three fingers that press with at most N each on a can, under its weight. The best grasp holds 3 μ N.
 fn can() -> Result<(), grasp_lcp::Error> {
     let finger = |angle: f64, height: f64| {
         let (sin, cos) = angle.sin_cos();
@@ -77,7 +79,7 @@ fn around(loads: impl Into<Loads>) -> Improve<2> {
     Improve::new(loads).along(0, disc()).along(1, disc()).along(2, disc())
 }
 
-/// Random starts on a disc under two loads, compared with the best grasp on a grid of angles.
+/// Compares the results from random starts, on a disc under two loads, with the best grasp on a grid of angles.
 fn against_a_grid() -> Result<(), grasp_lcp::Error> {
     let loads = [Wrench::force([0.0, -1.0]), Wrench::new([0.5, 0.0], 0.01)];
     let first_slip = |angles: [f64; 3]| {

@@ -72,7 +72,7 @@ fn text(problem: &Lcp) -> String {
     lines.join("\n") + "\n"
 }
 
-/// A series of problems with definite M, in which q changes just enough to change the basis by one pair.
+/// Times a series of problems with definite M, in which q changes just enough to change the basis by one pair.
 fn neighbours() -> Result<(), Box<dyn std::error::Error>> {
     let n = 100;
     let problem = definite(n, &mut Random(n as u64));
@@ -112,21 +112,21 @@ fn lcp(m: DMatrix<f64>, q: DVector<f64>) -> Lcp {
     Lcp::new(m, q).expect("the numbers are finite and the sizes match")
 }
 
-/// M = A Aᵀ + I, A and q normal.
+/// A problem with M = A Aᵀ + I; the entries of A and q are normally distributed.
 fn definite(n: usize, random: &mut Random) -> Lcp {
     let a = DMatrix::from_fn(n, n, |_, _| random.normal());
     let q = DVector::from_fn(n, |_, _| random.normal());
     lcp(&a * a.transpose() + DMatrix::identity(n, n), q)
 }
 
-/// M = A Aᵀ + I, A uniform in [0, 1], q normal.
+/// A problem with M = A Aᵀ + I; the entries of A are uniformly distributed in [0, 1], those of q normally.
 fn definite_uniform(n: usize, random: &mut Random) -> Lcp {
     let a = DMatrix::from_fn(n, n, |_, _| random.uniform());
     let q = DVector::from_fn(n, |_, _| random.normal());
     lcp(&a * a.transpose() + DMatrix::identity(n, n), q)
 }
 
-/// M = A Aᵀ of rank n/2, q = w − M z for random complementary z and w, so that a solution exists.
+/// A problem with M = A Aᵀ of rank n/2. For random complementary z and w, q = w − M z, so that a solution exists.
 fn semidefinite(n: usize, random: &mut Random) -> Lcp {
     let a = DMatrix::from_fn(n, n / 2, |_, _| random.normal());
     let m = &a * a.transpose();

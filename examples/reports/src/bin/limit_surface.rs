@@ -111,7 +111,7 @@ impl Patch {
         })
     }
 
-    /// Force over μN and moment over 3π/16 μN R at the end of a displacement in each direction.
+    /// For each direction between shear and torsion, the force over μN and the moment over 3π/16 μN R at the end of a long displacement of the arm.
     fn limit_surface(&self) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
         let far = FAR * FRICTION * PRESSED / SHEAR;
         let largest = (FRICTION * PRESSED, 3.0 * PI / 16.0 * FRICTION * PRESSED * RADIUS);
@@ -139,7 +139,8 @@ impl Patch {
         Ok(points)
     }
 
-    /// Compares pure torsion, in which rings slide one by one, with `M(θ) = Σ r min(k r θ, μ F_n)` and, on the way back, Masing's rule.
+    /// Compares pure torsion, in which rings slide one by one, with the sum over springs `M(θ) = Σ r min(k r θ, μ F_n)`. Here θ is the angle, and k
+    /// and r are the stiffness and the radius of a spring. On the way back Masing's rule applies.
     fn torsion(&self) -> Result<(), Box<dyn Error>> {
         let (mut worst, most) = (0.0_f64, 2.0 * FRICTION * PRESSED / SHEAR / RADIUS);
         let k = SHEAR / self.springs.len() as f64;
@@ -172,7 +173,7 @@ impl Patch {
     }
 }
 
-/// A jar in a ring of springs that all slide at once, pulled along its axis beyond its limit load.
+/// Prints run times for a jar in a ring of springs that all slide at once, pulled along its axis beyond its limit load.
 fn ring() -> Result<(), grasp_lcp::Error> {
     for count in [64, 1_024] {
         let spring = |i: usize| {
@@ -199,7 +200,8 @@ fn ring() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Times at this limit load: the onset, the load path to it, the behaviour beyond it, and the equilibrium under a load a quarter larger.
+/// Prints run times at the limit load `limit`: of the onset, the load path to it, the behaviour beyond it, and the equilibrium under a load a quarter
+/// larger.
 fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     let pull = |part: f64| Wrench::force([0.0, 0.0, -part * limit]);
     let start = Instant::now();
@@ -235,7 +237,8 @@ fn end(i: usize) -> [f64; 2] {
     [RADIUS * cos, RADIUS * sin]
 }
 
-/// Error against run time for a load without the arm: shear, then torsion in addition, back beyond the start, and to zero.
+/// Compares error and run time of load paths in steps, without the arm. The patch is sheared, then twisted in addition, then pulled back beyond the
+/// start and released.
 fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
     let load = |(shear, torsion): (f64, f64)| {
         let most = FRICTION * PRESSED;

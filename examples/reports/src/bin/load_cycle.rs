@@ -139,7 +139,7 @@ impl Pictures<'_> {
         knots.filter_map(|fraction| self.path.state_at(leg, fraction)).map(|state| point(&state)).collect()
     }
 
-    /// Labels all events, or those of a pair of fingers, with their numbers; events at one point share a label.
+    /// Labels all events, or the events of one pair of fingers, with their numbers; events at one point share a label.
     fn numbered(&self, chart: Chart, pair: Option<usize>, point: Point) -> Chart {
         let mut labels: Vec<((f64, f64), String)> = Vec::new();
         for (number, event) in self.happens.iter().enumerate() {

@@ -99,7 +99,7 @@ fn pinches() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Robotiq's example: 130 N, silicone on oily steel.
+/// Computes the example of Robotiq's manual: jaws that press with 130 N, silicone on oily steel.
 fn robotiq() -> Result<(), Box<dyn Error>> {
     let (force, mu, factor) = (130.0, 0.3, 2.4);
     let payload = 2.0 * force * mu / factor;

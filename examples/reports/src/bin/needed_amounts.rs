@@ -48,7 +48,8 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The least friction of houses of cards, compared with a linear program (HiGHS: balance of each card, `|F_t| <= μ F_n`).
+/// Compares the least friction of houses of cards with the result of a linear program (HiGHS: balance of each card, `|F_t| <= μ
+/// F_n`).
 fn cards() -> Result<(), Failure> {
     println!("\nhouse of cards      least friction    by a linear program    run time, s");
     for (rows, least) in [(2, 0.332_787), (4, 0.399_078), (8, 0.432_130)] {

@@ -16,7 +16,7 @@ use support::Failure;
 const MOST: usize = 4;
 
 fn main() -> Result<(), Failure> {
-    // Gravity and 3 m/s² up, 5 m/s² sideways, in the plane of the pads.
+    // The load of 1.8 kg under gravity while the arm accelerates with 3 m/s² upwards and 5 m/s² sideways, in the plane of the pads.
     let load = Wrench::force_at([0.0, -1.8 * 5.0, -1.8 * (9.81 + 3.0)], [0.0, 0.0, -0.025]);
     let most = std::env::args().nth(1).map_or(Ok(MOST), |count| count.parse::<usize>())?;
     let mut rows = Vec::new();
@@ -45,7 +45,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The gripper. Its limits of small motions are so large that none ends the path.
+/// The gripper. Its limits of small motions are so large that they never end the load path.
 fn gripper(strips: usize) -> Result<Grasp, Failure> {
     let pad = SoftFingertip::rectangle([0.02, 0.03], [strips, strips])?;
     let mut contacts = Vec::new();

@@ -1,4 +1,5 @@
-//! Both tables of the paper, row by row: printed value, computed value, and difference; misprints are marked with *.
+//! Both tables of the paper "Position Control for Multifingered Robot Hand", row by row: printed value, computed value,
+//! and difference; misprints are marked with *.
 //!
 //! `cargo run --release -p reports --bin paper_tables`
 

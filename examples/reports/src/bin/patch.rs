@@ -3,8 +3,8 @@
 //! `cargo run --release -p reports --bin patch` follows a pad of 10⁴ springs through a whole cycle of shear in steps.
 //!
 //! A sphere of radius R pressed by d into an elastic half-space makes a contact of radius `a = √(R d)`. The method of dimensionality reduction (Popov
-//! & Heß, 2015) replaces the half-space by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`. Normal force, shear
-//! force, displacement and the radius of the stick zone of the row equal those of the sphere. So a planar pad represents the round one, and the
+//! & Heß, 2015) replaces the half-space by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`. The normal force P, shear
+//! force Q, displacement u and radius c of the stick zone of the row equal those of the sphere. So a planar pad represents the round one, and the
 //! following results are exact (Cattaneo 1938, Mindlin 1949, Mindlin & Deresiewicz 1953):
 //!
 //! ```text
@@ -83,7 +83,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 struct Pad {
     grasp: Grasp,
     a: f64,
-    /// P and μP, N.
+    /// Normal force P and friction limit μP of the pad, N.
     press: f64,
     limit: f64,
 }
@@ -91,7 +91,7 @@ struct Pad {
 /// Quantities at the end of a step.
 struct Look {
     way: usize,
-    /// Q/μP.
+    /// Shear force as a fraction of its limit, Q/μP.
     part: f64,
     displacement: f64,
     /// Error of the displacement, relative to the largest displacement.
@@ -102,7 +102,7 @@ struct Look {
     state: Option<Equilibrium>,
 }
 
-/// The radius c/a of the stick zone, found and exact.
+/// The radius c of the stick zone over the radius a of the contact, as found and exact.
 #[derive(Clone, Copy)]
 struct Edge {
     way: usize,
@@ -123,7 +123,7 @@ impl Pad {
                 .friction(FRICTION)
                 .command([press(x), 0.0])
         };
-        // Total force of the springs, N. It converges to 4/3 E* √R d^(3/2) as their number grows.
+        // Total force of the springs, N. As the number of springs grows, it converges to the force of the sphere, 4/3 E* √R d^(3/2).
         let force = places().map(|x| NORMAL * width * press(x)).sum::<f64>();
         Ok(Self { grasp: Grasp::new(places().map(spring))?, a, press: force, limit: FRICTION * force })
     }
@@ -132,12 +132,12 @@ impl Pad {
         self.grasp.contacts()[contact].point()[0]
     }
 
-    /// The load that presses the pad with P and shears it with `part` times μP.
+    /// The load that presses the pad with the normal force P and shears it with the fraction `part` of its limit μP.
     fn load(&self, part: f64) -> Wrench {
         Wrench::new([part * self.limit, -self.press], 0.0)
     }
 
-    /// The displacement on first loading, m, at Q = `part` μP.
+    /// The displacement, m, when the pad is sheared for the first time, at the shear force Q = `part` μP.
     fn virgin(part: f64) -> f64 {
         FRICTION * NORMAL / SHEAR * DEPTH * (1.0 - (1.0 - part).powf(2.0 / 3.0))
     }
@@ -151,7 +151,7 @@ impl Pad {
         }
     }
 
-    /// The heat of a cycle, J: eight times the area between the curve of first loading up to Q₁ and its chord (Masing).
+    /// The heat of a cycle, J: eight times the area between the curve of first loading up to the largest shear force Q₁ and its chord (Masing).
     fn loss(&self) -> f64 {
         let scale = FRICTION * NORMAL / SHEAR * DEPTH;
         let beside = scale * (MOST - 0.6 * (1.0 - (1.0 - MOST).powf(5.0 / 3.0)));
@@ -231,7 +231,7 @@ impl Pad {
         lines.sum()
     }
 
-    /// The equilibria at the leg ends of [`SHOWN`], with Q/μP.
+    /// The equilibria at the leg ends of [`SHOWN`], with the shear force Q/μP.
     fn shown(looks: &[Look]) -> Result<Vec<(f64, &Equilibrium)>, Box<dyn Error>> {
         let ends: Vec<_> = looks.iter().filter_map(|look| look.state.as_ref()).collect();
         let at = |&end: &usize| Ok((ENDS[end].1, *ends.get(end).ok_or("the cycle ended early")?));
@@ -259,7 +259,7 @@ impl Pad {
         Ok(chart)
     }
 
-    /// The zones of the round contact at six loads.
+    /// Draws the zones of stick and slip of the round contact at six loads.
     fn zones(looks: &[Look]) -> Result<Chart, Box<dyn Error>> {
         let shown = Self::shown(looks)?;
         let mut dots = [const { Vec::new() }; 3];

@@ -1,4 +1,5 @@
-//! At which load does the paper's two-finger grasp start to slide? Recomputes its table, finds the onset directly, and draws two pictures.
+//! At which load does the two-finger grasp of the paper (see `paper-notes.md`) start to slide? Recomputes the paper's table, finds the
+//! onset directly, and draws two pictures.
 //!
 //! `cargo run --release -p reports --bin predict_sliding`
 

@@ -90,7 +90,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A scene of the repository, pulled in `directions` directions, about evenly spaced all around.
+/// Prints a row for a scene of the repository, pulled in `directions` directions, about evenly spaced all around.
 fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) -> Result<(), Failure> {
     let path = format!("{}/../scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::from_json(&std::fs::read(path)?)?;
@@ -125,7 +125,7 @@ struct Tally {
     grasps: usize,
     most: usize,
     may: f64,
-    /// Reserves below four fifths of the quantile.
+    /// Number of loads with reserve that are below four fifths of the sampled quantile.
     far_below: usize,
     short: Vec<f64>,
     microseconds: Vec<f64>,

@@ -95,7 +95,7 @@ fn fall<const C: usize>(name: &str, bodies: Bodies<C>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Times of an equilibrium and of a verdict.
+/// Prints the run times of an equilibrium and of a verdict.
 fn timed<const C: usize>(
     name: &str,
     count: usize,
@@ -116,7 +116,8 @@ fn timed<const C: usize>(
     Ok(())
 }
 
-/// Semicircular arches under their own weight, without sliding: least thickness over mean radius, by the line of thrust and by equilibria.
+/// Prints the least thickness of semicircular arches over their mean radius, by the line of thrust and by equilibria. The arches stand
+/// under their own weight, without sliding.
 fn arches() -> Result<(), Failure> {
     println!(
         "\n{:<12}{:>20}{:>20}   (Milankovitch: 0.1075 for many stones)",

@@ -80,7 +80,8 @@ fn kind<const C: usize>(
     Ok(())
 }
 
-/// Three fingers on balls under a weight and accelerations of 2 g to and fro along three axes: prints how many grasps survive, and verdicts a second.
+/// Prints how many grasps of three fingers on a ball survive a weight and accelerations of 2 g to and fro along three axes. Also prints the number of
+/// verdicts in a second.
 fn shake_test(grasps: usize) -> Result<(), Failure> {
     let mut random = Random(45);
     let drawn: Vec<_> = (0..grasps).map(|_| three_fingers(&mut random)).collect::<Result<_, _>>()?;

@@ -17,7 +17,7 @@ const ONSET: usize = 2;
 /// Radius and height of the edges of the bottle, m: foot, shoulder, neck, mouth.
 const PROFILE: [[f64; 2]; 4] = [[0.035, -0.052], [0.035, 0.029], [0.013, 0.042], [0.013, 0.052]];
 
-/// Radius 35 mm, fingers at different heights, the thumb opposite; a rubber tip is softer than the glass.
+/// A bottle of radius 35 mm between three fingers at different heights and a thumb opposite them. A rubber fingertip is softer than the glass.
 fn bottle() -> Result<Grasp, Error> {
     let finger = |name: &str, degrees: f64, height: f64, squeeze: f64, mu: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();

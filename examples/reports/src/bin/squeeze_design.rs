@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let weight = Wrench::force_at([0.0, -4.0], [0.004, 0.0]);
     let reserve = 1.5;
 
-    // The least factor of commands of 1 mm is the needed command in mm.
+    // The hand with commands of 1 mm: the least factor on these commands is the needed command in mm.
     let by_millimetres = hand(1e-3)?;
     let needed = |loads: Loads| -> Result<_, Failure> {
         match by_millimetres.with(&settings).least_squeeze(&loads)? {

@@ -26,7 +26,7 @@ fn hand(press: f64) -> Result<Grasp, grasp_lcp::Error> {
             .pressed_with(press)
     };
     let fingers = [("index", -25.0), ("middle", 0.0), ("ring", 25.0)].map(|(name, at)| tip(name, at, press));
-    // The outer fingers press at 25° to the thumb's direction, so that the cosine of their forces counts.
+    // The outer fingers press at 25° to the direction of the thumb. The thumb balances the components of their forces along this direction.
     let sum = press * (1.0 + 2.0 * f64::to_radians(25.0).cos());
     Grasp::new([&[tip("thumb", 180.0, sum)], &fingers[..]].concat())
 }

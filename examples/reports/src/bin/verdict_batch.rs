@@ -54,7 +54,7 @@ fn triple(row: usize, load: f64, contacts: &mut Vec<Contact>) -> [Wrench; 2] {
     [Wrench::ZERO, Wrench::force([0.1, 0.2, -1.0]) * load]
 }
 
-/// Two jaws with these pads; the weight acts beside the line through them.
+/// Two jaws with the pads `tip`; the weight acts beside the line through both jaws.
 fn jaws(tip: &SoftFingertip, row: usize, load: f64, contacts: &mut Vec<Contact>) -> [Wrench; 2] {
     for (x, datum) in [(-0.03, 0), (0.03, 1)] {
         let jaw = Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2e4, 1e4);
@@ -125,7 +125,7 @@ fn pads(tip: &SoftFingertip, count: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Needed amounts of the triples.
+/// Prints how many needed amounts, such as least squeezes, a batch of three-finger grasps computes in a second.
 fn amounts(asked: (Quantity, Demand), [count, compared]: [usize; 2]) -> Result<(), Failure> {
     let row = |row: usize, contacts: &mut Vec<Contact>| triple(row, 1.0, contacts);
     let settings = Settings::default();

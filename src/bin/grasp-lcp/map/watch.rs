@@ -19,7 +19,7 @@ pub(crate) struct MapProgress {
 }
 
 impl MapProgress {
-    /// All answers in order, or the first error; `None` if the sweep takes longer than `most`.
+    /// Calls `f` for every item in parallel. Returns all answers in order, or the first error; `None` if the sweep takes longer than `most`.
     pub(crate) fn sweep<T: Sync, R: Send>(
         self,
         what: &'static str,

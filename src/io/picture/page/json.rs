@@ -27,7 +27,6 @@ pub(super) fn json_number(x: f64) -> Result<String, PictureError> {
     if x.is_finite() { Ok(format!("{x:?}")) } else { Err(PictureError(format!("{x} cannot be drawn"))) }
 }
 
-/// A JSON array of numbers.
 pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
     let numbers = tried(numbers, &|x| json_number(*x))?;
     Ok(format!("[{}]", numbers.join(",")))

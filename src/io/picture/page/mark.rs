@@ -17,7 +17,7 @@ pub(super) enum MarkLayer {
     FreeMotions,
     WayOut,
     Names,
-    /// Shown for the contact under the pointer alone.
+    /// Marks that are visible only while the mouse pointer is on their contact.
     Pointed,
 }
 

@@ -13,8 +13,8 @@ pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
 
 fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
     let rings = mapped(outlines, &|outline| rings(&outline.corners)).concat();
-    // A ring of fewer than eight corners may be a face of a polyhedron or the line of a handle, and the space up to
-    // the next ring may be empty.
+    // A ring of fewer than eight corners may be a face of a polyhedron or the line of a handle. The space up to the next ring may then be empty. Only
+    // larger rings are joined by a hull.
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= 8));
     let mut solids: Vec<_> = between.map(<[Vec<_>]>::concat).list();
     solids.extend(rings);

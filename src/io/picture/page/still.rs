@@ -76,7 +76,7 @@ impl Page {
                 everything.extend(mark.points());
             }
         }
-        // Marks whose size is in pixels need a border.
+        // Some marks, such as dots, have a size in pixels and extend beyond their points. A border keeps them inside the picture.
         let eye = Eye::new(view, window.within(18.0), drawing.span, everything)?;
         marks.extend(marks_of_the_answer(&drawing, frame));
         let legend = Legend::new(&drawing, frame, eye.scale);
@@ -119,7 +119,7 @@ impl Page {
     }
 }
 
-/// The coordinate axes, in a corner without other marks.
+/// Draws the coordinate axes in a corner without other marks.
 fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): PaperPoint) {
     let axes = [0, 1, 2].each(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();

@@ -163,12 +163,13 @@ fn numbers(
         (WholeAnswer::Pad(pad), Space::Planar) => pad.moment()[pad.moment().len() - 1],
         (WholeAnswer::Point(_), _) => 0.0,
     };
-    // A moment is written as zero if it is only rounding compared with the largest force times this arm, m. Pads are larger than a millimetre.
+    // A moment is written as zero if it is only a rounding error compared with the largest contact force times this lever arm, m. Pads are larger
+    // than a millimetre.
     let arm = 1e-3;
     let moment = Words::default().beside(moment, arm * state.largest_force());
     let moved = |point: &ContactAnswer<3>| if point.gap > 0.0 { point.gap } else { point.slip.norm() };
     let most = |points: &[ContactAnswer<3>]| largest(points, &moved);
-    // A length is written as zero if it is only rounding compared with the largest length of all contacts.
+    // A length is written as zero if it is only a rounding error compared with the largest length of all contacts.
     let largest = most(&state.contacts).max(largest(&state.contacts, &|one| one.body_core.norm()));
     let length = |metres: f64| 1e3 * Words::default().beside(metres, largest);
     [pushes, rubs, moment, used, friction, force(answer.margin()), length(most(points)), length(moves)]

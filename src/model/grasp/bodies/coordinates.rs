@@ -51,7 +51,7 @@ impl Engine {
     }
 
     /// Moments about the origin of a contact's `force` at `point`, on each body, in the engine's coordinates; the components of forces are zero. If
-    /// `point` is an error of the contact point, the moments are the error that it causes.
+    /// `point` is the rounding error of a contact point, the result is the resulting error of the moments.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -118,8 +118,8 @@ impl Engine {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. The copy serves to ask
-    /// further about an answer of that load program, which lists these loads.
+    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. Further questions
+    /// about an answer of that load program, which lists these loads, are asked of this copy.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {

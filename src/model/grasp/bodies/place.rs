@@ -42,7 +42,6 @@ pub(super) enum LoadSharing {
 /// Several bodies in the engine, with their coordinates, loads and contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies {
-    /// Whether the bodies are in the plane or in space.
     space: Space,
     pub(crate) names: Vec<Arc<str>>,
     /// Index, from 0, of the body that has the object's coordinates.
@@ -182,7 +181,7 @@ impl PlacedBodies {
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
-        // Only a moment is left; the forces act at the centres of mass alone.
+        // The rest of the load is a pure moment: all forces act at the centres of mass.
         let left = left.acting_at(PointsOfAction::NO_FORCE);
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }

@@ -16,7 +16,6 @@ use crate::words::printable;
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 pub(in crate::model::grasp) struct Assembly {
-    /// Whether the grasp is in the plane or in space.
     pub(in crate::model::grasp) space: Space,
     pub(in crate::model::grasp) contacts: Vec<Contact<3>>,
     pub(in crate::model::grasp) motions: Vec<Columns>,

@@ -33,8 +33,8 @@ pub(crate) enum DriveLaw {
     /// The upper half of a drive that yields at an upper and a lower bound of its force, where its force stays constant. Two springs in series model
     /// such a drive. This half is a frictionless contact whose normal force is the upper bound minus the drive's force: it opens at the upper bound.
     UpperHalf,
-    /// The lower half of such a drive: a frictionless contact whose normal force is the drive's force minus the lower bound. It opens at the lower
-    /// bound.
+    /// The lower half of a drive that yields at an upper and a lower bound of its force: a frictionless contact whose normal force is the drive's
+    /// force minus the lower bound. It opens at the lower bound.
     LowerHalf,
 }
 
@@ -116,8 +116,8 @@ impl Drive {
         stretch
     }
 
-    /// Torque of the drive's joint (N m or N), or tension of its tendon (N), for a force of the drive, N. `None` for the lower half of a drive with
-    /// two halves, since the upper half returns the value.
+    /// Torque of the drive's joint (N m or N), or tension of its tendon (N), for a force of the drive, N. `None` for the lower half of a drive that
+    /// yields at a constant force, since the upper half returns the value.
     pub(crate) fn carried(&self, force: &SVector<f64, 3>) -> Option<f64> {
         match self.role {
             DriveLaw::LowerHalf => None,
@@ -132,8 +132,8 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units. It is 2 for each half of a drive with two
-    /// halves, which are in series, else 1.
+    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units. It is 2 for each of the two springs in series
+    /// that model a drive which yields at a constant force, else 1.
     fn halves(&self) -> f64 {
         if matches!(self.role, DriveLaw::UpperHalf | DriveLaw::LowerHalf) { 2.0 } else { 1.0 }
     }
@@ -184,7 +184,8 @@ impl Drive {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::LowerHalf && self.rest == 0.0)
     }
 
-    /// Energy stored in the drive's spring, J, at a force of the drive, N. The upper half of a drive with two halves returns the energy of both.
+    /// Energy stored in the drive's spring, J, at a force of the drive, N. A drive that yields at a constant force is modelled by two springs; its
+    /// upper half returns the energy of both.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {

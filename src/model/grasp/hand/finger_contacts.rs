@@ -90,8 +90,9 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// The contacts of a finger with a compliance matrix also yield by the part of this matrix that couples them. Adds the displacement of this part
-    /// under the pressing forces of `Contact::pressed_with` to the commands, so that the contacts press with these forces.
+    /// Of the compliance matrix D + V Vᵀ of a finger, the springs of the contacts have only the diagonal part D. Under the pressing forces of
+    /// `Contact::pressed_with` the part V Vᵀ displaces the contacts, too. Adds these displacements to the commands, so that the contacts press with
+    /// the given forces. `own` has the columns of V.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {

@@ -93,7 +93,6 @@ impl Joint<3> {
 }
 
 impl<const C: usize> Joint<C> {
-    /// Kind of the joint's motion.
     pub(super) fn kind(&self) -> JointKind {
         match self.motion {
             JointMotion::Revolute { .. } => JointKind::Turns,

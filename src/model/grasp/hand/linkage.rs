@@ -1,4 +1,4 @@
-//! Joints, tendons and drives of a hand, as a grasp uses them; and its bodies, if there are several.
+//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -162,7 +162,8 @@ impl Linkage {
         picked(&pressing, &|k| parts[*k].name.as_deref().map(str::to_owned))
     }
 
-    /// Replaces the constant normal forces of the contacts `before` by the constant normal forces of the contacts `now`: in the force on each slide.
+    /// Replaces the constant normal forces of the contacts `before` by the constant normal forces of the contacts `now`. Each of these forces acts
+    /// on the slide of its contact, a joint along the normal.
     pub(crate) fn replace_pressing_forces(
         &mut self,
         space: Space,

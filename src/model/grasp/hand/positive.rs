@@ -12,7 +12,7 @@ use crate::prelude::*;
 pub(super) enum NotPositive {
     /// The matrix does not have `size` rows and columns.
     Shape { rows: usize, columns: usize, size: usize },
-    /// This entry is not finite, or too large.
+    /// An entry of the matrix, which is not finite or too large.
     Entry(f64),
     /// The largest difference between two entries that should be equal by symmetry.
     Asymmetry(f64),

@@ -1,4 +1,4 @@
-//! Checks of answers in space that use only the question, and nothing of the solver.
+//! Checks of answers in space, computed from the data of the question alone, without the solver.
 
 use grasp_lcp::spatial::{ContactState, Equilibrium, Grasp, Wrench};
 use nalgebra::{Vector3, Vector6};
@@ -13,7 +13,8 @@ pub(crate) fn onset_by_hand(scene: &Scene) -> Result<f64, Failure> {
     for (i, contact) in scene.contacts.iter().enumerate().filter(|(i, _)| !scene.is_hand(*i)) {
         let (f, change) = (from.contacts[i].force, to.contacts[i].force - from.contacts[i].force);
         let mu = contact.friction_coefficient();
-        // |f_t + τ f'_t|² = μ² (f_n + τ f'_n)²
+        // The load factor τ at which the force f + τ f' reaches the friction cone: |f_t + τ f'_t|² = μ² (f_n +
+        // τ f'_n)², that is a τ² + 2b τ + c = 0.
         let a = change.yz().norm_squared() - (mu * change[0]).powi(2);
         let b = f.yz().dot(&change.yz()) - mu * mu * f[0] * change[0];
         let c = f.yz().norm_squared() - (mu * f[0]).powi(2);
@@ -39,7 +40,7 @@ pub(crate) fn residual(grasp: &Grasp, load: &Wrench, answer: &Equilibrium) -> f6
             (contact.point(), contact.series_stiffness_of_axes(), contact.friction_coefficient());
         let u = frame.tr_mul(&Vector3::from(answer.twist.displacement_at(p)));
         let held = k.component_mul(&(contact.commanded() - u));
-        // The force k s by which slip s has relieved the springs.
+        // The force K s by which the slip s has relaxed the tangential springs, N.
         let slipped = (held - c.force).yz();
         let friction = c.force.yz();
         let violation = match c.state {

@@ -19,12 +19,12 @@ use support::best_time::{best_in_turns, once, timed};
 use support::loaded::{Scene, dragged_block, four_fingers, three_fingers};
 
 const FACETS: [u32; 6] = [4, 8, 16, 32, 64, 128];
-/// Largest number of contacts for which the finest polygon does not take too long.
+/// With more contacts than this number, the polygon of 1024 facets takes too long.
 const MANY: usize = 4;
 /// Errors below this are rounding errors.
 const ROUNDING: f64 = 1.1e-16;
 
-/// Names of the methods; the polygons first.
+/// The polygonal cones that are compared. The last one is inscribed and turned, see [`turned_onset`].
 const METHODS: [&str; 4] = ["inscribed", "circumscribed", "balanced", "turned"];
 
 fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
@@ -35,11 +35,12 @@ fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
     Ok(settings.with_cone(PolygonCone::new(usize::try_from(facets)?, fit)?))
 }
 
-/// Number of facets, error and time, s, of each method, and error and time of the default. Undecided answers have no error.
+/// Facets, error and run time (s) of each polygonal cone; error and run time of the default, Newton's method on the round cone. The error of an
+/// undecided answer is NaN.
 struct Measured {
     polygons: Vec<Vec<(u32, f64, f64)>>,
     default: (f64, f64),
-    /// Times of a polygon with eight turned facets, and of the default, s.
+    /// Run times of a turned polygon with eight facets, and of the default, s; measured for sliding states alone.
     proposal: Option<(f64, f64)>,
 }
 

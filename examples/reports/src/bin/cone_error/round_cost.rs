@@ -1,8 +1,8 @@
 //! Run times on the round cone compared with polygons, for random grasps in which some contacts slide.
 //!
-//! For each scene four times are measured alternately. The first is Lemke's method on the kinematic form, with its
-//! assembly. The others are those of whole answers: on the polygon, with corners along the trial tractions, by the method
-//! that the ladder chooses; on the round cone, by Newton's method; and with every contact bonded, which needs neither.
+//! For each scene four times are measured alternately. The first is Lemke's method on the kinematic form, with its assembly. The others are those
+//! of whole answers: on the polygon, with corners along the tangential forces of the stuck grasp, by the method that the crate chooses; on the
+//! round cone, by Newton's method; and with every contact bonded, which needs neither Lemke's nor Newton's method.
 
 use std::hint::black_box;
 
@@ -58,7 +58,7 @@ pub(crate) fn print() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Times of one scene, s.
+/// Run times of one scene by each method, s; `sliding` is the number of contacts that slide.
 struct Times {
     sliding: f64,
     pivoting: f64,

@@ -19,7 +19,8 @@ const FITS: [(&str, PolygonFit); 3] = [
     ("circumscribed polygon", PolygonFit::Circumscribed),
     ("balanced polygon", PolygonFit::Balanced),
 ];
-/// Displacement of the object, m and rad: two of the three fingers slide. A ninth farther the load has another equilibrium, in which all slide.
+/// Displacement of the object, m and rad: two of the three fingers slide. With a displacement that is a ninth larger, the load has another
+/// equilibrium, in which all fingers slide.
 const TWIST: [f64; 6] = [0.00216, 0.00036, -0.00792, 0.243, -0.00315, 0.063];
 /// Number of fingers that slide.
 const SLIDE: usize = 2;
@@ -111,7 +112,7 @@ fn balanced(grasp: &Grasp, twist: &Twist) -> (Wrench, Vec<Vector3<f64>>) {
         if force[0] <= 0.0 {
             force = Vector3::zeros();
         }
-        // Both tangential stiffnesses are equal, so that the force is reduced to the limit without a change of direction.
+        // Both tangential stiffnesses are equal, so that the friction force is reduced to its limit without a change of direction.
         let (limit, friction) = (contact.friction_coefficient() * force[0], force.yz().norm());
         if friction > limit {
             (force[1], force[2]) = (force[1] * (limit / friction), force[2] * (limit / friction));

@@ -1,7 +1,8 @@
 //! Contact forces while everything sticks, in rational arithmetic: the reference for errors of floating point.
 //!
 //! Nothing is shared with the library. With one stiffness along all tangents the springs of a contact are `K = k_t I + (k_n - k_t) n nᵀ` in
-//! coordinate axes, whatever the tangents. A normal with integer components and an integer length makes K rational.
+//! coordinate axes, whatever the tangents. A normal with integer components and an integer length makes K rational. Let a be the command
+//! along the normal n, G_i the grasp map, q the twist of the object and W the load.
 //!
 //! ```text
 //! F_i = k_n a n - K_i G_iᵀ q,     Σ G_i F_i + W = 0,     (Σ G_i K_i G_iᵀ) q = W + Σ G_i k_n a n
@@ -28,7 +29,8 @@ fn exact(x: f64) -> Rational {
     Rational::from_float(x).expect("a finite number")
 }
 
-/// The wrench of a force along a coordinate axis at a point; also the row of G_iᵀ for the motion of the point along it.
+/// The wrench of a unit force along a coordinate axis at a point. It is also the row of G_iᵀ that gives the displacement of the point along
+/// this axis.
 fn wrench(point: &[Rational; 3], axis: usize) -> [Rational; 6] {
     let unit = |k: usize| Rational::from_integer(i32::from(k == axis).into());
     std::array::from_fn(|row| {
@@ -56,7 +58,7 @@ pub(crate) fn forces(contacts: &[Contact], load: &[f64; 6]) -> Option<Vec<[f64; 
             if a == b { along + &kt } else { along }
         };
         let maps = [0, 1, 2].map(|axis| wrench(&point, axis));
-        // K Gᵀ, with one row for each coordinate axis.
+        // The product K Gᵀ of the contact's stiffness and its transposed grasp map, with one row for each coordinate axis.
         let pulls: [[Rational; 6]; 3] = std::array::from_fn(|a| {
             std::array::from_fn(|k| (0..3).map(|b| stiffness(a, b) * &maps[b][k]).sum())
         });
@@ -80,7 +82,7 @@ pub(crate) fn forces(contacts: &[Contact], load: &[f64; 6]) -> Option<Vec<[f64; 
     Some(springs.iter().map(force).collect())
 }
 
-/// Gaussian elimination; the last column is the right-hand side.
+/// Solves linear equations by Gaussian elimination; the last column of `rows` is the right-hand side. `None` for a singular matrix.
 fn solve(mut rows: Vec<Vec<Rational>>) -> Option<Vec<Rational>> {
     let n = rows.len();
     for k in 0..n {

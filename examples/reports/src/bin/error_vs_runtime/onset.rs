@@ -1,7 +1,8 @@
 //! The onset of sliding: found directly, by stepping the load, and by bisection.
 //!
-//! Stepping and bisection ask the paper's quadratic program, in its reduced form, whether one of its friction rows is active under a load. In the
-//! plane an active row means that a contact slides. In space the program has facets, so that it finds the onset on a polygon.
+//! Stepping and bisection solve the quadratic program of the paper (see `paper-notes.md`), in its reduced form, for one load after the other. They
+//! check whether one of its friction rows is active. In the plane an active row means that a contact slides. In space the program has facets, so
+//! that it finds the onset on a polygon.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
@@ -16,13 +17,13 @@ use support::interior_point::{Oracle, interior_point_and_multipliers};
 use support::paper::{down, two_fingers};
 use support::reduced_program::ReducedProgram;
 
-/// Tolerance of the interior-point method. Slack and multiplier of each of its rows are positive; near the onset both are about the square root of
-/// this tolerance.
+/// Tolerance of the interior-point method. Slack and multiplier of each friction row of the program are positive; near the onset both are about
+/// the square root of this tolerance.
 const TOLERANCE: f64 = 1e-12;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const STEPS: [u32; 6] = [10, 100, 1000, 10_000, 100_000, 1_000_000];
 
-/// If there are more steps than this, only the last ones before the onset are computed.
+/// If there are more steps than this, only the last [`LAST_STEPS`] steps before the onset are computed.
 const MOST_STEPS: u32 = 100_000;
 /// Number of last steps before the onset that are computed.
 const LAST_STEPS: f64 = 1000.0;
@@ -36,7 +37,7 @@ fn steps_below(part: f64, steps: u32) -> u32 {
 /// Method that solves the quadratic program.
 #[derive(Clone, Copy, PartialEq)]
 enum Solver {
-    /// The crate's: Lemke's method on the optimality conditions.
+    /// Lemke's method on the optimality conditions, as in the crate.
     Lemke,
     /// The interior-point method of Clarabel.
     InteriorPoint,
@@ -51,7 +52,7 @@ impl Solver {
     }
 }
 
-/// A grasp without load at factor 0, its load at factor 1.
+/// A grasp, and the load that grows from zero at factor 0 to `direction` at factor 1.
 struct Question<'a, const C: usize> {
     grasp: &'a Grasp<C>,
     direction: Wrench<C>,
@@ -61,7 +62,7 @@ struct Question<'a, const C: usize> {
 }
 
 impl<const C: usize> Question<'_, C> {
-    /// Whether no friction row of the program is active at a factor.
+    /// Whether no friction row of the quadratic program is active at a load factor, which means that everything sticks.
     fn sticks(&self, factor: f64, solver: Solver) -> Result<bool, Failure> {
         let load = self.direction * factor;
         let reduced = ReducedProgram::new(self.grasp, &load, &self.cone);
@@ -85,7 +86,8 @@ impl<const C: usize> Question<'_, C> {
         Ok(rows.all(|(i, contact)| slack[i] > multipliers[i] * stiffness(contact)))
     }
 
-    /// The onset lies between the last of equal steps that sticks and the next one. Also returns the number of the last step computed.
+    /// The onset as the middle between the last load step at which everything sticks and the next step; all steps are equally long. Also returns
+    /// the number of the last step computed.
     fn stepped(&self, steps: u32, first: u32, solver: Solver) -> Result<(f64, u32), Failure> {
         let at = |step: u32| self.most * f64::from(step) / f64::from(steps);
         for step in first..=steps {
@@ -158,7 +160,7 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The paper's two fingers: W* = √65/66.
+/// The paper's two fingers, which begin to slide under the load W* = √65/66 N.
 fn in_the_plane() -> Result<Panel, Failure> {
     let (grasp, exact) = (two_fingers()?, 65_f64.sqrt() / 66.0);
     let question = Question { grasp: &grasp, direction: down(), cone: PolygonCone::default(), most: 1.0 };
@@ -201,8 +203,8 @@ fn screened<const C: usize, const N: usize>(
     Ok(())
 }
 
-/// Three fingers at 120° press with N = k a each. They share an axial load w and a moment m about the axis evenly, so that the onset factor τ
-/// satisfies τ hypot(w/3, m/3R) = μ N.
+/// Three fingers at 120° with the normal stiffness k and the command a press with N = k a each. They share an axial load w and a moment m about
+/// the axis evenly. With the contacts at the radius R, the onset factor τ satisfies τ hypot(w/3, m/3R) = μ N.
 fn in_space() -> Result<Panel, Failure> {
     let (contacts, direction, exact) = pinch();
     let grasp = spatial::Grasp::new(contacts.clone())?;

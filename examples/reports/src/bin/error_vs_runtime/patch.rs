@@ -18,7 +18,8 @@ use support::best_time::timed;
 const SPRINGS: usize = 60;
 const PRESSED: f64 = 10.0;
 const FRICTION: f64 = 0.5;
-/// Shear over its limit and moment over `μ N R` at the end of each leg: sheared, twisted in addition, and back beyond the start.
+/// Shear force as a fraction of its limit μ N, and moment as a fraction of μ N R, at the end of each leg; N is the normal force and R the radius. The
+/// fingertip is sheared, twisted in addition, and pulled back beyond the start.
 const LEGS: [[f64; 2]; 3] = [[0.6, 0.0], [0.6, 0.3], [-0.3, -0.1]];
 
 pub fn measure(report: &mut Report) -> Result<(), Failure> {

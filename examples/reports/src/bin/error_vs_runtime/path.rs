@@ -1,7 +1,7 @@
 //! A load path: by exact events, and by implicit steps.
 //!
-//! An implicit step solves for the equilibrium at its end. The accumulated slip is subtracted from the finger commands before, and the slip of the
-//! answer is added to it afterwards.
+//! An implicit step solves for the equilibrium at its end. Before each step the accumulated slip is subtracted from the finger commands. Afterwards
+//! the slip of the answer is added to the accumulated slip.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -56,7 +56,6 @@ impl<const C: usize> Stepper<C> {
     }
 }
 
-/// Number of springs of the pad.
 const SPRINGS: u32 = 16;
 const FRICTION: f64 = 0.4;
 /// Tangential stiffness of each spring, N/m.
@@ -68,13 +67,14 @@ fn pressed() -> Vec<f64> {
     (0..SPRINGS).map(|i| 0.375 * (1.0 - at(i).powi(2))).collect()
 }
 
-/// The shear load, N, at which the pad is displaced by x on first loading.
+/// The shear load, N, at which the pad is displaced by x, m, when it is sheared for the first time.
 fn virgin(x: f64) -> f64 {
     pressed().iter().map(|n| (SHEAR * x).min(FRICTION * n)).sum()
 }
 
 /// A pad is sheared to nine tenths of its limit, and then as far in the other direction. Friction acts along the face, so that normal forces N_i are
-/// constant: spring i slides from x = μ N_i/c on and, on the way back, after twice this displacement (Masing's rule).
+/// constant: with the tangential stiffness c, spring i slides from the displacement x = μ N_i/c on. On the way back it slides after twice this
+/// displacement (Masing's rule).
 fn pad() -> Result<Panel, Failure> {
     let pressures = pressed();
     let (total, c) = (pressures.iter().sum::<f64>(), SHEAR);
@@ -93,7 +93,8 @@ fn pad() -> Result<Panel, Failure> {
     }))?;
     let load = |q: f64| planar::Wrench::force([q, -total]);
     let legs = [Leg::load_to(load(most)), Leg::load_to(load(-most))];
-    // Loads are measured from the start of their leg. An event that is missing counts as an error of 1.
+    // The largest error of a load at which a spring begins to slide, over the friction limit of the pad. Loads are measured from the start of their
+    // leg. A missing event counts as an error of 1.
     let off = |found: &[Vec<Option<f64>>; 2]| {
         let pairs = found.iter().flatten().zip(exact.iter().flatten());
         let error = pairs.map(|pair| match pair {
@@ -108,7 +109,7 @@ fn pad() -> Result<Panel, Failure> {
         "A pad of 16 springs sheared and back: when they slide",
         "error of the load at which a spring slides / limit load",
     );
-    // Each event has its leg, load and contact.
+    // The load at which each spring begins to slide, by leg and contact. The argument `slides` has the leg, the load and the contact of each event.
     let when = |slides: &[(usize, f64, usize)]| {
         let mut found = [(); 2].map(|()| vec![None; limits.len()]);
         for &(leg, q, contact) in slides {
@@ -154,7 +155,7 @@ fn slides<const C: usize>(change: &Change<C>) -> bool {
     matches!(change, Change::Slides { .. } | Change::Reverses { .. })
 }
 
-/// The friction force on a body that is dragged along a tractrix.
+/// Measures the error of the friction force on a body that a finger drags along a tractrix.
 fn dragged() -> Result<Panel, Failure> {
     const SAMPLES: u32 = 200;
     let (grasp, ways) = tractrix::scene()?;

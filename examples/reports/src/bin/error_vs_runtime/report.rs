@@ -118,7 +118,7 @@ impl Panel {
 }
 
 impl Report {
-    /// Prints a panel and keeps it.
+    /// Prints a panel, and keeps it for the files that [`Self::save`] writes.
     pub fn push(&mut self, panel: Panel) {
         panel.print();
         self.panels.push(panel);

@@ -118,7 +118,8 @@ fn at(grasp: &Grasp, twist: &Twist, gaps: &[(usize, f64)]) -> Vec<Vector3<f64>> 
     grasp.contacts().iter().zip(grasp.frames()).enumerate().map(force).collect()
 }
 
-/// The twist of the object by the textbook's formula, q = (Σ G K Gᵀ)⁻¹ (W + Σ G K a).
+/// The twist q of the object by the textbook's formula, q = (Σ G K Gᵀ)⁻¹ (W + Σ G K a). W is the load; G, K and a are the grasp map,
+/// stiffness and command of a contact.
 fn textbook(grasp: &Grasp, load: &Wrench) -> Result<Twist, Failure> {
     let (mut stiffness, mut pull) = (Matrix6::zeros(), load.to_vector());
     for (contact, frame) in grasp.contacts().iter().zip(grasp.frames()) {

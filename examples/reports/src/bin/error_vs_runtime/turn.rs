@@ -1,7 +1,8 @@
 //! A load that turns: the angle at which a finger slides, found directly, along chords of the turn, and by bisection.
 //!
-//! Two fingers of equal springs press with N each and hold a weight W in the plane. Tilted by θ they carry `W cos θ / 2` each along their faces, and the
-//! lower one presses with `N + W sin θ / 2`, the upper one with `N - W sin θ / 2`. So the upper one slides where
+//! Two fingers of equal springs press with N each and hold a weight W in the plane. Tilted by θ they carry `W cos θ / 2` each along their faces, and
+//! the lower finger presses with `N + W sin θ / 2`, the upper finger with `N - W sin θ / 2`. With the coefficient of friction μ the upper finger
+//! slides where
 //!
 //! ```text
 //! W cos θ / 2 = μ (N - W sin θ / 2)      ⟺      θ = atan μ - acos(2 μ N / (W √(1 + μ²)))

@@ -1,4 +1,5 @@
-//! Hard random problems: W is positive definite, so that a solution exists, with masses or compliances many orders of magnitude apart.
+//! Hard random contact problems (W, q, μ). W is positive definite, so that a solution exists; masses or compliances are many orders of
+//! magnitude apart.
 
 use super::{median, timed};
 use grasp_lcp::friction::FrictionProblem;

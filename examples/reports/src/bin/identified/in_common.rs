@@ -1,4 +1,4 @@
-//! Residuals of pushes after friction and support loads are identified: are those of pushes in one direction correlated?
+//! Residuals of pushes after friction and support loads are identified: are the residuals of pushes in one direction correlated?
 
 use std::error::Error;
 

@@ -7,7 +7,7 @@
 //! group shares.
 //!
 //! Then friction and loads of supports are identified from measured pushes (see [`support::measured_pushes`]), layout by layout, with a known weight
-//! of the block, and compared with the loads by statics ([`supports`]). Two questions follow: do pushes share errors ([`in_common`]), and does
+//! of the block. The loads are compared with those by statics ([`supports`]). Two questions follow: do pushes share errors ([`in_common`]), and does
 //! another model explain them better ([`other_models`])?
 
 mod in_common;

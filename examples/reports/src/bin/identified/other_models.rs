@@ -1,8 +1,8 @@
 //! Other models of the same pushes: a finger that pushes above the surface, and a surface with different friction along and across.
 //!
-//! A finger at a height above the surface tips the block forwards, so that supports in front carry more. The second model has an ellipse of friction,
-//! `√q μ` along a direction and `μ / √q` across it. Stretching the plane makes friction uniform: places and forces are multiplied by `1 / √q` along
-//! and `√q` across, velocities are divided by these, and moments are unchanged.
+//! A finger at a height above the surface tips the block forwards, so that supports in front carry more. The second model has an ellipse of friction:
+//! the coefficient is `√q μ` along a direction and `μ / √q` across it, with the ratio q of both. Stretching the plane makes friction uniform: places
+//! and forces are multiplied by `1 / √q` along and `√q` across, velocities are divided by these, and moments are unchanged.
 
 use std::error::Error;
 

@@ -39,20 +39,20 @@ pub(crate) fn in_the_plane(push: &Push) -> Wrench {
     Wrench::new([push.load.x, push.load.y, 0.0], [0.0, 0.0, push.load.z])
 }
 
-/// Numbers of support loads: those that the pushes determine, those within two standard errors of the load by statics, and those whose interval
-/// contains it.
+/// Numbers of support loads: of all that the pushes determine, of those within two standard errors of the load by statics, and of those whose
+/// interval contains the load by statics.
 #[derive(Default)]
 pub(crate) struct Within {
     pub(crate) all: usize,
     pub(crate) two_errors: usize,
     pub(crate) interval: usize,
-    /// Standard errors relative to those of ungrouped slips, and degrees of freedom.
+    /// Standard errors relative to the standard errors from ungrouped slips; degrees of freedom.
     wider: Vec<f64>,
     degrees: Vec<f64>,
 }
 
 impl Within {
-    /// Counts the loads of a layout, and compares standard errors with those from ungrouped slips, `beside`.
+    /// Counts the loads of a layout, and compares their standard errors with the standard errors from ungrouped slips, `beside`.
     pub(crate) fn count(&mut self, found: &Identified, layout: usize, beside: &Identified) {
         let loads = found.estimates[1..].iter().zip(&beside.estimates[1..]);
         for ((load, plain), truth) in loads.zip(normal_forces(&supports(layout))) {

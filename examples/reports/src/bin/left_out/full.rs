@@ -1,5 +1,9 @@
 //! The full kinematic formulation, assembled by its formulas from the contacts of a grasp.
 //!
+//! Let G be the grasp maps of all contacts, K the stiffnesses, a the commands, W the load, and h_j the normals of the facets. While
+//! everything sticks, the object has the twist q⁰ and the contacts have the forces F⁰. The unknowns z are the gaps and the slips
+//! along the facet normals.
+//!
 //! ```text
 //! q⁰ = (G K Gᵀ)⁻¹ (W + G K a),   F⁰ = K (a - Gᵀq⁰),   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
 //! rows of L: e_n and μ e_n - h_j,   columns of B: e_n and -h_j     for every contact and every facet
@@ -15,10 +19,10 @@ use crate::scene::{Failure, Scene};
 
 /// Coefficient that replaces infinite friction, and the friction of bonded contacts; valid if these contacts neither slide nor pull.
 const NEVER_SLIDES: f64 = 1e3;
-/// Facets in space, those of the crate's default polygon; its corners lie on the circle.
+/// Number of facets of the friction cone in space, as in the crate's default polygon, whose corners lie on the circle.
 const FACETS: u32 = 8;
 
-/// The complementarity problem, and the matrices by which its solution gives contact forces.
+/// The complementarity problem. Its solution z gives the contact forces `sticking + jumps z`.
 pub struct Full {
     pub lcp: Lcp,
     sticking: DVector<f64>,
@@ -88,7 +92,7 @@ impl Full {
         Ok(Self { lcp, sticking, jumps })
     }
 
-    /// Forces in the contact frames, and the pivots; `None` if Lemke's method ends on a ray.
+    /// Forces in the contact frames, and the number of pivots; `None` if Lemke's method ends on a ray.
     pub fn solve<const C: usize>(&self) -> Option<(Vec<SVector<f64, C>>, usize)> {
         let outcome = self.lcp.solve();
         let solution = outcome.solution()?;

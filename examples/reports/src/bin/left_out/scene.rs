@@ -48,7 +48,7 @@ pub fn sticks() -> Result<Scene<3>, grasp_lcp::Error> {
     Scene::new("everything sticks", (0..5).map(|i| finger(5, i)), load)
 }
 
-/// The same five fingers under a load that makes some of them slide.
+/// Five fingers under a load that makes some of the fingers slide.
 pub fn slides() -> Result<Scene<3>, grasp_lcp::Error> {
     let load = spatial::Wrench::new([4.0, 2.0, -23.0], [0.2, 0.1, 0.3]);
     Scene::new("some slide", (0..5).map(|i| finger(5, i)), load)
@@ -71,7 +71,8 @@ pub fn smooth() -> Result<Scene<3>, grasp_lcp::Error> {
     Scene::new("frictionless", (0..12).map(pin), load)
 }
 
-/// Two fingers with friction, two smooth ones, one that never slides, and one that is glued on.
+/// Two fingers with friction, two without friction, one with infinite friction, and one that is glued to the
+/// object.
 pub fn mixed() -> Result<Scene<3>, grasp_lcp::Error> {
     let contacts = (0..6).map(|i| match i {
         2 | 3 => finger(6, i).friction(0.0),
@@ -101,7 +102,8 @@ pub fn in_the_plane() -> Result<Scene<2>, grasp_lcp::Error> {
     Scene::new("three fingers in the plane", (0..3).map(|i| flat(3, i)), planar::Wrench::new(force, moment))
 }
 
-/// The same three fingers in space, at height zero; their polygons have corners in the plane.
+/// Three fingers of a spatial grasp that all lie in the plane z = 0; their friction polygons have corners in
+/// this plane.
 pub fn in_a_spatial_guise() -> Result<Scene<3>, grasp_lcp::Error> {
     let contacts = (0..3).map(|i| {
         let ([x, y, _], [u, v, _]) = around(3, i);
@@ -123,7 +125,8 @@ pub fn far(name: &'static str, part: f64) -> Result<Scene<2>, grasp_lcp::Error> 
     Scene::new(name, (0..3).map(|i| flat(3, i)).chain(away), load)
 }
 
-/// A pad along x, pressed most in the middle and sheared; at part 1 two thirds of it slide.
+/// A pad along x, pressed most in the middle, under the fraction `part` of a shear load. At `part` 1 two thirds
+/// of its springs slide.
 pub fn pad(name: &'static str, springs: usize, part: f64) -> Result<Scene<2>, grasp_lcp::Error> {
     let (grasp, load) = support::patches::planar_patch(springs)?;
     let load = load.to_vector();

@@ -24,7 +24,8 @@ pub(crate) fn of_surfaces(pushes: &[Push], limits: &[Limit], floors: &[Repeats; 
             chart = chart.series(*name, points.collect(), Stroke::Circles);
         }
         let most = own().map(|(push, _)| push.load.xy().norm()).fold(0.0, f64::max);
-        // Two lines at twice the scatter of repeated pushes; most of these lie between them.
+        // Two lines at twice the scatter of repeated pushes, above and below equality of prediction and measurement. Most
+        // repeated pushes lie between them.
         let [above, below] = [2.0, -2.0].map(|times| most * (times * floor.scatter).exp());
         let band = vec![(most, above), (0.0, 0.0), (most, below)];
         chart

@@ -86,7 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A model: the fraction of a push at which the block slides if the coefficient of friction is one.
+/// A model of friction: it predicts the fraction of a measured push at which the block slides if the coefficient of friction is one.
 type Model = fn(&Push, &Limit) -> f64;
 
 const MODELS: [(&str, Model); 3] = [
@@ -131,7 +131,7 @@ fn error_against_time(
     Ok(())
 }
 
-/// Prints coefficients from the pushes of each layout. If they scatter, no model with a single coefficient can be right.
+/// Prints coefficients from the pushes of each layout. If these coefficients scatter, no model with a single coefficient can be right.
 fn by_layout(pushes: &[Push], limits: &[Limit]) {
     println!("\nThe coefficient of friction that each push tells, its median and where half of them lie:\n");
     for surface in SURFACES {

@@ -1,4 +1,4 @@
-//! Families of scenes, everyday and odd ones, from the generators of the tests.
+//! Families of scenes, everyday and unusual, from the generators of the tests.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -18,7 +18,7 @@ type Failure = Box<dyn std::error::Error>;
 /// Callback that receives the name of a family and a function that answers a question about one of its scenes, in words.
 type Ask<'a> = dyn FnMut(&'static str, &dyn Fn() -> Result<String, Failure>) -> Result<(), Failure> + 'a;
 
-/// Asks about `each` scenes of each family, and about fewer of those with many contacts.
+/// Asks about `each` scenes of each family, and about fewer scenes of families with many contacts.
 pub(crate) fn ask_all(each: usize, ask: &mut Ask<'_>) -> Result<(), Failure> {
     for spread in [Spread::Narrow, Spread::Wide, Spread::Stiff] {
         for drawn in drawn(each, &scene::<3, 2>(1..9, spread, 1.0)) {

@@ -1,6 +1,6 @@
 //! The search for an equilibrium tries several methods in turn, its rungs. How often does each rung decide, in which time, and which others could?
 //!
-//! Scenes, load paths and bodies, everyday and odd ones, come from the generators of the tests. After each decision every rung is tried separately.
+//! Everyday and unusual scenes, load paths and bodies come from the generators of the tests. After each decision every rung is tried separately.
 //!
 //! `cargo run --release -p reports --bin rungs [scenes of each family]` (40 by default)
 
@@ -69,7 +69,8 @@ fn by_rung(climbs: &[RecordedSearch]) {
     }
 }
 
-/// Prints, for each rung, which later rung would decide its searches without it, and by which factor they would take longer.
+/// Prints, for each rung, which later rung would decide its searches if this rung were left out, and by which factor these searches would take
+/// longer.
 fn instead(climbs: &[RecordedSearch]) {
     println!("\nWithout a rung, its searches are decided by others, in more time by this factor (median):\n");
     for (rung, name) in names().into_iter().enumerate() {

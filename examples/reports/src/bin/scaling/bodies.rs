@@ -8,8 +8,8 @@ use support::best_time::best;
 use crate::report::{Beside, row};
 use crate::{Outcome, up_to};
 
-/// Time per book or brick. In a row it is constant, for any length. In a wall of n bricks the band matrix is as wide as a row of √n bricks, so that
-/// its factorisation takes O(n) per brick.
+/// Prints the run time of a verdict per book or brick. In a row of books it is constant, for any length. In a wall of n bricks the band matrix is
+/// as wide as a row of √n bricks, so that its factorisation takes O(n) per brick.
 pub fn rows(most: usize) -> Outcome {
     let book = |count: usize| (count, books(count), Wrench::force([0.0, -5.0]));
     grown("book of a row, one pulled: hold, for each book", up_to(most, [10, 100, 1000]).map(book))?;

@@ -15,7 +15,7 @@ use crate::today::sticks;
 use crate::{Outcome, up_to};
 use support::patches::{fingers, planar_patch, spatial_patch};
 
-/// Three to five contacts in space, 8 facets and the round cone, some sliding.
+/// Prints run times of equilibria of three to five contacts in space, some of which slide, on a polygon of 8 facets and on the round cone.
 pub fn few_contacts() -> Outcome {
     for count in 3..=5 {
         let (grasp, load) = fingers(count)?;
@@ -24,7 +24,7 @@ pub fn few_contacts() -> Outcome {
     Ok(())
 }
 
-/// Patches of which two thirds slide in the plane, half in space.
+/// Prints run times of equilibria of patches. In the plane two thirds of the springs slide, in space half of them.
 pub fn patches(most: usize) -> Outcome {
     for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
@@ -37,7 +37,8 @@ pub fn patches(most: usize) -> Outcome {
     Ok(())
 }
 
-/// Times `Grasp::solve` on the polygon and on the round cone; and the dense form and the reduced program, if they do not take too long.
+/// Times `Grasp::solve` on the polygon and on the round cone; and, if they do not take too long, the kinematic form as a dense problem and the
+/// reduced quadratic program.
 fn solved<const C: usize>(name: &str, grasp: &Grasp<C>, load: &Wrench<C>, affordable: bool) -> Outcome {
     let (dense, today) =
         if affordable { (dense(grasp, load), program_once(grasp, load)) } else { (f64::NAN, f64::NAN) };

@@ -117,7 +117,7 @@ fn polynomials<const N: usize>(places: &[f64; N], values: &mut [f64; N], [a, b]:
     });
 }
 
-/// A loop compiled for the vectors that the crate uses.
+/// Runs a loop that is compiled for the vector registers that the crate uses.
 #[cfg(feature = "simd")]
 fn wide(work: impl FnOnce()) {
     struct Wide<W>(W);

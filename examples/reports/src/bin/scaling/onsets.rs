@@ -137,7 +137,7 @@ fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores
     }
 }
 
-/// The least squeeze under two loads.
+/// Prints run times of the least squeeze under two loads.
 fn squeezes<const C: usize, const N: usize>(
     name: &str,
     (fingers, batch): (&[Fingers<C, N>], &Batch<C, N>),

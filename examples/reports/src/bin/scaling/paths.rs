@@ -66,7 +66,7 @@ fn whole_path<const D: usize, const C: usize>(
     load: &Wrench<C>,
     affordable: bool,
 ) -> Outcome {
-    // Load along the normals, which all contacts share.
+    // The normal component of the load; all contacts have the same normal.
     let press = SVector::<f64, D>::from_fn(|k, _| if k == C - 1 { load.components()[k] } else { 0.0 });
     let press = Wrench::from_components(press.as_slice());
     let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];

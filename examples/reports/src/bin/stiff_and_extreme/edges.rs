@@ -25,7 +25,7 @@ pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Relative distances above and below the edge: 1e-3 … 1e-15, and zero.
+/// Relative distances below and above a limit: 1e-3 … 1e-15, and zero.
 fn parts() -> impl Iterator<Item = (String, f64)> {
     let exponents = [3, 6, 9, 12, 13, 14, 15];
     let below = exponents.map(|k| (format!("-1e-{k}"), -10_f64.powi(-k)));
@@ -33,7 +33,7 @@ fn parts() -> impl Iterator<Item = (String, f64)> {
     below.into_iter().chain([("0".to_owned(), 0.0)]).chain(above.into_iter().rev())
 }
 
-/// Loads around the onset of a grasp whose other fingers hold on after the first has slipped.
+/// Adds rows with loads around the onset of sliding of a grasp. After the first finger has slipped, the other fingers hold on.
 fn onset<const D: usize, const C: usize>(
     table: &mut Table,
     case: &'static str,
@@ -49,7 +49,7 @@ fn onset<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// The paper's two fingers: the onset, W* = √65/66, is also the limit load.
+/// Adds a row for the paper's two fingers. Their load at the onset of sliding, W* = √65/66 N, is also their limit load.
 fn paper(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     let finger = |side: f64| Datum {
         point: SVector::from([4.0 * side, 1.8]),
@@ -68,8 +68,8 @@ fn paper(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A wedge, in space a plug, squeezed by fingers on its flanks. Sticking contacts have `F_t / F_n = tan(half angle)` whatever the stiffness. With
-/// more friction the wedge is held; with less it is squeezed out and nothing presses any more.
+/// Adds a row for a wedge, in space a plug, squeezed by fingers on its flanks. Sticking contacts have `F_t / F_n = tan(half angle)` whatever the
+/// stiffness. With more friction the wedge is held; with less it is squeezed out and nothing presses any more.
 fn wedge<const D: usize, const C: usize>(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     let (sin, cos) = HALF_ANGLE.sin_cos();
     let count = if C == 2 { 2 } else { 3 };

@@ -38,7 +38,8 @@ fn all<const D: usize, const C: usize>(table: &mut Table) -> Result<(), Failure>
     Ok(())
 }
 
-/// One finger is pulled along the surface. With much friction it presses on a soft spring, so that friction stays below the pull.
+/// Adds rows for a grasp of which one finger is pulled along the surface. With much friction this finger presses with a soft
+/// spring, so that friction stays below the pull.
 fn one<const D: usize, const C: usize>(
     table: &mut Table,
     (stiffer, case): (f64, &'static str),

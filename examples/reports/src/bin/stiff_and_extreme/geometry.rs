@@ -108,7 +108,7 @@ fn coupling(angle: f64, friction: f64) -> Scene<6, 3> {
     Scene { contacts, load: SVector::from([0.05 * sin, 0.03 * sin, -1.0, 0.04, 0.03, 0.05 * sin]) }
 }
 
-/// More and more fingers, squeezing unevenly, under a load that grows with them.
+/// Grasps of more and more fingers that squeeze unevenly, under a load that grows with their number.
 fn many<const D: usize, const C: usize>(
     table: &mut Table,
     case: &'static str,

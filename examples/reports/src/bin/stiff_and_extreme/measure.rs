@@ -16,7 +16,7 @@ const MOST_TURNING: usize = 12;
 /// A contact state is wrong if its condition is violated by more than this fraction of its terms, even if it is marked as an edge.
 const CLEARLY: f64 = 1e-12;
 
-/// Subject of a row.
+/// The question of a row of the table.
 #[derive(Debug, Clone)]
 pub(crate) struct Question {
     pub(crate) family: &'static str,
@@ -35,16 +35,16 @@ pub(crate) enum Expected {
     NoEquilibrium,
 }
 
-/// One row.
+/// One row of the table: a question, and the check of its answer.
 #[derive(Debug, Clone)]
 pub(crate) struct Row {
     pub(crate) question: Question,
     pub(crate) place: &'static str,
     pub(crate) outcome: String,
     pub(crate) slides: bool,
-    /// `None` without an equilibrium.
+    /// Errors of the equilibrium; `None` without an equilibrium.
     pub(crate) answer: Option<Answer>,
-    /// `None` if states or outcome cannot be checked.
+    /// Whether the contact states are right; `None` if states or outcome cannot be checked.
     pub(crate) states: Option<States>,
     pub(crate) remark: String,
 }
@@ -58,7 +58,7 @@ pub(crate) struct Answer {
     pub(crate) component: Option<f64>,
     pub(crate) estimate: f64,
     pub(crate) condition: f64,
-    /// Error of the normal equations, if everything sticks.
+    /// Largest error of a force by the textbook's normal equations, if everything sticks.
     pub(crate) textbook: Option<f64>,
 }
 

@@ -59,7 +59,7 @@ pub(crate) fn held<const D: usize, const C: usize>(count: usize, tilt: f64) -> S
     Scene { contacts: ring(count, tilt), load: SVector::from_vec(load) }
 }
 
-/// A power of ten in a table.
+/// A power of ten: its label in the table, and its value.
 pub(crate) fn power(exponent: i32) -> (String, f64) {
     let label = if exponent == 0 { "1".to_owned() } else { format!("1e{exponent}") };
     (label, 10_f64.powi(exponent))

@@ -21,11 +21,12 @@ const ROUGH: f64 = 2.0;
 enum Between {
     /// One finger is stiffer than the others; all have the same commands, so its trial force is larger by the ratio.
     Contacts,
-    /// The same with four fingers in space, where friction must help to hold the body.
+    /// One of four fingers in space is stiffer than the others, and friction must help to hold the body.
     ContactsOfFew,
     NormalOverTangential,
     TangentialOverNormal,
-    /// The body is stiffer than the finger at every other contact, and softer at the rest; tangentially the reverse.
+    /// The body is stiffer than the finger at every second contact along the normal, and softer at the other contacts; along the tangents the
+    /// reverse.
     BodyAndFinger,
     /// The body is rigid, and the stiffness grows from finger to finger.
     RigidBody,

@@ -1,4 +1,5 @@
 //! The sticking problem by the textbook's formulas: `q = (G K Gᵀ)⁻¹ (G K a + W)`, `F = K (a - Gᵀ q)`, in double precision, by Gaussian elimination.
+//! G are the grasp maps, K the stiffnesses, a the commands, W the load, q the twist of the object and F the contact forces.
 
 use grasp_lcp::ask::Grasp;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
