@@ -210,3 +210,35 @@ fn the_upper_end_beyond_the_squeeze_given() -> Tested {
     }
     Ok(())
 }
+
+/// A wedge of 30° that is driven in with 100 N presses a jaw against a part. With much friction it sticks before it presses enough, whatever friction
+/// stands in the scene.
+#[test]
+fn a_wedge_with_more_friction_than_in_the_scene_is_tried() -> Tested {
+    let grasp = |friction: f64| -> Result<planar::Grasp, Box<dyn std::error::Error>> {
+        let (sin, cos) = (0.5, 0.75_f64.sqrt());
+        let contacts = [
+            format!(r#""on": "part", "point": [-0.03, 0], "normal": [1, 0]"#),
+            format!(r#""on": "part", "against": "jaw", "point": [-0.01, 0], "normal": [-1, 0]"#),
+            format!(r#""on": "jaw", "against": "wedge", "point": [0.01, 0], "normal": [{}, {}]"#, -cos, -sin),
+            format!(r#""on": "jaw", "point": [0, -0.02], "normal": [0, 1]"#),
+            format!(r#""on": "wedge", "point": [0.03, 0], "normal": [-1, 0]"#),
+        ];
+        let springs =
+            format!(r#""friction": {friction}, "stiffness": 1e7, "soft": {{"pair": {{"width": 0.02}}}}"#);
+        let contacts = contacts.map(|contact| format!("{{{contact}, {springs}}}")).join(",");
+        let wedge = r#"{"name": "wedge", "load": {"force": [0, -100], "at": [0.02, 0]}}"#;
+        let text = format!(
+            r#"{{"format": "grasp-lcp/1", "planar": {{"bodies": [{{"name": "part"}}, {{"name": "jaw"}}, {wedge}], "contacts": [{contacts}]}}}}"#
+        );
+        Ok(Scene::from_json(text.as_bytes())?.planar().ok_or("a planar scene")?.grasp()?)
+    };
+    let load = planar::Wrench::force_at([0.0, 20.0], [-0.02, 0.0]);
+    for friction in [0.1, 0.3, 0.5] {
+        let needed = grasp(friction)?.need(&Need::friction(load).if_lower_by(0.0, 0.0))?;
+        let Amount::Bound { until: Some(end), .. } = &needed.amount else { panic!("{friction} {needed}") };
+        assert_eq!(grasp(0.999 * end.sufficient)?.hold(load)?.holds(), Some(true), "{friction} {needed}");
+        assert_eq!(grasp(1.001 * end.insufficient)?.hold(load)?.holds(), Some(false), "{friction} {needed}");
+    }
+    Ok(())
+}

@@ -15,7 +15,7 @@ use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{BoundSearch, SearchPlan, TrialFunctions, search};
 use super::threshold::Threshold;
-use super::tolerances::{FAR_FROM_START, NARROW, STEPPED_OVER};
+use super::tolerances::{FAR_FROM_START, NARROW, STEPPED_OVER, USUAL_FRICTION};
 use super::trial::Trial;
 use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
@@ -250,6 +250,11 @@ impl FoundAmounts<'_, '_> {
         let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
+        }
+        // A wedge that is driven in carries less the more friction it has. Friction of a surface may be larger than in the scene, up to about 1.
+        let is_friction = matches!(self.tried.need.sought, Sought::Friction { .. });
+        if is_friction && !plan.is_monotone && self.scan > 0 && sufficient < USUAL_FRICTION {
+            self.tries.at(USUAL_FRICTION)?;
         }
         let is_too_much =
             |(at, trial): &(f64, Trial)| *at > sufficient && matches!(trial, Trial::Insufficient { .. });
