@@ -191,6 +191,8 @@ def paced_by_jax(rows: int, sizes: list[int], times: int) -> None:
 
     from grasp_lcp.jax import onset_factor
 
+    # The context of a precision, which older versions of JAX keep elsewhere.
+    in_precision = jax.enable_x64 if hasattr(jax, "enable_x64") else jax.experimental.enable_x64
     jax.config.update("jax_enable_x64", True)
     device = jax.devices()[0]
     print(f"JAX {jax.__version__} on {device.device_kind} ({device.platform}), {rows} grasps in space")
@@ -198,7 +200,7 @@ def paced_by_jax(rows: int, sizes: list[int], times: int) -> None:
         data = grasps("jar", 3, contacts, rows, np.random.default_rng(1))
         expected = onsets(**data)
         for dtype in (np.float64, np.float32):
-            with jax.enable_x64(dtype == np.float64):
+            with in_precision(dtype == np.float64):
                 given = [jnp.asarray(np.moveaxis(each, 0, -1), dtype) for each in data.values()]
 
                 def asked(*given: Any) -> Any:

@@ -37,6 +37,11 @@ def jars(report: ModuleType, axes: int, contacts: int, rows: int, kind: str = "s
     return {name: each[leaves][:rows] for name, each in data.items()}
 
 
+def in_double(jax: Any) -> Any:
+    """A context in which JAX computes in double precision; older versions keep it elsewhere."""
+    return jax.enable_x64(True) if hasattr(jax, "enable_x64") else jax.experimental.enable_x64()
+
+
 def asked(onset_factor: Any, *data: Any, **others: Any) -> Any:
     points, normals, friction, stiffness, command, base, direction = data
     return onset_factor(
@@ -215,7 +220,7 @@ def test_jax_has_derivatives_of_all_kinds(report: ModuleType) -> None:
     def steepest(points: Any) -> Any:
         return jax.grad(lambda points: asked(onset_factor, points, *rest).sum())(points)
 
-    with jax.enable_x64(True):
+    with in_double(jax):
         mapped = jax.jit(jax.vmap(lambda *given: asked(onset_factor, *given)))(*data.values())
         assert np.allclose(mapped, onsets(**data).factor, rtol=1e-12)
         # First derivatives, forwards and backwards, against differences.
@@ -248,7 +253,7 @@ def test_jax_answers_and_slopes_in_space(report: ModuleType) -> None:
         factor, status = asked(onset_factor, *given, with_status=True)
         return jnp.where(jnp.isfinite(factor), factor, 0.0).sum(), (factor, status)
 
-    with jax.enable_x64(True):
+    with in_double(jax):
         by, (factor, status) = jax.jit(jax.grad(total, argnums=(0, 4), has_aux=True))(*(jnp.asarray(each) for each in data.values()))
         assert np.array_equal(status, exact.status)
         assert np.allclose(factor[leaves], exact.factor[leaves], rtol=1e-8)
@@ -262,6 +267,10 @@ ON_DEVICES = """
 import jax, numpy as np
 import jax.numpy as jnp
 from jax.sharding import Mesh, PartitionSpec
+if hasattr(jax, "shard_map"):
+    shard_map = jax.shard_map
+else:
+    from jax.experimental.shard_map import shard_map
 from grasp_lcp import onsets
 from grasp_lcp.jax import onset_factor
 assert len(jax.devices()) == 4
@@ -274,7 +283,7 @@ asked = lambda points, friction: onset_factor(points, [[1.0, 0.0], [-1.0, 0.0]],
 slope = lambda points, friction: jax.grad(lambda points: asked(points, friction).sum())(points)
 mesh, rows = Mesh(np.array(jax.devices()), ("grasps",)), PartitionSpec("grasps")
 for asks, name in ((asked, "factors"), (slope, "slopes")):
-    spread = jax.jit(jax.shard_map(asks, mesh=mesh, in_specs=(rows, rows), out_specs=rows))(points, friction)
+    spread = jax.jit(shard_map(asks, mesh=mesh, in_specs=(rows, rows), out_specs=rows))(points, friction)
     assert len(spread.sharding.device_set) == 4
     assert np.allclose(spread, jax.jit(asks)(points, friction), rtol=1e-12), name
 exact = onsets(points, [[1.0, 0.0], [-1.0, 0.0]], [0.1, -1.0], friction=friction, **same).factor

@@ -123,6 +123,26 @@ def test_torch_says_what_a_load_must_be() -> None:
         onset_factor(points, points, [1.0, 0.0, 0.0, 0.0], friction=0.5, series_stiffness=10.0)
 
 
+@pytest.mark.parametrize("native", [False, True])
+def test_torch_takes_any_precision_of_points(native: bool) -> None:
+    """Points that are integers leave the factor a fraction; a scalar load and an array of numpy are refused by name."""
+    torch = pytest.importorskip("torch")
+    from grasp_lcp.torch import onset_factor
+
+    normals = torch.tensor([[1.0, 0.0], [-1.0, 0.0]])
+    same = {"friction": 0.5, "series_stiffness": [1e3, 8e2], "pressed_with": 8.0, "native": native}
+    points = torch.tensor([[-4, 0], [4, 1]])
+    exact = onset_factor(points.double(), normals.double(), [0.1, -1.0], **same)
+    for kind, error in ((torch.int64, 1e-5), (torch.float32, 1e-5), (torch.float16, 1e-3)):
+        found = onset_factor(points.to(kind), normals, [0.1, -1.0], **same)
+        assert found.dtype == (kind if kind.is_floating_point else torch.float32)
+        assert abs(found.item() / exact.item() - 1) < error
+    with pytest.raises(ValueError, match=r"direction or base: shape \(\) given"):
+        onset_factor(points, normals, 1.0, **same)
+    with pytest.raises(TypeError, match="points: ndarray given, must be a tensor"):
+        onset_factor(points.numpy(), normals, [0.1, -1.0], **same)
+
+
 def test_jax_gradients_are_differences() -> None:
     jax = pytest.importorskip("jax")
     from jax.test_util import check_grads

@@ -106,9 +106,9 @@ def _unit(given: Any) -> Any:
 
 def _load(given: Any, axes: int) -> Any:
     coordinates = 3 * (axes - 1)
-    if given.shape[-1] == axes:
+    if given.ndim and given.shape[-1] == axes:
         return jnp.concatenate([given, jnp.zeros((*given.shape[:-1], coordinates - axes), given.dtype)], axis=-1)
-    if given.shape[-1] == coordinates:
+    if given.ndim and given.shape[-1] == coordinates:
         return given
     raise ValueError(f"direction or base: shape {given.shape} given, must end in {axes} of a force or {coordinates} with a moment")
 

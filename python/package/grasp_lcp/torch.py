@@ -44,7 +44,7 @@ def onset_factor(
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all tensors.
 
     Shapes are as in :func:`grasp_lcp.onsets`. The crate takes grasps of two to five contacts and computes in double precision. The array program
-    takes two or more, computes in the precision of ``points``, and has forward and second derivatives, too. In rows
+    takes two or more, computes in the precision of ``points``, single at least, and has forward and second derivatives, too. In rows
     without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` removes such rows from a sum. If a motion of
     the object is free, as for two hard fingers in space, the derivatives with respect to points, normals and loads are NaN. At a kink,
     where several contacts stop sticking together, the derivatives are those of the first of these contacts.
@@ -61,9 +61,13 @@ def onset_factor(
     :param native: ``True`` for the array program, ``False`` for the crate; unless given, the array program for tensors on an accelerator.
     :param with_status: return a pair, factors and the :class:`grasp_lcp.OnsetStatus` of each row.
     """
-    kind, place = points.dtype, points.device
+    if not isinstance(points, Tensor):
+        raise TypeError(f"points: {type(points).__name__} given, must be a tensor")
+    kind, place = points.dtype if points.is_floating_point() else torch.get_default_dtype(), points.device
     is_native = takes_array_program(native, soft, lambda: place.type != "cpu")
-    of, there = (kind, place) if is_native else (torch.float64, torch.device("cpu"))
+    # The array program has tolerances for single and for double precision.
+    of = torch.float32 if is_native and kind != torch.float64 else torch.float64
+    there = place if is_native else torch.device("cpu")
 
     def of_its_kind(given: Any) -> Tensor:
         return given.to(dtype=of, device=there) if isinstance(given, Tensor) else torch.as_tensor(given, dtype=of, device=there)
@@ -96,6 +100,7 @@ def onset_factor(
         data += [each.expand(*leading, coordinates) for each in (start, along)]
         data, words = spread(torch, soft, data, words_of_holds(hold, contacts[-1]))
         factor, status, _ = _ArrayProgram.apply(Kind(words, base is not None, True), *data)
+        factor = factor.to(kind)
         return (factor, status.to(torch.uint8)) if with_status else factor
     factor = _OnsetFactor.apply(hold, *data).to(dtype=kind, device=place)
     if not with_status:
@@ -115,9 +120,9 @@ def _unit(given: Tensor) -> Tensor:
 
 def _load(given: Tensor, axes: int) -> Tensor:
     coordinates = 3 * (axes - 1)
-    if given.shape[-1] == axes:
+    if given.ndim and given.shape[-1] == axes:
         return torch.cat([given, given.new_zeros(*given.shape[:-1], coordinates - axes)], dim=-1)
-    if given.shape[-1] == coordinates:
+    if given.ndim and given.shape[-1] == coordinates:
         return given
     raise ValueError(f"direction or base: shape {tuple(given.shape)} given, must end in {axes} of a force or {coordinates} with a moment")
 

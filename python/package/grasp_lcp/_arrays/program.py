@@ -35,16 +35,17 @@ def onsets(xp: Any, epsilon: float, kind: Kind, data: list[Any], among: Among) -
     def of(data: Sequence[Any], stacked: bool) -> Scenes:
         return Scenes(xp, epsilon, data, kind.hold, loaded=kind.loaded, stacked=stacked)
 
-    def again(data: list[Any]) -> list[Any]:
-        return list(of(data, kind.stacked).thoroughly())
-
     count, axes = data[0].shape[-2:]
     if (axes, count) == (3, 2):
         # Two contacts in space leave a motion free. Only refined forces show reliably whether the load does work on it.
         return of(data, kind.stacked).thoroughly()
-    # The closed forms for two and three contacts need separate arrays for each contact.
-    closed = (axes, count) in ((2, 2), (3, 3))
-    found, is_open = of(data, kind.stacked and not closed).quickly()
+    # The closed forms for two and three contacts need separate arrays for each contact. Undecided scenes then keep the order of the crate's sums.
+    stacked = kind.stacked and (axes, count) not in ((2, 2), (3, 3))
+
+    def again(data: list[Any]) -> list[Any]:
+        return list(of(data, stacked).thoroughly())
+
+    found, is_open = of(data, stacked).quickly()
     return found if is_open is None else FirstExit(*among(is_open, list(found), data, again))
 
 
