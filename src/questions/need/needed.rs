@@ -254,7 +254,7 @@ impl FoundAmounts<'_, '_> {
         // A wedge that is driven in carries less the more friction it has. Friction of a surface may be larger than in the scene, up to about 1.
         let is_friction = matches!(self.tried.need.sought, Sought::Friction { .. });
         if is_friction && !plan.is_monotone && self.scan > 0 && sufficient < USUAL_FRICTION {
-            self.tries.at(USUAL_FRICTION)?;
+            (self.tries.short)(USUAL_FRICTION)?;
         }
         let is_too_much =
             |(at, trial): &(f64, Trial)| *at > sufficient && matches!(trial, Trial::Insufficient { .. });

@@ -8,7 +8,7 @@ use std::time::Instant;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::Ramp;
-use grasp_lcp::need::{Amount, Need, Needed, TriedAmounts};
+use grasp_lcp::need::{Amount, FarEnd, Need, Needed, TriedAmounts};
 use grasp_lcp::{Error, planar, spatial};
 
 use crate::splitmix::Random;
@@ -248,19 +248,19 @@ pub fn checked<const C: usize>(
         let holds = tried(scene, amount)?;
         match &needed.amount {
             Amount::None { .. } => claim(holds != Some(true), "one holds", amount),
-            Amount::Bound { sufficient, elsewhere, .. } => {
+            Amount::Bound { sufficient, elsewhere, until, tried, .. } => {
                 let is_beyond = if is_least { amount < *sufficient } else { amount > *sufficient };
                 let is_told = elsewhere.iter().any(|window| {
                     window.from.is_none_or(|from| from <= amount * 1.001)
                         && window.to.is_none_or(|to| amount <= to * 1.001)
                 });
                 claim(!(is_beyond && holds == Some(true)) || is_told, "less would do", amount);
+                let far = far_end(until.as_ref(), *tried, is_least);
+                let is_inside = (amount - sufficient) * (amount - far) < 0.0;
+                claim(!is_inside || holds != Some(false), "one fails", amount);
             }
-            // If the answer has no far end, it says nothing about amounts beyond those that its search tried.
             Amount::Any { to, until, tried, .. } => {
-                let last = tried.as_ref().map(|tried| if is_least { tried.to } else { tried.from });
-                let open = last.unwrap_or(if is_least { f64::INFINITY } else { 0.0 });
-                let far = until.as_ref().map_or(open, |end| end.sufficient);
+                let far = far_end(until.as_ref(), *tried, is_least);
                 let is_inside = (amount - to) * (amount - far) < 0.0;
                 claim(!is_inside || holds != Some(false), "one fails", amount);
             }
@@ -270,6 +270,13 @@ pub fn checked<const C: usize>(
     let times = [time, begin.elapsed().as_secs_f64() / f64::from(amounts)];
     let is_undecided = matches!(needed.amount, Amount::Undecided { .. });
     Ok(Checked { wrong, is_undecided, tried: count(&needed), times })
+}
+
+/// The easiest amount that an answer claims to suffice. Without a far end nothing is claimed of amounts beyond those tried.
+fn far_end(until: Option<&FarEnd>, tried: Option<TriedAmounts>, is_least: bool) -> f64 {
+    let open = if is_least { f64::INFINITY } else { 0.0 };
+    let last = tried.map_or(open, |tried| if is_least { tried.to } else { tried.from });
+    until.map_or(last, |end| end.sufficient)
 }
 
 fn count(needed: &Needed) -> Option<usize> {
