@@ -9,3 +9,4 @@ mod multipliers;
 mod no_move_is_better;
 mod reserve;
 mod same_bits;
+mod without_force;
