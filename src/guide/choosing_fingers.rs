@@ -9,18 +9,20 @@
 //!
 //! ```text
 //! $ grasp-lcp improve pinch.json
-//! FIRST SLIP at 10 N instead of 6 N: left moves 5 mm along its edge and right 5 mm along its edge; both press with 9.64286 N. Nothing nearby is better to first order, as left and right leave first, within the greatest command of left and the greatest command of right
+//! FIRST SLIP at 10 N instead of 6 N: left moves 5 mm along its edge and right 5 mm along its edge; both `pressed_with` 10 N (at rest 9.64286 N). Nothing nearby is better to first order, as left and right leave first, within the greatest command of left and the greatest command of right
 //! ```
 //!
 //! If the jaws were level, the jaw nearer to the weight would slide first. With the weight e = 10 mm aside and one jaw higher by `2 μ e`, the couple
 //! of the normal forces N balances it. Each jaw then carries half of the weight, up to a weight of `2 μ N`, at which the friction of both jaws is
 //! used up. `grasp-lcp draw pinch.json` draws the grasp before and after.
 //!
+//! `pressed_with` 10 N is what the scene of this grasp says. The object gives way to it, so that at rest the jaws press with less.
+//!
 //! # Three fingers hold a disc. Where should they be against a force of any direction?
 //!
 //! ```text
 //! $ grasp-lcp improve disc.json
-//! FIRST SLIP at 13.4164 N instead of 10.8291 N: index moves 5.99153 mm along its circle and middle 5.99153 mm along its circle; all press with 10 N. Nothing nearby is better to first order, as thumb, index and middle leave first, within the greatest force of thumb, the greatest force of index and the greatest force of middle
+//! FIRST SLIP at 13.4164 N instead of 10.8291 N: index moves 5.99153 mm along its circle and middle 5.99153 mm along its circle; all `pressed_with` 10 N. Nothing nearby is better to first order, as thumb, index and middle leave first, within the greatest force of thumb, the greatest force of index and the greatest force of middle
 //! ```
 //!
 //! The optimum has the fingers at thirds of the circle, wherever the first finger is. The least force under which a finger slides is `3 N sin α`,
@@ -30,7 +32,7 @@
 //!
 //! ```text
 //! $ grasp-lcp improve can.json
-//! FIRST SLIP at 5.75043 times the loads instead of 2.70146 times the loads: thumb moves 23.942 mm along its cylinder, index 27.681 mm along its cylinder and middle 21.7256 mm along its cylinder; thumb presses with 14.9927 N, index with 14.9927 N and middle with 15 N. Nothing nearby is better to first order, as thumb, index and middle leave first, within the greatest force of middle, the greatest command of thumb and the greatest command of index
+//! FIRST SLIP at 5.75043 times the loads instead of 2.70146 times the loads: thumb moves 23.942 mm along its cylinder, index 27.681 mm along its cylinder and middle 21.7256 mm along its cylinder; thumb `pressed_with` 15 N (at rest 14.9927 N), index 15 N (at rest 14.9927 N) and middle 14.9861 N (at rest 15 N). Nothing nearby is better to first order, as thumb, index and middle leave first, within the greatest force of middle, the greatest command of thumb and the greatest command of index
 //! ```
 //!
 //! # The load is known. Where is most friction left?
@@ -41,7 +43,7 @@
 //!
 //! ```text
 //! $ grasp-lcp improve pinch.json --force 0,-4 --at 0.01,0 --at-most 10 --reserve
-//! RESERVE of 3 N instead of 1.33333 N: left moves 2 mm along its edge and right 2 mm along its edge; both press with 9.94109 N. Nothing nearby is better to first order, as left and right have least, within the greatest command of left and the greatest command of right
+//! RESERVE of 3 N instead of 1.33333 N: left moves 2 mm along its edge and right 2 mm along its edge; both `pressed_with` 10 N (at rest 9.94109 N). Nothing nearby is better to first order, as left and right have least, within the greatest command of left and the greatest command of right
 //! ```
 //!
 //! Each jaw again carries half of the weight W, and keeps a margin of `μ N - W / 2`, where N is the normal force. Here one jaw is higher by `W e /

@@ -9,3 +9,5 @@ mod multipliers;
 mod no_move_is_better;
 mod reserve;
 mod same_bits;
+mod typed_in;
+mod without_force;

@@ -67,15 +67,20 @@ impl Report<'_> {
         table(self.out, self.style, state, &self.sentence)
     }
 
-    /// For the answer to `improve`, prints the new position of each contact that may move along a surface.
+    /// For the answer to `improve`, prints the position of each contact, and the value of `pressed_with` that it needs.
     fn improved(&mut self, improved: &Improved<3>) -> io::Result<()> {
         let words = self.style.words;
         let largest = improved.contacts.iter().fold(0.0, |most: f64, placed| most.max(placed.normal_force));
         for placed in &improved.contacts {
             let at = words.place(&placed.point);
             let normal = words.numbers(&placed.normal.as_slice()[..self.style.axes]);
-            let force = words.number(words.beside(placed.normal_force, largest));
-            self.line(&format!("{} at {at}, normal {normal}, presses with {force} N", placed.contact))?;
+            let at_rest = words.number(words.beside(placed.normal_force, largest));
+            let press = match placed.pressed_with.map(|force| words.number(words.beside(force, largest))) {
+                Some(given) if given == at_rest => format!("`pressed_with` {given} N"),
+                Some(given) => format!("`pressed_with` {given} N (at rest {at_rest} N)"),
+                None => format!("presses with {at_rest} N at rest"),
+            };
+            self.line(&format!("{} at {at}, normal {normal}, {press}", placed.contact))?;
         }
         Ok(())
     }

@@ -154,6 +154,25 @@ impl StickingResponse<'_> {
         Some(solved)
     }
 
+    /// The derivative of one contact's normal stretch with respect to the datum `by`, m per unit. `twist` is the twist, and `change` its derivative.
+    /// `None` as for the grasp map of [`Self::derivative`].
+    pub(crate) fn normal_stretch_derivative(
+        &self,
+        contact: usize,
+        twist: &Vector,
+        change: &Vector,
+        by: Parameter,
+    ) -> Option<f64> {
+        let own = match by {
+            Parameter::Command { contact: of, axis: 0 } if of == contact => 1.0,
+            Parameter::Point { contact: of, .. } | Parameter::Normal { contact: of, .. } if of == contact => {
+                -self.map_change(contact, by)?.tr_mul(twist)[0]
+            }
+            _ => 0.0,
+        };
+        Some(self.normal_stretch(contact, own, change))
+    }
+
     /// The derivative of one contact's grasp map with respect to the position of its point (per metre) or the direction of its normal (per radian).
     /// `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present would be
     /// resisted in the changed geometry: the derivative of that motion is then not defined.

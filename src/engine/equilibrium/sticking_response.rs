@@ -12,7 +12,7 @@ use nalgebra::SVector;
 use super::cone::Cone;
 use crate::contact::{Edges, LocalLaw, State};
 use crate::grasp::{Engine, Motion, Wrench};
-use crate::numerics::{IntoList, Vector, largest};
+use crate::numerics::{IntoList, Vector, largest, unit};
 use crate::object::{ForcesAndTwist, LinearProblem, Load, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
@@ -63,6 +63,11 @@ impl<'g> StickingResponse<'g> {
     /// The contact law of one contact.
     pub(crate) fn law(&self, contact: usize) -> LocalLaw<'_> {
         self.problem.local(contact)
+    }
+
+    /// The stretch of the normal spring of one contact under a finger offset along the normal and a twist, m; negative where the contact has a gap.
+    pub(crate) fn normal_stretch(&self, contact: usize, offset: f64, twist: &Vector) -> f64 {
+        self.problem.sites[contact].stretch(&unit::<3>(0).scale(offset), twist)[0]
     }
 
     /// Finger offsets (commands minus clearances) of zero for all contacts and drives.

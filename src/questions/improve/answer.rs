@@ -20,7 +20,8 @@ pub struct Improved<const C: usize> {
     pub goal: ImproveGoal,
     /// Value of the goal for the given grasp, the least over all loads. It is the load factor of first slip, or the reserve, N (the margin of a
     /// contact force to the edge of its friction cone). `None` if a contact slides under the base load, no equilibrium under the base load is found,
-    /// or, for a reserve, a contact slides under a load.
+    /// or, for a reserve, a contact slides under a load. Zero if nothing slides under the base load, but a contact without force slides under the
+    /// least load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// Value of the goal for the best grasp found. `None` if no grasp was found that sticks under the base load and, for a reserve, under the loads.
@@ -75,10 +76,12 @@ pub struct Placed<const C: usize> {
     /// Straight distance from the point of this contact in the given grasp, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// Normal force that the command would cause with the object held in place, N; `None` unless the search may change the command.
+    /// Normal force that the command would cause with the object held in place, N: the value for
+    /// [`Contact::pressed_with`](crate::grasp::Contact::pressed_with). `None` unless the search may change the command; a contact that the search
+    /// leaves without force keeps its command.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
-    /// Normal force under the base load and the commands, N.
+    /// Normal force under the base load and the commands, N. The object gives way to the commands, so it differs from [`Self::pressed_with`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub normal_force: f64,
 }
@@ -138,7 +141,8 @@ pub enum ActiveConstraintKind {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// The command of the contact would cause no force ([`Placed::pressed_with`] is zero): the contact does not press at all.
+    /// The command of the contact would cause no force ([`Placed::pressed_with`] is zero), or the contact touches without force: it does not press at
+    /// all.
     NotPressed {
         /// Gain of the goal for each newton with which the command could pull instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -168,7 +172,7 @@ pub enum SearchEnd {
     /// millionth.
     Optimum,
     /// No step improves the goal by more than rounding, but the weighted gradients of active sticking conditions and limits do not cancel. Perhaps
-    /// two sticking conditions of one contact are equally near to being broken.
+    /// two sticking conditions of one contact are equally near to being broken. Or a load presses on a contact that has no force at rest.
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,

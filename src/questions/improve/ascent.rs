@@ -4,7 +4,7 @@
 use nalgebra::DVector;
 
 use super::answer::SearchEnd;
-use super::by_source::{REST, SQUEEZE, StickingForces};
+use super::by_source::{LOADS, REST, SQUEEZE, StickingForces};
 use super::curvature::Curvature;
 use super::design_point::{DesignKind, DesignPoint, DesignSpace};
 use super::events::{Constraint, ConstraintKind, SlipEvent, events};
@@ -13,17 +13,20 @@ use super::loaded::LoadSet;
 use super::step::{StepProgram, TrialStep};
 use super::tolerances::{ARRIVED_AT_TOP, OPTIMAL, ROUNDED_GAIN};
 use crate::ask::Grasp;
+use crate::contact::ActiveSet;
+use crate::equilibrium::ContactState;
 use crate::error::Error;
-use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{least, mapped};
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
+use crate::numerics::{all_some, least, mapped, numbered};
 use crate::prelude::*;
 
-/// A [`DesignPoint`] with which all contacts stick under the base load and the commands. Its contact forces are stored separately for the base load
-/// with fixed commands, the squeeze, and each load.
+/// A [`DesignPoint`] with which all contacts stick under the base load and the commands, except idle ones, which touch without force. Its contact
+/// forces are stored separately for the base load with fixed commands, the squeeze, and each load.
 #[derive(Debug)]
 pub(super) struct EvaluatedDesign {
     pub(super) design_point: DesignPoint,
-    pub(super) sticking: StickingForces,
+    /// The forces of contacts. In the first part idle contacts are open; a further part has the forces under loads that push some of them.
+    pub(super) parts: Vec<StickingForces>,
     /// Value of the goal: the least load factor of first slip, or the least reserve (margin of a contact force to the edge of its friction cone), N.
     pub(super) value: f64,
     /// The scale by which gains of the value are divided: the load factor of first slip itself, or for a reserve the greatest contact force under the
@@ -74,10 +77,8 @@ impl AscentProblem<'_> {
     /// reduced by a common factor. `None` if a force exceeds its limit even without these squeezes, or some contact does not stick under the base
     /// load.
     pub(super) fn evaluate(&self, mut design_point: DesignPoint) -> Result<Option<EvaluatedDesign>, Error> {
-        let (LoadSet { base, loads, .. }, most) = (self.loaded, self.greatest_presses());
-        let of =
-            |design_point: &DesignPoint| StickingForces::of(self.design_space, design_point, base, loads);
-        let Some(mut sticking) = of(&design_point)? else { return Ok(None) };
+        let most = self.greatest_presses();
+        let Some(mut sticking) = self.forces(&design_point, &design_point.idle)? else { return Ok(None) };
         let mut part = 1.0_f64;
         for (i, most) in most.iter().enumerate() {
             let (rest, squeeze) = (sticking.by(REST, i)[0], sticking.by(SQUEEZE, i)[0]);
@@ -92,22 +93,28 @@ impl AscentProblem<'_> {
         }
         if part < 1.0 {
             design_point.presses.iter_mut().flatten().for_each(|press| *press *= part);
-            let Some(again) = of(&design_point)? else { return Ok(None) };
+            let Some(again) = self.forces(&design_point, &design_point.idle)? else { return Ok(None) };
             sticking = again;
         }
         self.evaluate_sticking(design_point, sticking, &most)
     }
 
+    /// The contact forces of a design point, with the contacts in `open` left open; `None` if nothing resists a load.
+    fn forces(&self, design_point: &DesignPoint, open: &[bool]) -> Result<Option<StickingForces>, Error> {
+        let LoadSet { base, loads, .. } = self.loaded;
+        StickingForces::of(self.design_space, design_point, open, (base, loads))
+    }
+
     /// Value of the goal for the given grasp with its own commands; `None` if a contact slides under the base load or, for a reserve, under a load.
     pub(super) fn before(&self, given: &DesignPoint) -> Result<Option<f64>, Error> {
         if self.loaded.goal == ImproveGoal::FirstSlip {
-            return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
+            let first = self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0);
+            return if first.is_some() { Ok(first) } else { self.slips_at_once() };
         }
         let n = self.design_space.contacts.len();
         let (spots, presses) = (vec![None; n], vec![None; n]);
         let design_point = DesignPoint { spots, presses, ..given.clone() };
-        let sticking =
-            StickingForces::of(self.design_space, &design_point, &self.loaded.base, &self.loaded.loads)?;
+        let sticking = self.forces(&design_point, &design_point.idle)?;
         let design = sticking
             .map(|sticking| self.evaluate_sticking(design_point, sticking, &vec![None; n]))
             .transpose()?;
@@ -122,25 +129,114 @@ impl AscentProblem<'_> {
         sticking: StickingForces,
         most: &[Option<f64>],
     ) -> Result<Option<EvaluatedDesign>, Error> {
-        let (events, bounds) = events(self.loaded, most, &sticking, &[]);
+        let (mut known, bounds) = events(self.loaded, most, core::slice::from_ref(&sticking), &[]);
         let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
             return Ok(None);
         }
-        let (value, scale) = match self.loaded.goal {
+        let first = match self.loaded.goal {
             ImproveGoal::FirstSlip => {
                 let factor = self.loaded.first_slip(&sticking.grasp)?.filter(|factor| *factor > 0.0);
                 let Some(factor) = factor else { return Ok(None) };
-                (factor, factor)
+                factor
+            }
+            ImproveGoal::Reserve => 1.0,
+        };
+        let Some(parts) = self.parts(&design_point, sticking, first, SOLVED_ROUNDING * size)? else {
+            return Ok(None);
+        };
+        if parts.len() > 1 {
+            known = events(self.loaded, most, &parts, &[]).0;
+        }
+        let (value, scale) = match self.loaded.goal {
+            ImproveGoal::FirstSlip => {
+                // A contact that touches without force has conditions that say nothing about the first slip, unless it is idle.
+                let is_weightless = |event: &SlipEvent| {
+                    let force = parts[0].at_rest(event.condition.contact);
+                    event.value <= NEGLIGIBLE * first && ActiveSet::is_weightless(&force, size)
+                };
+                if known.iter().any(is_weightless) {
+                    return Ok(None);
+                }
+                (first, first)
             }
             // A negative reserve means that a contact slides under a load. Such a design is kept, because the gradient of its reserve leads to better
             // positions of the contacts.
             ImproveGoal::Reserve => {
-                let least = least(&events, &|event| event.value);
+                let least = least(&known, &|event| event.value);
                 (least, if size > 0.0 { size } else { self.design_space.unit_of_force() })
             }
         };
-        Ok(Some(EvaluatedDesign { design_point, sticking, value, scale }))
+        Ok(Some(EvaluatedDesign { design_point, parts, value, scale }))
+    }
+
+    /// The forces of contacts in parts, see [`EvaluatedDesign::parts`]. A load is judged with the idle contacts closed that it presses by more than
+    /// `rounded`, N, before it has grown by the load factor `first`. `None` if nothing resists a load.
+    fn parts(
+        &self,
+        design_point: &DesignPoint,
+        mut sticking: StickingForces,
+        first: f64,
+        rounded: f64,
+    ) -> Result<Option<Vec<StickingForces>>, Error> {
+        let mut further: Vec<StickingForces> = Vec::new();
+        for load in sticking.judged.clone() {
+            let closes = |i: usize| {
+                let closing = sticking.closing_at_rest(i) + first * sticking.by(LOADS + load, i)[0];
+                sticking.is_open(i) && closing > rounded
+            };
+            let open = numbered(design_point.idle.len(), &|i| design_point.idle[i] && !closes(i));
+            if open == design_point.idle {
+                continue;
+            }
+            sticking.judged.retain(|judged| *judged != load);
+            if let Some(known) = further.iter_mut().find(|known| known.open == open) {
+                known.judged.push(load);
+                continue;
+            }
+            let Some(mut part) = self.forces(design_point, &open)? else { return Ok(None) };
+            part.judged = vec![load];
+            further.push(part);
+        }
+        further.insert(0, sticking);
+        Ok(Some(further))
+    }
+
+    /// For each contact whether it is open or touches without force under the base load, and some load leaves it so. No contact is idle under a
+    /// force of any direction, which pushes all of them.
+    pub(super) fn idle(&self, given: &DesignPoint) -> Result<Vec<bool>, Error> {
+        let none = vec![false; given.idle.len()];
+        if self.loaded.any.is_some() {
+            return Ok(none);
+        }
+        let outcome = self.grasp.solve(self.loaded.base)?;
+        let Some(equilibrium) = outcome.equilibrium() else { return Ok(none) };
+        let idle = mapped(&equilibrium.contacts, &|contact| contact.state == ContactState::Separated);
+        if !idle.contains(&true) {
+            return Ok(none);
+        }
+        let Some(design) = self.evaluate(given.with_idle(&idle))? else { return Ok(idle) };
+        let is_left_open =
+            |i: usize| design.parts.iter().any(|part| part.is_open(i) && !part.judged.is_empty());
+        Ok(numbered(idle.len(), &is_left_open))
+    }
+
+    /// The load factor zero for a given grasp that does not slide under the base load, but has a contact that touches without force and so slides
+    /// under the least load. `None` for any other grasp.
+    fn slips_at_once(&self) -> Result<Option<f64>, Error> {
+        let outcome = self.grasp.solve(self.loaded.base)?;
+        let Some(equilibrium) = outcome.equilibrium() else { return Ok(None) };
+        let mut touches_without_force = false;
+        for contact in &equilibrium.contacts {
+            match contact.state {
+                ContactState::Separated if contact.gap <= NEGLIGIBLE * self.grasp.engine.length() => {
+                    touches_without_force = true;
+                }
+                ContactState::Separated | ContactState::Sliding { .. } => return Ok(None),
+                _ => {}
+            }
+        }
+        Ok(touches_without_force.then_some(0.0))
     }
 
     /// Ascent from `design` to a local optimum. Each contact stays on the part of its surface where it starts, such as one triangle of a mesh.
@@ -157,12 +253,12 @@ impl AscentProblem<'_> {
             if design.value.is_infinite() {
                 return ended(design, SearchEnd::NothingSlides, steps, None);
             }
-            let Some(derivatives) = design.sticking.derivatives(self.design_space, &design.design_point)
-            else {
+            let by_part =
+                design.parts.iter().map(|part| part.derivatives(self.design_space, &design.design_point));
+            let Some(derivatives) = all_some(by_part) else {
                 return ended(design, SearchEnd::Unbalanced, steps, None);
             };
-            let (events, bounds) =
-                events(self.loaded, &self.greatest_presses(), &design.sticking, &derivatives);
+            let (events, bounds) = events(self.loaded, &self.greatest_presses(), &design.parts, &derivatives);
             if let Some(old) = before.take() {
                 let decrease = gradient_decrease(
                     &old,
@@ -185,6 +281,10 @@ impl AscentProblem<'_> {
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
+                    }
+                    // With several parts an idle contact that a load closes is taken to have stuck at rest, where it slips freely: no proof.
+                    if arrived && design.parts.len() > 1 {
+                        return ended(design, SearchEnd::Stalled, steps, None);
                     }
                     let search = match step.residual {
                         residual if residual <= OPTIMAL => SearchEnd::Optimum,
@@ -243,10 +343,10 @@ impl AscentProblem<'_> {
             }
         }
         for (j, variable) in variables.iter().enumerate() {
-            if let (DesignKind::Press { most }, Some(press)) =
-                (variable.what, design.design_point.presses[variable.contact])
-            {
-                reach[j] = [-press / variable.unit, (most - press) / variable.unit];
+            if let DesignKind::Press { most } = variable.what {
+                let press = design.design_point.presses[variable.contact];
+                reach[j] =
+                    press.map_or([0.0; 2], |press| [-press / variable.unit, (most - press) / variable.unit]);
             }
         }
         let program = StepProgram {

@@ -6,15 +6,16 @@ use nalgebra::SVector;
 
 use super::design_point::{DesignKind, DesignPoint, DesignSpace, DesignVariable};
 use crate::ask::Grasp;
-use crate::equilibrium::{Parameter, StickingResponse};
+use crate::contact::Mode;
+use crate::equilibrium::{Cone, Parameter, StickingResponse};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::{Vector, all_some};
+use crate::numerics::{Vector, all_some, indexed, numbered, unit};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
-/// forces.
+/// forces. Of a contact that is left open, the first component is the closing force of [`StickingForces::by`].
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
 /// Index in [`BySource`] of the forces that do not vary with the squeeze or the loads: they are due to the base load and to fixed commands.
@@ -25,25 +26,48 @@ pub(super) const SQUEEZE: usize = 1;
 pub(super) const LOADS: usize = 2;
 
 /// The contact forces of a grasp, computed as if every contact stuck, separately for each source: base load with fixed commands, squeeze, and each
-/// load.
+/// load. Contacts that touch without force may be left open.
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
+    /// For each contact whether it is left open.
+    pub(super) open: Vec<bool>,
+    /// Indices of the loads whose first slips are computed from these forces.
+    pub(super) judged: Vec<usize>,
     sources: Vec<ForcesAndTwist>,
+    /// For each source and contact the closing force of [`Self::by`]; zero unless the contact is left open.
+    closing: Vec<Vec<f64>>,
+}
+
+/// The series stiffness of a contact along its normal, N/m.
+fn normal_stiffness(grasp: &Grasp<3>, contact: usize) -> f64 {
+    grasp.contacts()[contact].series_stiffness_of_axes()[0]
+}
+
+/// The linear response of a grasp while every contact sticks, except those in `open`.
+fn response<'g>(grasp: &'g Grasp<3>, open: &[bool]) -> StickingResponse<'g> {
+    let sticking = StickingResponse::new(&grasp.engine, grasp.settings());
+    if !open.contains(&true) {
+        return sticking;
+    }
+    let mut states = sticking.states;
+    for contact in (0..open.len()).filter(|contact| open[*contact]) {
+        states[contact] = Mode::Open;
+    }
+    StickingResponse::in_states(&grasp.engine, Cone::of(grasp.engine.space(), grasp.settings()), &states)
 }
 
 impl StickingForces {
     /// The contact forces of a design point (places and squeezes of the contacts). They are computed separately for the base load with fixed
-    /// commands, the squeeze, and each of `loads`. `None` if nothing resists one of these loads.
+    /// commands, the squeeze, and each of `loads`. Contacts in `open` are left open. `None` if nothing resists one of these loads.
     pub(super) fn of(
         design_space: &DesignSpace<'_>,
         design_point: &DesignPoint,
-        base: &Wrench<3>,
-        loads: &[Wrench<3>],
+        open: &[bool],
+        (base, loads): (&Wrench<3>, &[Wrench<3>]),
     ) -> Result<Option<Self>, Error> {
         let grasp = Grasp::new(design_space.contacts(design_point))?.with(design_space.settings);
-        let (engine, response) =
-            (&*grasp.engine, StickingResponse::new(&grasp.engine, design_space.settings));
+        let (engine, response) = (&*grasp.engine, response(&grasp, open));
         let (mut rest, mut squeeze) = (engine.offsets(), response.at_rest());
         for i in (0..rest.len()).filter(|i| design_point.presses[*i].is_some()) {
             squeeze[i][0] = core::mem::take(&mut rest[i][0]);
@@ -54,23 +78,51 @@ impl StickingForces {
         ];
         let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(load));
         sources.extend(loads.iter().map(under));
-        let sources = all_some(sources.into_iter());
-        Ok(sources.map(|sources| Self { grasp, sources }))
+        let Some(sources) = all_some(sources.into_iter()) else { return Ok(None) };
+        let closing = indexed(&sources, &|(source, state): (usize, &ForcesAndTwist)| {
+            let closing = |contact: usize| {
+                let offset = if source == REST { rest[contact][0] } else { 0.0 };
+                let stretch = response.normal_stretch(contact, offset, &state.twist);
+                if open[contact] { stretch * normal_stiffness(&grasp, contact) } else { 0.0 }
+            };
+            numbered(open.len(), &closing)
+        });
+        let (open, judged) = (open.to_vec(), numbered(loads.len(), &|load| load));
+        Ok(Some(Self { grasp, open, judged, sources, closing }))
     }
 
-    /// The linear response of contact forces of this grasp to loads and commands while every contact sticks.
+    /// The linear response of contact forces of this grasp to loads and commands while every contact sticks that is not left open.
     pub(super) fn response(&self) -> StickingResponse<'_> {
-        StickingResponse::new(&self.grasp.engine, self.grasp.settings())
+        response(&self.grasp, &self.open)
     }
 
     /// The force on a contact due to one source alone (base load with fixed commands, squeeze, or one load), in the contact frame, N.
+    ///
+    /// For a contact that is left open it is the closing force: its normal stretch times its stiffness. The sum over sources is negative with a gap.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
+        if self.open[contact] {
+            return unit::<3>(0) * self.closing[source][contact];
+        }
         self.sources[source].forces[contact]
     }
 
     /// The force on a contact under the base load, in the contact frame, N. It is due to this load, to fixed commands, and to the variable squeeze.
+    /// Zero for a contact that is left open.
     pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
+        if self.open[contact] {
+            return SVector::zeros();
+        }
         self.by(REST, contact) + self.by(SQUEEZE, contact)
+    }
+
+    /// Whether a contact is left open.
+    pub(super) fn is_open(&self, contact: usize) -> bool {
+        self.open.get(contact) == Some(&true)
+    }
+
+    /// The closing force under the base load of a contact that is left open, N; negative with a gap.
+    pub(super) fn closing_at_rest(&self, contact: usize) -> f64 {
+        self.closing[REST][contact] + self.closing[SQUEEZE][contact]
     }
 
     /// The number of loads whose forces are kept apart; a force of any direction counts as one load per axis.
@@ -104,8 +156,11 @@ impl StickingForces {
         let mut data = Vec::new();
         match what {
             DesignKind::Press { .. } => {
-                let stiffness = self.grasp.contacts()[contact].series_stiffness_of_axes()[0];
-                data.push((Parameter::Command { contact, axis: 0 }, unit / stiffness));
+                // The command of a contact without force keeps its value, see `DesignPoint::idle`.
+                if !design_point.idle[contact] {
+                    let command = unit / normal_stiffness(&self.grasp, contact);
+                    data.push((Parameter::Command { contact, axis: 0 }, command));
+                }
             }
             DesignKind::Along(direction) => {
                 let location = design_point.spots[contact].as_ref()?;
@@ -130,6 +185,11 @@ impl StickingForces {
             for (parameter, times) in data.iter().filter(|(_, times)| *times != 0.0) {
                 let by = response.derivative(state, *parameter)?;
                 sum.iter_mut().zip(by.forces).for_each(|(sum, force)| *sum += force * *times);
+                for i in (0..self.open.len()).filter(|i| self.open[*i]) {
+                    let stretch =
+                        response.normal_stretch_derivative(i, &state.twist, &by.twist, *parameter)?;
+                    sum[i][0] += stretch * normal_stiffness(&self.grasp, i) * times;
+                }
             }
         }
         Some(changes)

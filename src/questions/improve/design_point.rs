@@ -52,6 +52,21 @@ pub(super) struct DesignPoint {
     pub(super) tangents: Vec<SVector<f64, 3>>,
     /// For each contact the normal force that its command causes with the object held in place, N; `None` if the squeeze may not change.
     pub(super) presses: Vec<Option<f64>>,
+    /// For each contact whether it is idle: at rest it is open or touches without force, and it stays so until a load pushes it. Its command keeps
+    /// its value.
+    pub(super) idle: Vec<bool>,
+}
+
+impl DesignPoint {
+    /// This design point in which the contacts in `idle` are idle.
+    pub(super) fn with_idle(&self, idle: &[bool]) -> Self {
+        let mut design_point = self.clone();
+        for contact in (0..idle.len()).filter(|contact| idle[*contact]) {
+            design_point.presses[contact] = None;
+        }
+        design_point.idle = idle.to_vec();
+        design_point
+    }
 }
 
 impl<'q> DesignSpace<'q> {
@@ -95,9 +110,9 @@ impl<'q> DesignSpace<'q> {
             }
         }
         let (settings, tangents_given) = (grasp.settings(), tangents.clone());
-        let wholes = grasp.engine.wholes();
+        let (wholes, idle) = (grasp.engine.wholes(), vec![false; contacts.len()]);
         let design_space = Self { question, contacts, wholes, settings, tangents: tangents_given, variables };
-        Ok((design_space, DesignPoint { spots, tangents, presses }))
+        Ok((design_space, DesignPoint { spots, tangents, presses, idle }))
     }
 
     /// A design point with random places on all surfaces and the greatest allowed squeezes.

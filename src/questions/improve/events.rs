@@ -50,6 +50,8 @@ pub(super) enum ConstraintKind {
     Sticks,
     /// The greatest allowed normal force of the contact under the base load; `left` is this force minus the normal force.
     Force,
+    /// An idle contact, which touches without force, must not be pressed under the base load; `left` is its gap times its stiffness.
+    Idle,
 }
 
 /// The coefficients a of the sticking conditions `a·F >= 0` that can become active near the contact force F = `force`. For a polygonal cone these are
@@ -100,6 +102,12 @@ impl PressedContact<'_> {
             all.push(constraint(ConstraintKind::Force, &-unit(0), most - self.force[0]));
         }
         all
+    }
+
+    /// The constraint on an idle contact under the base load: it is not pressed. `closing` is its closing force, N.
+    fn keeps_off(&self, closing: f64) -> Constraint {
+        let gradient = self.by_variable(&|d| -self.change(d)[0]);
+        Constraint { contact: self.number, kind: ConstraintKind::Idle, left: -closing, gradient }
     }
 
     /// A [`SlipEvent`] for each sticking condition in `rows`; for first slip, only for conditions that the load can break. `added` returns the change
@@ -159,25 +167,39 @@ impl PressedContact<'_> {
 }
 
 /// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
-/// normal force of each contact whose squeeze may change.
+/// normal force of each contact whose squeeze may change. `parts` has the forces for all loads, as in
+/// [`EvaluatedDesign`](super::ascent::EvaluatedDesign), and `derivatives` those of each part.
 pub(super) fn events(
     loaded: &LoadSet,
     most: &[Option<f64>],
-    sticking: &StickingForces,
-    derivatives: &[BySource],
+    parts: &[StickingForces],
+    derivatives: &[Vec<BySource>],
 ) -> (Vec<SlipEvent>, Vec<Constraint>) {
     let (mut all, mut constraints) = (Vec::new(), Vec::new());
-    let response = sticking.response();
-    for (number, edges) in response.edges.iter().enumerate() {
-        let (law, force) = (response.law(number), sticking.at_rest(number));
-        let pressed = PressedContact { number, law, edges, goal: loaded.goal, force, derivatives };
-        constraints.extend(pressed.constraints(most[number]));
-        let by_loads = numbered(sticking.loads(), &|load| sticking.by(LOADS + load, number));
-        if loaded.any.is_some() {
-            all.extend(pressed.under_any_force(&by_loads));
-        } else {
-            for (load, rate) in by_loads.into_iter().enumerate() {
-                all.extend(pressed.under(load, rate));
+    for (part, sticking) in parts.iter().enumerate() {
+        let response = sticking.response();
+        let derivatives = derivatives.get(part).map(Vec::as_slice).unwrap_or_default();
+        for (number, edges) in response.edges.iter().enumerate() {
+            let (law, force) = (response.law(number), sticking.at_rest(number));
+            let pressed = PressedContact { number, law, edges, goal: loaded.goal, force, derivatives };
+            let is_idle = parts[0].is_open(number);
+            if part == 0 && is_idle {
+                constraints.push(pressed.keeps_off(sticking.closing_at_rest(number)));
+            } else if part == 0 {
+                constraints.extend(pressed.constraints(most[number]));
+            }
+            // An idle contact that a load pushes into its cone never leaves it: all its force is in proportion to the load.
+            let never_leaves = is_idle && loaded.goal == ImproveGoal::FirstSlip;
+            if sticking.is_open(number) || never_leaves {
+                continue;
+            }
+            let rate = |load: usize| sticking.by(LOADS + load, number);
+            if loaded.any.is_some() {
+                all.extend(pressed.under_any_force(&numbered(sticking.loads(), &rate)));
+            } else {
+                for &load in &sticking.judged {
+                    all.extend(pressed.under(load, rate(load)));
+                }
             }
         }
     }

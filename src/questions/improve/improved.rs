@@ -13,7 +13,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Draw, IntoList, in_order, increasing, indexed, moved};
+use crate::numerics::{Draw, IntoList, in_order, increasing, indexed, mapped, moved};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -63,15 +63,21 @@ impl Improve<3> {
         let grasp = grasp.with(&settings);
         let loads = self.given_loads()?;
         let loaded = LoadSet::of(grasp.engine.space().axes(), self, &loads);
-        let (design_space, given) = DesignSpace::of(&grasp, self)?;
+        let (design_space, as_given) = DesignSpace::of(&grasp, self)?;
         let ascent_problem = AscentProblem { design_space: &design_space, loaded: &loaded, grasp: &grasp };
+        // In the given grasp some contacts may touch without force. Starts leave these idle, and further starts press with them.
+        let idle = ascent_problem.idle(&as_given)?;
+        let given = as_given.with_idle(&idle);
         let before = ascent_problem.before(&given)?;
         // For each random start that the question asks for, 24 random design points are drawn. The best of all drawn design points become starts, in
         // addition to the given grasp.
-        let numbers: Vec<u64> = (0..(self.starts() * 24) as u64).list();
+        let kinds = if idle.contains(&true) { vec![&given, &as_given] } else { vec![&given] };
+        let count = (self.starts() * 24) as u64;
+        let numbers: Vec<u64> = (0..count * kinds.len() as u64).list();
         let drawn = in_order(&numbers, &|number| {
+            let from = kinds[(number / count) as usize];
             // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
-            let drawn = design_space.random(&given, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
+            let drawn = design_space.random(from, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only the value and the design point are kept: the forces of thousands of design points would take much memory.
             Ok::<_, Error>(ascent_problem.evaluate(drawn)?.map(|design| (design.value, design.design_point)))
         });
@@ -82,7 +88,7 @@ impl Improve<3> {
                 places.push(design_point);
             }
         }
-        let mut design_points = vec![given.clone()];
+        let mut design_points = mapped(&kinds, &|kind| (*kind).clone());
         for k in increasing(&values).into_iter().take(self.starts()) {
             design_points.push(places[k].clone());
         }
@@ -178,7 +184,7 @@ fn placed(design_space: &DesignSpace<'_>, design: &EvaluatedDesign) -> Vec<Place
         command: contact.command,
         moved: (contact.point - design_space.contacts[i].point).norm(),
         pressed_with: design.design_point.presses[i],
-        normal_force: design.sticking.at_rest(i)[0],
+        normal_force: design.parts[0].at_rest(i)[0],
     })
 }
 
@@ -214,6 +220,7 @@ fn in_the_way(
             let binds = match bound.kind {
                 ConstraintKind::Sticks => ActiveConstraintKind::Rest { per_newton },
                 ConstraintKind::Force => ActiveConstraintKind::Force { per_newton },
+                ConstraintKind::Idle => ActiveConstraintKind::NotPressed { per_newton },
             };
             all.push((bound.contact, binds));
         } else if let Some(&contact) = rooms.get(k - bounds.len()) {

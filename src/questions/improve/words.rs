@@ -5,7 +5,7 @@ use core::fmt;
 use super::answer::{ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use crate::grasp::inside;
-use crate::numerics::{mapped, numbered};
+use crate::numerics::{largest, mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
@@ -63,8 +63,8 @@ impl Improved<3> {
         )
     }
 
-    /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
-    /// Empty if nothing changed.
+    /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both `pressed_with` 10
+    /// N". Empty if nothing changed.
     fn changes_text(&self, words: Words) -> String {
         let mut far = 0.0_f64;
         for placed in &self.contacts {
@@ -90,29 +90,32 @@ impl Improved<3> {
             };
             clauses.push(listed(&numbered(moves.len(), &one)));
         }
-        let force = |placed: &Placed<3>| words.number(placed.normal_force);
-        if let Some(first) = pressed.first() {
-            let forces = mapped(&pressed, &|placed| placed.normal_force);
-            let most = forces.iter().copied().fold(0.0, f64::max);
-            let alike =
-                forces.iter().all(|force| (force - first.normal_force).abs() <= ALIKE_IN_WORDS * most);
-            let names: Vec<_> = mapped(&pressed, &|placed| placed.contact.text());
-            if alike {
-                let (who, verb) = match names.len() {
-                    1 => (names[0].to_string(), "presses"),
-                    2 => ("both".to_owned(), "press"),
-                    _ => ("all".to_owned(), "press"),
-                };
-                clauses.push(format!("{who} {verb} with {} N", force(first)));
-            } else if pressed.len() <= MOST_NAMES {
-                let each = numbered(pressed.len(), &|k| {
-                    let verb = if k == 0 { "presses with " } else { "with " };
-                    format!("{} {verb}{} N", pressed[k].contact.text(), force(pressed[k]))
-                });
-                clauses.push(listed(&each));
-            }
-        }
+        clauses.extend(self.pressed_text(&pressed, words));
         clauses.join("; ")
+    }
+
+    /// The clause about the commands of the contacts in `pressed`, with the field of a scene and its value first: "both `pressed_with` 10 N (at rest
+    /// 9.6 N)". The object gives way to commands, so that forces at rest differ. `None` without such contacts, or for many different values.
+    fn pressed_text(&self, pressed: &[&Placed<3>], words: Words) -> Option<String> {
+        let largest = largest(&self.contacts, &|placed| placed.normal_force);
+        let values = mapped(pressed, &|placed| placed.press_text(largest, words));
+        let names = mapped(pressed, &|placed| placed.contact.text());
+        let first = values.first()?;
+        if values.iter().all(|value| value == first) {
+            let who = match names.len() {
+                1 => names[0].to_string(),
+                2 if self.contacts.len() == 2 => "both".to_owned(),
+                few if few < self.contacts.len() && few <= MOST_NAMES => listed(&names),
+                few if few < self.contacts.len() => format!("{few} contacts"),
+                _ => "all".to_owned(),
+            };
+            return Some(format!("{who} `pressed_with` {first}"));
+        }
+        let each = numbered(pressed.len(), &|k| {
+            let field = if k == 0 { "`pressed_with` " } else { "" };
+            format!("{} {field}{}", names[k], values[k])
+        });
+        (pressed.len() <= MOST_NAMES).then(|| listed(&each))
     }
 
     /// The sentence about the end of the search: which contacts and limits make the design point an optimum, or why the search ended without an
@@ -166,5 +169,15 @@ impl Improved<3> {
             SearchEnd::NothingSlides => "Nothing slides there".to_owned(),
             SearchEnd::NoStart => "No start sticks at rest and resists the loads".to_owned(),
         }
+    }
+}
+
+impl Placed<3> {
+    /// The value of `pressed_with`, and the normal force at rest where it reads differently: "10 N (at rest 9.6 N)".
+    /// `largest` is the largest force of all contacts, N, beside which rounding is zero.
+    fn press_text(&self, largest: f64, words: Words) -> String {
+        let given = words.number(words.beside(self.pressed_with.unwrap_or(0.0), largest));
+        let at_rest = words.number(words.beside(self.normal_force, largest));
+        if given == at_rest { format!("{given} N") } else { format!("{given} N (at rest {at_rest} N)") }
     }
 }
