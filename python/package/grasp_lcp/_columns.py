@@ -210,7 +210,8 @@ def wrench_json(name: str, given: Any, axes: int) -> Any:
         raise ValueError(f"{name}: shape {numbers.shape} given, must be ({axes},) of a force or ({coordinates},) of a force and a moment")
     force, moment = numbers[:axes].tolist(), numbers[axes:].tolist()
     if not moment:
-        return {"force": force}
+        # With a moment the force acts through the origin, also where forces of several bodies act at their centre of mass.
+        moment = [0.0] * (coordinates - axes)
     return {"force": force, "moment": moment if axes == 3 else moment[0]}
 
 
