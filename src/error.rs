@@ -37,8 +37,7 @@ pub(crate) fn check_contact(contact: usize, count: usize) -> Result<(), Error> {
     if contact < count {
         return Ok(());
     }
-    let (what, allowed) = ("number of the contact", "less than the number of contacts");
-    Err(Error::Argument { what, value: contact as f64, allowed })
+    Err(Error::NoSuchContact { contact, contacts: count })
 }
 
 /// Malformed input: the quantity at fault, its value, and the allowed values. That no equilibrium exists is not an error but an answer,
@@ -93,6 +92,16 @@ pub enum Error {
         component: usize,
         /// The value that was given.
         value: f64,
+    },
+    /// An index of a contact is not below the number of contacts.
+    #[error(
+        "contact: {contact} given, must be less than {contacts}, the number of contacts, which are counted from 0"
+    )]
+    NoSuchContact {
+        /// The index that was given.
+        contact: usize,
+        /// The number of contacts.
+        contacts: usize,
     },
     /// The length of a list with one entry for each contact differs from the number of contacts.
     #[error("{what}: {given} given, must be {expected}, one a contact")]

@@ -11,6 +11,7 @@ use grasp_lcp::touch::Part;
 use numpy::PyReadonlyArray2;
 use numpy::ndarray::ArrayView1;
 use pyo3::prelude::*;
+use pyo3::types::PyMapping;
 use serde::de::DeserializeOwned;
 
 use crate::answers::{Reply, UnwrittenAnswer, json};
@@ -54,9 +55,22 @@ pub(crate) struct AskedRamp<'a, 'py> {
 }
 
 impl<const C: usize> StoredGrasp<C> {
-    fn ramp(asked: &AskedRamp<'_, '_>) -> PyResult<Ramp<C>> {
-        let base = asked.base.map_or(Ok(Wrench::ZERO), |base| wrench("base", base))?;
-        let mut ramp = Ramp::load(base, wrench("direction", asked.direction)?);
+    /// Reads a load. A mapping is completed as in a scene of several bodies.
+    fn load(&self, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
+        if self.setup.bodies.is_empty() || given.cast::<PyMapping>().is_err() {
+            return wrench(argument, given);
+        }
+        let text: String = given
+            .py()
+            .import("grasp_lcp._columns")?
+            .call_method1("load_text", (argument, given))?
+            .extract()?;
+        read_for(&self.setup, &text, argument)
+    }
+
+    fn ramp(&self, asked: &AskedRamp<'_, '_>) -> PyResult<Ramp<C>> {
+        let base = asked.base.map_or(Ok(Wrench::ZERO), |base| self.load("base", base))?;
+        let mut ramp = Ramp::load(base, self.load("direction", asked.direction)?);
         if let Some(change) = asked.command_change {
             let change = change.as_array();
             if change.ncols() != C {
@@ -73,9 +87,13 @@ impl<const C: usize> StoredGrasp<C> {
     }
 }
 
-/// Refuses a question that contains the weight of bodies a second time. Text that is not JSON passes, since the parser refuses it later.
-fn once<const C: usize>(setup: &Setup<C>, question: &str, path: &str) -> PyResult<()> {
-    setup.refuse_weight_twice(&serde_json::from_str(question).unwrap_or_default(), path).map_err(wrong)
+/// Reads a question or a load from JSON, completed as in a scene. Refuses one that contains the weight of bodies a second time.
+fn read_for<T: DeserializeOwned, const C: usize>(setup: &Setup<C>, text: &str, path: &str) -> PyResult<T> {
+    // Text that is not JSON passes, since the parser refuses it below.
+    let value = serde_json::from_str(text).unwrap_or_default();
+    setup.refuse_weight_twice(&value, path).map_err(wrong)?;
+    let completed = setup.completed(&value).map(|value| value.to_string());
+    serde_json::from_str(completed.as_deref().unwrap_or(text)).map_err(|error| of_json(path, &error))
 }
 
 /// Asks one question by means of a scene, which supports joints and several bodies. Returns the answer in JSON.
@@ -128,7 +146,7 @@ where
     }
 
     fn solve(self: Arc<Self>, load: &Bound<'_, PyAny>) -> PyResult<Reply> {
-        let load: Wrench<C> = wrench("load", load)?;
+        let load = self.load("load", load)?;
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::solve(load)).map(Reply::Written);
         };
@@ -137,7 +155,7 @@ where
     }
 
     fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply> {
-        let ramp = Self::ramp(ramp)?;
+        let ramp = self.ramp(ramp)?;
         let question = Question::onset(ramp.clone());
         let Some(grasp) = &self.grasp else { return asked(&self.setup, question).map(Reply::Written) };
         self.setup.check(&question).map_err(refused)?;
@@ -146,8 +164,7 @@ where
     }
 
     fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply> {
-        once(&self.setup, turn, "turn")?;
-        let turn: Turn<C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
+        let turn: Turn<C> = read_for(&self.setup, turn, "turn")?;
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::OnsetOfTurn(turn)).map(Reply::Written);
         };
@@ -156,8 +173,7 @@ where
     }
 
     fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String> {
-        once(&self.setup, question, "question")?;
-        let question = serde_json::from_str(question).map_err(|error| of_json("question", &error))?;
+        let question = read_for(&self.setup, question, "question")?;
         py.detach(|| asked(&self.setup, question))
     }
 
@@ -171,8 +187,7 @@ where
     fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>> {
         let mut setup = self.setup.clone();
         if let Some(question) = question {
-            once(&setup, question, "question")?;
-            let question = serde_json::from_str(question).map_err(|error| of_json("question", &error))?;
+            let question = read_for(&setup, question, "question")?;
             setup = setup.ask(question);
         }
         Ok(setup.warnings().map_err(refused)?.iter().map(ToString::to_string).collect())

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from grasp_lcp import Grasp, wrench
+from grasp_lcp import Grasp, answers, wrench
 
 SCENES = Path(__file__).parents[2] / "examples" / "scenes" / "bodies"
 
@@ -39,6 +39,24 @@ def test_weights_from_masses_are_the_same() -> None:
     tray = boxes(load=None, mass=[2, 1], centre_of_mass=[[0, 0.1], [0, 0.3]], shared_by_mass=True)
     needed = tray.need("angle", turn={"weight": [0, -30], "at": [0, 0.5 / 3]}, may_slide=True)
     assert str(needed).startswith("TAKES 16.6992°")
+
+
+def test_mappings_of_loads_are_completed_as_in_scenes() -> None:
+    heavy = boxes(load=None, mass=[2, 1], centre_of_mass=[[0, 0.1], [0, 0.3]], gravity=[0, -10], shared_by_mass=True)
+    for load in ({"accelerated": [-1, 0]}, {"force": [3, 0]}):
+        scene = heavy.to_dict()
+        scene["planar"]["questions"] = [{"hold": {"load": load}}, {"onset": {"direction": load}}]
+        held, slipped = answers(scene)
+        for same in (heavy, Grasp.from_dict(heavy.to_dict())):
+            assert same.hold(load).says == held.says
+            assert same.onset(load).says == slipped.says
+    # 3 m/s² overcome the friction between the boxes, 0.3 · 10 m/s².
+    assert heavy.hold({"accelerated": [-6, 0]}).lost == pytest.approx(0.5, abs=1e-12)
+    # A force as an array acts through the origin.
+    assert heavy.hold([3, 0]).says == heavy.hold([3, 0, 0]).says
+    for ask in (heavy.hold, heavy.solve, heavy.onset):
+        with pytest.raises(ValueError, match="gravity already pulls at lower"):
+            ask({"mass": 3})
 
 
 def test_bodies_move_by_name() -> None:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from grasps import pinch
 
+import grasp_lcp
 from grasp_lcp import Grasp, answers, friction, lcp, onsets, solve_batch, wrench
 
 POINTS, NORMALS = [[-1, 0], [1, 0]], [[1, 0], [-1, 0]]
@@ -234,6 +235,21 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         "mu[0] is -0.5, must be finite and not negative",
     ),
     (lambda: wrench([0, 1], at=[0, 0, 0]), ValueError, "at: shape (3,) given, must be (2,)"),
+    (lambda: wrench([0, 1], [0.01, 0]), ValueError, "moment: shape (2,) given, must be (1,) (the point of the force is at=)"),
+    # Other words for an argument.
+    (lambda: pinch().turn([0, -1]), TypeError, "turn: a load given without a word, must be weight= or force="),  # type: ignore[call-arg]
+    (lambda: planar(stiffness=1e3), TypeError, "planar: stiffness= given, must be series_stiffness="),
+    (lambda: spatial(mu=0.5), TypeError, "spatial: mu= given, must be friction="),
+    (
+        lambda: pinch().need("friction", [0, -1], contact="left"),
+        ValueError,
+        "contact: none is called 'left', must be the name of one of ['contact 0', 'contact 1'], or a number from 0",
+    ),
+    (
+        lambda: pinch().need("friction", [0, -1], contact=5),
+        ValueError,
+        "contact: 5 given, must be less than 2, the number of contacts, which are counted from 0",
+    ),
 ]
 
 
@@ -255,3 +271,21 @@ def test_a_direction_of_zero_is_malformed_in_its_row() -> None:
         given = {"series_stiffness": 1e3, "friction": 0.5, "pressed_with": 8.0}
         found = onsets([contacts] * 2, normals, [[0, -1], [0, 0]], complete=True, **given)  # type: ignore[arg-type]
         assert found.answered.tolist() == [True, False] and found.status[1] == 8
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    needed = pinch().need("friction", [0, -4], contact=1, safety=2.0)
+    for contact in (np.int64(1), "contact 1"):
+        assert pinch().need("friction", [0, -4], contact=contact, safety=np.float32(2)).says == needed.says  # type: ignore[arg-type]
+    loads = [[0, -4], [0, -4.1]]
+    unknown = {"quantity": "friction", "contacts": [0, 1]}
+    seen = pinch().identify(unknown, loads, known=[([0], 0.5, 0.1)], iterations=20).says
+    for contacts in (np.array([0, 1]), [np.int64(0), np.int64(1)]):
+        same = pinch().identify(
+            unknown | {"contacts": contacts}, loads, known=[([np.int64(0)], np.float64(0.5), np.float32(0.1))], iterations=np.int64(20)
+        )  # type: ignore[call-overload]
+        assert same.says == seen
+
+
+def test_all_names_are_listed() -> None:
+    assert set(grasp_lcp.__all__) <= set(dir(grasp_lcp))

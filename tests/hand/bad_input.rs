@@ -80,6 +80,7 @@ fn tendons_commands_and_coordinates_are_named() {
     let [tendon, arm, value] = refused(hand().tendon(Tendon::new([0.0])));
     assert!(tendon == "tendon 0" && arm.starts_with("arm") && value == "0", "{tendon} {arm} {value}");
     assert_eq!(refused(hand().tendon(Tendon::new([1.0, 1.0]))), ["tendon 0", "number of arms", "2"]);
+    assert_eq!(refused(hand().tendon(Tendon::new([]))), ["tendon 0", "number of arms", "0"]);
     let slips = Tendon::new([1.0]).name("flexor").stiffness(1.0).limit(Limit::Slips(1.0));
     assert_eq!(refused(hand().tendon(slips))[..2], ["tendon 0 (flexor)", "limit"]);
     let grasp = hand().grasp().unwrap();

@@ -14,6 +14,19 @@ fn json(arguments: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).expect("JSON")
 }
 
+/// A direction along x is not printed with an angle of some 1e-30 degrees.
+#[test]
+fn the_weakest_direction_is_rounded() {
+    let scene = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
+        {"name": "A", "point": [-0.01, 0.01], "normal": [0, -1], "friction": 0.5, "stiffness": [1e4, 1e5], "force": 10},
+        {"name": "B", "point": [0.01, 0.01], "normal": [0, -1], "friction": 0.5, "stiffness": [1e4, 1e5], "force": 20},
+        {"name": "floor", "point": [0, -0.01], "normal": [0, 1], "stiffness": 1e6, "soft": {"pair": {"width": 0.04}}}]}}"#;
+    let output = folder("rounded").display().to_string();
+    let map = text(&run_on(scene.as_bytes(), &["map", "-", "--at", "0,0.01", "-o", &output]).stdout);
+    let weakest = map.lines().find(|line| line.contains("weakest direction")).expect("a line");
+    assert!(["0°", "180°"].iter().any(|angle| weakest.contains(&format!("direction {angle}:"))), "{weakest}");
+}
+
 #[test]
 fn the_onset_of_the_papers_grasp_in_words_and_in_json() {
     let exact = 65f64.sqrt() / 66.0;

@@ -1,6 +1,6 @@
 //! Typical mistakes have the messages of a table (`mistakes/table.txt`), and doubtful scenes are answered with a warning.
 
-use crate::{is_a_scene, run, run_on, scene, text};
+use crate::{folder, is_a_scene, run, run_on, scene, text};
 
 /// Exit code and message for the valid scene with one change.
 fn told(from: &str, to: &str) -> (i32, String) {
@@ -109,6 +109,31 @@ fn scenes_that_are_seldom_meant() {
         if file.extension().is_some_and(|end| end == "json") {
             assert_eq!(text(&run(&["ask", &file.display().to_string()]).stderr), "", "{}", file.display());
         }
+    }
+}
+
+/// A flag of another subcommand is not taken for a value, and a mesh or a table in the place of a scene is recognised.
+#[test]
+fn what_belongs_elsewhere() {
+    let mug = scene("mug.json");
+    let tip = |arguments: &[&str]| {
+        let told = text(&run(arguments).stderr);
+        told.lines().find_map(|line| line.trim().strip_prefix("tip: ").map(str::to_owned))
+    };
+    assert_eq!(
+        tip(&["hold", &mug, "--any-force", "5"]).as_deref(),
+        Some("`--any-force` belongs to `need`, `improve`")
+    );
+    assert_eq!(tip(&["map", &mug, "--nothing", "5"]), None);
+    let folder = folder("elsewhere");
+    for (name, of, said) in
+        [("part.stl", "solid a\n", "new grip "), ("slips.csv", "fx,fy\n1,2\n", "identify scene.json ")]
+    {
+        let file = folder.join(name);
+        std::fs::write(&file, of).expect("is written");
+        let output = run(&["ask", &file.display().to_string()]);
+        assert_eq!(output.status.code(), Some(3));
+        assert!(text(&output.stderr).contains(said), "{}", text(&output.stderr));
     }
 }
 

@@ -90,6 +90,15 @@ fn collect(value: &Value, fields: &mut BTreeSet<String>) {
 }
 
 #[test]
+fn options_of_grip_are_refused_for_other_kinds() {
+    let output = run(&["new", "gripper", "--force", "40", "--friction", "0.3"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty() && text(&output.stderr).starts_with("--force: of `new grip` alone"));
+    let mesh = run(&["new", "gripper", "part.stl"]);
+    assert!(text(&mesh.stderr).starts_with("mesh: of `new grip`"), "{}", text(&mesh.stderr));
+}
+
+#[test]
 fn an_unknown_name_lists_those_there_are() {
     let output = run(&["new", "grippr"]);
     let message = text(&output.stderr);

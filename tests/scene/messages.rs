@@ -128,6 +128,14 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         ),
         ("[[0, 0], [0.1, 0]]", "[[0, 0]]", "1 given", "be 2"),
         ("0.5", "0.5, \"hold\": \"glued\"", "name `glued`", "`kept_closed`, `bonded`"),
+        ("\"planar\": {\"contacts\"", "\"contacts\"", "`contacts` (it stands inside `planar` or", "`unit`"),
+        ("\"planar\": {\"contacts\"", "\"questions\"", "`questions` (it stands inside `planar`", "`unit`"),
+        (
+            "{\"load\": {\"force\": [0, -1]}}",
+            "{\"force\": [0, -1]}",
+            "`force` (it stands inside `load`",
+            "`load`",
+        ),
     ];
     for (from, to, said, allowed) in cases {
         let fault = fault(from, to);

@@ -259,6 +259,28 @@ fn a_vacuum_beyond_an_atmosphere() {
     assert!(says.starts_with("NEEDS 156.131 kPa (196.2 N; more than an atmosphere"), "{says}");
 }
 
+/// Pads of 40 mm and angles in degrees, read as m and rad.
+#[test]
+fn a_patch_alone_and_a_load_that_turns_too_often() {
+    let cup = r#"{"format": "grasp-lcp/1", "spatial": {"contacts": [{"name": "cup", "point": [0, 0, 0], "normal": [0, 0, -1],
+        "friction": 0.5, "stiffness": 1e4, "suction": {"radius": 40, "pressure": 6e4}}]}}"#;
+    let stated = warnings(cup);
+    let [Warning::ManyMetres { what, length, beside: None }] = &stated[..] else { panic!("{stated:?}") };
+    assert!(what.contains("cup") && *length > 60.0, "{stated:?}");
+    assert_eq!(warnings(&cup.replace("40,", "0.04,")), []);
+    let turn = r#"{"weight": [0, -1], "angle_rad": 90}"#;
+    let hold = r#"{"hold": {"load": {"force": [0, -1]}}}"#;
+    for question in [
+        format!(r#"{{"onset_of_turn": {turn}}}"#),
+        format!(r#"{{"need": {{"quantity": "angle", "turn": {turn}}}}}"#),
+        format!(r#"{{"follow": {{"start": {{"force": [0, -1]}}, "legs": [{{"turn": {turn}}}]}}}}"#),
+    ] {
+        let text = JAWS.replace(hold, &question);
+        assert_eq!(warnings(&text), [Warning::ManyTurns { angle: 90.0 }], "{question}");
+        assert_eq!(warnings(&text.replace("rad\": 90", "deg\": 720")), [], "{question}");
+    }
+}
+
 /// Flat goods are wider than high.
 #[test]
 fn a_stack_that_is_wider_than_high() {

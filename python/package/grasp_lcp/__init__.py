@@ -111,3 +111,8 @@ def __getattr__(name: str) -> Any:
 
         return getattr(verdicts, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """All names, those too that are imported when they are first used."""
+    return sorted({*globals(), *__all__})

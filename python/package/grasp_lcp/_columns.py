@@ -210,7 +210,8 @@ def wrench_json(name: str, given: Any, axes: int) -> Any:
         raise ValueError(f"{name}: shape {numbers.shape} given, must be ({axes},) of a force or ({coordinates},) of a force and a moment")
     force, moment = numbers[:axes].tolist(), numbers[axes:].tolist()
     if not moment:
-        return {"force": force}
+        # With a moment the force acts through the origin, also where forces of several bodies act at their centre of mass.
+        moment = [0.0] * (coordinates - axes)
     return {"force": force, "moment": moment if axes == 3 else moment[0]}
 
 
@@ -222,7 +223,7 @@ def load_text(name: str, given: Mapping[str, Any]) -> str:
 def scene_text(scene: Any) -> str:
     """A scene as JSON text. Refuses NaN and infinities by the name of their field."""
     try:
-        return json.dumps(scene, default=_with_arrays, allow_nan=False)
+        return dumped(scene)
     except ValueError:
         _refuse_not_finite("", scene)
         raise
@@ -244,14 +245,14 @@ def _refuse_not_finite(where: str, value: Any) -> None:
 
 
 def _with_arrays(value: Any) -> Any:
-    """Converts arrays, numbers of numpy and mappings in a scene to types that ``json.dumps`` accepts."""
+    """Converts arrays, numbers of numpy and mappings to types that ``json.dumps`` accepts."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
     if isinstance(value, Mapping):
         return dict(value)
-    raise TypeError(f"scene: {type(value).__name__} given, must be numbers, texts, lists, mappings and arrays")
+    raise TypeError(f"{type(value).__name__} given, must be numbers, texts, lists, mappings and arrays")
 
 
 def dumped(value: Any) -> str:
     """JSON text; refuses NaN and infinities, which Python would write as words that JSON does not have."""
-    return json.dumps(value, allow_nan=False)
+    return json.dumps(value, default=_with_arrays, allow_nan=False)

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from ._grasp_lcp import words_of, words_of_name, words_of_number
 
 Array = NDArray[np.float64]
-# A load: an array of a force, or of a force and a moment, or a mapping as in scenes, {"force": ..., "at": ...}.
+# A load: an array of a force, or of a force and a moment, or a mapping as in scenes: {"force": ..., "moment": ..., "at": ...} or
+# {"mass": ..., "at": ..., "gravity": ..., "accelerated": ..., "inertia": ..., "turning": ...}.
 Load: TypeAlias = ArrayLike | Mapping[str, Any]
 Quantity: TypeAlias = Literal["squeeze", "friction", "load", "arm", "angle", "force"]
 Tree = dict[str, Any]

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Hashable, Mapping, Sequence
-from typing import Any, TypedDict, get_args
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from functools import wraps
+from typing import Any, ParamSpec, TypedDict, TypeVar, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -57,12 +58,38 @@ class Leg(TypedDict, total=False):
     turn: Mapping[str, Any]
 
 
+P = ParamSpec("P")
+R = TypeVar("R")
+
+# Arguments of `Grasp.planar` and `Grasp.spatial` by the words that scenes and textbooks have for them.
+_MEANT = {"stiffness": "series_stiffness", "mu": "friction"}
+
+
+def _hinting(ask: Callable[P, R]) -> Callable[P, R]:
+    """Refuses a word of :data:`_MEANT`, and a turning load without a word, with the name of the argument that is meant."""
+
+    @wraps(ask)
+    def hinted(*unnamed: P.args, **given: P.kwargs) -> R:
+        name = ask.__name__
+        if name == "turn" and len(unnamed) > 1:
+            raise TypeError("turn: a load given without a word, must be weight= or force=")
+        for word in _MEANT.keys() & given.keys():
+            raise TypeError(f"{name}: {word}= given, must be {_MEANT[word]}=")
+        return ask(*unnamed, **given)
+
+    return hinted
+
+
 class Grasp:
     """Fingers that hold an object: point contacts with springs and Coulomb friction, or a hand with joints.
 
     A grasp is made by :meth:`planar`, :meth:`spatial`, :meth:`from_mesh`, :meth:`hand`, :meth:`from_mujoco`, :meth:`from_dict` or
     :meth:`from_json`; it never changes. It has n contacts of c axes and an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space.
-    Loads are arrays of shape (c,), a force through the origin in N, or (d,), a force and a moment about the origin in N m.
+    Loads are arrays of shape (c,), a force through the origin in N, or (d,), a force and a moment about the origin in N m. They may also be mappings
+    as in scenes: a force at a point, ``{"force": [0, -5], "at": [0.01, 0]}``, possibly with a ``"moment"``, or a body that hangs at a point,
+    ``{"mass": 0.5, "at": [0.01, 0]}``. A mass may have ``"gravity"`` (9.81 m/s² down along the last axis by default), ``"accelerated"``,
+    the acceleration in m/s², ``"inertia"`` and ``"turning"``. With ``gravity`` and ``shared_by_mass``, see :meth:`of_bodies`,
+    ``{"accelerated": [-2, 0]}`` accelerates all bodies.
 
     Normals point **into the object**, the way the finger pushes. The contact frame is (n, t) in the plane with ``t = (n_y, -n_x)``, and
     (n, t1, t2) in space with ``t2 = n x t1``. Units in these docs are SI; any consistent units work.
@@ -81,6 +108,7 @@ class Grasp:
         return grasp
 
     @classmethod
+    @_hinting
     def planar(
         cls,
         points: ArrayLike,
@@ -143,6 +171,7 @@ class Grasp:
         return made._spread(force=force, soft=soft, suction=suction, kinetic_friction=kinetic_friction)
 
     @classmethod
+    @_hinting
     def spatial(
         cls,
         points: ArrayLike,
@@ -694,7 +723,8 @@ class Grasp:
             raise ValueError(f"unknowns[{index}]: {written.get('quantity')!r} given, must be {', '.join(kinds[:-1])} or {kinds[-1]}")
         if "contacts" in written:
             contacts = written["contacts"]
-            each = [contacts] if isinstance(contacts, (str, int)) else listed(f"unknowns[{index}]['contacts']", contacts, "a list")
+            is_one = isinstance(contacts, (str, int, np.integer))
+            each = [contacts] if is_one else listed(f"unknowns[{index}]['contacts']", contacts, "a list")
             written["contacts"] = [self._numbered(contact) for contact in each]
         return written
 
@@ -806,6 +836,7 @@ class Grasp:
         joints = None if joint_change is None else finite("joint_change", joint_change).ravel().tolist()
         return Onset(self._held.onset(direction, base, commands, joints), self._held)
 
+    @_hinting
     def turn(
         self,
         *,
@@ -845,9 +876,10 @@ class Grasp:
         (space,) = (part for name, part in json.loads(self.to_json()).items() if name in ("planar", "spatial"))
         fingers = (finger["contacts"] for finger in space.get("fingers", ()))
         contacts = [*space.get("contacts", ()), *(contact for finger in fingers for contact in finger)]
-        named = [number for number, each in enumerate(contacts) if each.get("name") == contact]
+        # Answers call a contact without a name by its number.
+        names = [each.get("name") or f"contact {number}" for number, each in enumerate(contacts)]
+        named = [number for number, name in enumerate(names) if name == contact]
         if len(named) != 1:
-            names = [each.get("name") for each in contacts if each.get("name")]
             how_many = "several are" if named else "none is"
             raise ValueError(f"contact: {how_many} called {contact!r}, must be the name of one of {names}, or a number from 0")
         return named[0]
@@ -1038,6 +1070,7 @@ def wrench(force: ArrayLike, moment: ArrayLike | None = None, *, at: ArrayLike |
     size = 1 if len(pull) == 2 else 3
     turns = np.zeros(size) if moment is None else finite("moment", moment).reshape(-1)
     if turns.shape != (size,):
-        raise ValueError(f"moment: shape {turns.shape} given, must be ({size},)")
+        hint = " (the point of the force is at=)" if turns.shape == (2,) else ""
+        raise ValueError(f"moment: shape {turns.shape} given, must be ({size},){hint}")
     of_force = [arm[0] * pull[1] - arm[1] * pull[0]] if size == 1 else np.cross(arm, pull)
     return np.concatenate([pull, turns + of_force])

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-use grasp_lcp::scene::{Scene, Warning};
+use grasp_lcp::scene::{FaultKind, Scene, Warning};
 use grasp_lcp::words::printable;
 
 use crate::arguments::Output;
@@ -21,7 +21,19 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     } else {
         bytes(path, "a scene, a file in JSON")?
     };
-    let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
+    let scene = Scene::from_json(&text).map_err(|fault| {
+        // A file that is no JSON may be what a scene is made of.
+        let end = path.extension().map(|end| end.to_ascii_lowercase().to_string_lossy().into_owned());
+        Failure::Scene(match end.as_deref().filter(|_| fault.kind == FaultKind::Syntax) {
+            Some("stl" | "obj") => format!(
+                "{name}: is a mesh, must be a scene: `grasp-lcp new grip {name} --jaws 20x30mm --force 40` writes one"
+            ),
+            Some("csv" | "tsv") => format!(
+                "{name}: is a table, must be a scene: slips in a table are read by `grasp-lcp identify scene.json {name}`"
+            ),
+            _ => format!("{name}: {fault}"),
+        })
+    })?;
     if let Some(warning) = scene.far_load_in(&text) {
         eprintln!("warning: {name}: {warning}");
     }

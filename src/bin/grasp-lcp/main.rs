@@ -37,7 +37,8 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use clap::Parser;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{CommandFactory, Parser};
 use grasp_lcp::stream::{StreamOptions, answer_lines};
 
 use arguments::{Arguments, Command};
@@ -61,6 +62,7 @@ fn asked() -> Result<ExitCode, Failure> {
     match parse_arguments() {
         Ok(arguments) => run(arguments.command),
         Err(help) => {
+            let help = with_owners_of_flag(help);
             help.print()?;
             Ok(ExitCode::from(u8::try_from(help.exit_code()).unwrap_or(2)))
         }
@@ -85,6 +87,29 @@ fn parse_arguments() -> Result<Arguments, clap::Error> {
     Arguments::try_parse_from(&words).or(parsed)
 }
 
+/// The error about a flag that the subcommand does not have. Its tip names the subcommands that have the flag.
+fn with_owners_of_flag(mut error: clap::Error) -> clap::Error {
+    let Some(ContextValue::String(flag)) =
+        error.get(ContextKind::InvalidArg).filter(|_| error.kind() == ErrorKind::UnknownArgument)
+    else {
+        return error;
+    };
+    let (flag, long) = (flag.clone(), flag.trim_start_matches('-'));
+    let mut owners = Vec::new();
+    for command in Arguments::command().get_subcommands() {
+        if command.get_arguments().any(|argument| argument.get_long() == Some(long)) {
+            owners.push(format!("`{}`", command.get_name()));
+        }
+    }
+    // The parser's own tip, to write the flag behind `--`, would make it the name of a scene.
+    error.remove(ContextKind::Suggested);
+    if !owners.is_empty() {
+        let tip = format!("`{flag}` belongs to {}", owners.join(", "));
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    }
+    error
+}
+
 fn run(mut command: Command) -> Result<ExitCode, Failure> {
     if let Some(ask) = command.asks() {
         let ask = ask.clone();
@@ -93,7 +118,11 @@ fn run(mut command: Command) -> Result<ExitCode, Failure> {
     match command {
         #[cfg(feature = "mesh")]
         Command::New { of: Template::Grip, grip } => return grip.run(),
-        Command::New { of, .. } => io::stdout().write_all(of.text().as_bytes())?,
+        Command::New { of, .. } => {
+            #[cfg(feature = "mesh")]
+            new::refuse_options_of_grip()?;
+            io::stdout().write_all(of.text().as_bytes())?;
+        }
         Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
         Command::Map { scene, mut at, unit, data_deviations, json, progress, output } => {

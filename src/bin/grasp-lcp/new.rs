@@ -1,6 +1,13 @@
 //! Example scenes as starting points.
 
 use clap::ValueEnum;
+#[cfg(feature = "mesh")]
+use clap::{CommandFactory, parser::ValueSource};
+
+#[cfg(feature = "mesh")]
+use crate::arguments::Arguments;
+#[cfg(feature = "mesh")]
+use crate::failure::Failure;
 
 /// An example scene, to be adapted.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -59,6 +66,27 @@ impl Template {
             Self::Grip => "",
         }
     }
+}
+
+/// Refuses options of `new grip` on the command line of another kind.
+#[cfg(feature = "mesh")]
+pub(crate) fn refuse_options_of_grip() -> Result<(), Failure> {
+    let mut command = Arguments::command();
+    let Ok(matches) = command.try_get_matches_from_mut(std::env::args_os()) else { return Ok(()) };
+    let (Some(of_new), Some(given)) = (command.find_subcommand("new"), matches.subcommand_matches("new"))
+    else {
+        return Ok(());
+    };
+    for argument in of_new.get_arguments().filter(|argument| argument.get_id() != "of") {
+        let id = argument.get_id().as_str();
+        if given.ids().any(|known| known == id) && given.value_source(id) == Some(ValueSource::CommandLine) {
+            let option = argument.get_long().map_or_else(|| id.to_owned(), |long| format!("--{long}"));
+            return Err(Failure::Usage(format!(
+                "{option}: of `new grip` alone, must be left out; other scenes are adapted in their text"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// The meaning of the fields in these scenes, for the help and the manual: JSON has no comments.

@@ -142,6 +142,14 @@ impl<const C: usize> Leg<C> {
             _ => None,
         }
     }
+
+    /// The angle by which the load turns along this leg, rad; 0 if it does not turn.
+    pub(crate) fn turned_by(&self) -> f64 {
+        match &self.load {
+            LegLoad::Turn(turn) => turn.angle(),
+            LegLoad::Straight(_) => 0.0,
+        }
+    }
 }
 
 /// Refuses, with an error, a list `what` of commands whose length `given` is not `expected`, the number of contacts.

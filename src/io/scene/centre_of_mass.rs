@@ -3,9 +3,30 @@
 
 use serde_json::{Map, Value};
 
+use super::setup::Setup;
+use super::written::Scene;
+
 /// The text of a scene with missing masses, centres of mass and gravity added to its loads; `None` if no load lacks them.
 pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
     let mut scene: Value = serde_json::from_slice(text).ok()?;
+    complete(&mut scene).then(|| serde_json::to_vec(&scene).ok()).flatten()
+}
+
+impl<const C: usize> Setup<C> {
+    /// A question or a load in JSON, with the masses, centres of mass and gravity that a scene adds to its loads; `None` if it lacks none of them.
+    #[must_use]
+    pub fn completed(&self, question: &Value) -> Option<Value> {
+        if !self.shared_by_mass && self.gravity.is_none() {
+            return None;
+        }
+        let (space, mut scene) = (self.space.name(), serde_json::to_value(Scene::from(self.clone())).ok()?);
+        scene[space]["questions"] = Value::Array(vec![question.clone()]);
+        complete(&mut scene).then(|| scene[space]["questions"][0].take())
+    }
+}
+
+/// Adds what the loads of a scene lack; returns whether a load was changed.
+fn complete(scene: &mut Value) -> bool {
     let mut is_written = false;
     for (space, axes) in [("planar", 2), ("spatial", 3)] {
         let Some(setup) = scene.get_mut(space).and_then(Value::as_object_mut) else { continue };
@@ -14,7 +35,7 @@ pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
         is_written |= all.is_some_and(|all| all.write_into(questions));
         is_written |= gravity.is_some_and(|gravity| weigh(questions, &gravity));
     }
-    serde_json::to_vec(&scene).ok().filter(|_| is_written)
+    is_written
 }
 
 /// Adds the scene's gravity to all loads that have a mass and no gravity of their own; returns whether a load was changed.

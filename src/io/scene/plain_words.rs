@@ -2,6 +2,21 @@
 
 use crate::numerics::IntoList;
 
+/// Fields that stand inside of `planar` or `spatial`.
+const SETUP: [&str; 11] = [
+    "contacts",
+    "fingers",
+    "tendons",
+    "bodies",
+    "links",
+    "gravity",
+    "loaded",
+    "shared_by_mass",
+    "outline",
+    "questions",
+    "settings",
+];
+
 /// Rewords a message of serde or serde_json for users. `here` is the byte of the text at the fault, if it is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((given, wanted)) = message
@@ -26,7 +41,14 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
                 "mu" if allowed.contains("`friction`") => Some("friction"),
                 _ => alike(name, allowed),
             };
+            let lists = |name: &str| allowed.contains(&format!("`{name}`"));
             let meant = match name {
+                _ if lists("planar") && SETUP.contains(&name) => {
+                    " (it stands inside `planar` or `spatial`)".to_owned()
+                }
+                "force" | "moment" | "accelerated" | "turning" if lists("load") => {
+                    format!(" (it stands inside `load`, `\"load\": {{\"{name}\": …}}`)")
+                }
                 "comment" | "unit" => " (it stands beside `planar` or `spatial`)".to_owned(),
                 "mass" => {
                     " (it stands in a load, `\"load\": {\"mass\": 2}`, or in one of `bodies`)".to_owned()

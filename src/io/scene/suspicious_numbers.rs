@@ -1,4 +1,7 @@
-//! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, normals that point outwards, and contacts that are given twice.
+//! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, angles in degrees, normals that point outwards, and contacts that
+//! are given twice.
+
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
@@ -8,7 +11,7 @@ use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::grasp::{ATMOSPHERE, Hold, Wrench};
-use crate::load_path::Leg;
+use crate::load_path::{Leg, Turn};
 use crate::need::pressure_of_cup;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Space, chosen, every_index, largest, mapped, picked};
@@ -80,11 +83,13 @@ impl Setup<3> {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
             // A patch may be wider than the distance of the contacts, as on stacked pallets or sheets. Only a patch wider than 2 m is suspicious,
-            // such as a pad of a few mm whose width was read in m.
-            if size > 0.0 && wide > f64::max(2.0, 10.0 * size) && !is_wide {
+            // such as a pad of a few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
+            let most = if size > 0.0 { f64::max(2.0, 10.0 * size) } else { 10.0 };
+            if wide > most && !is_wide {
                 is_wide = true;
                 let what = format!("the patch of {} is as wide as", name(i));
-                warnings.push(Warning::ManyMetres { what, length: wide, beside: Some(size) });
+                let beside = Some(size).filter(|size| *size > 0.0);
+                warnings.push(Warning::ManyMetres { what, length: wide, beside });
             }
             let is_there = |j: &usize| is_in_place_of(entries[*j], entry, size);
             if let Some(twice) = (0..i).find(is_there) {
@@ -133,6 +138,11 @@ impl Setup<3> {
         // Grippers are designed for loads that friction can carry; a load of a hundred times this limit is probably a mistake.
         if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
+        }
+        let angle = largest(&self.questions, &turned);
+        // A load that turns comes back to its beginning after one turn.
+        if angle > 2.0 * TAU {
+            warnings.push(Warning::ManyTurns { angle });
         }
         let (centre, size) = self.middle();
         if size == 0.0 || !self.bodies.is_empty() {
@@ -230,6 +240,19 @@ pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
         Question::Follow { legs, .. } => picked(legs, &Leg::straight_load),
         Question::Shake { loads, .. } | Question::Shakedown { loads, .. } => loads.clone(),
         Question::Identify(asked) => picked(&asked.slips, &|slip| slip.load),
+    }
+}
+
+/// The angle by which the load of a question turns, rad; 0 if it does not turn.
+fn turned(question: &Question<3>) -> f64 {
+    match question {
+        Question::OnsetOfTurn(turn) => turn.angle(),
+        Question::Need(asked) => asked.turn.as_ref().map_or(0.0, Turn::angle),
+        Question::Follow { legs, .. } => largest(legs, &Leg::turned_by),
+        Question::Identify(asked) => {
+            largest(&asked.slips, &|slip| slip.turn.as_ref().map_or(0.0, Turn::angle))
+        }
+        _ => 0.0,
     }
 }
 

@@ -134,6 +134,11 @@ pub enum Warning {
         /// The sum of the normal forces with which contacts press, N.
         pressed: f64,
     },
+    /// A load turns by more than two full turns; perhaps its angle is given in degrees.
+    ManyTurns {
+        /// The largest angle of a turn, rad.
+        angle: f64,
+    },
     /// Some of a pad's area does not meet the grasped part.
     #[cfg(feature = "mesh")]
     MissesInPart {
@@ -245,6 +250,12 @@ impl fmt::Display for Warning {
                 "a load has {} N, and contacts press with {} N together: masses are in kg; is this in g?",
                 words.number(*force),
                 words.number(*pressed)
+            ),
+            Self::ManyTurns { angle } => write!(
+                f,
+                "a turn of {} rad is {:.1} full turns: degrees? Those are `angle_deg`",
+                words.number(*angle),
+                angle / core::f64::consts::TAU
             ),
             #[cfg(feature = "mesh")]
             Self::MissesInPart { name, missing, .. } => write_missing(f, words, name, *missing),

@@ -328,8 +328,12 @@ impl<const C: usize> Lost<C> {
     fn write_at_rest(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         if self.factor > NEGLIGIBLE {
-            let factor = words.number(self.factor);
-            write!(f, "only {factor} of the load at rest is carried, then ")?;
+            // A fraction that is rounded to 1 is not written as a number.
+            let factor = match words.number(self.factor) {
+                one if one == "1" => "not quite all".to_owned(),
+                part => format!("only {part}"),
+            };
+            write!(f, "{factor} of the load at rest is carried, then ")?;
         }
         write!(f, "{self:.digits$}")
     }

@@ -52,7 +52,7 @@ pub struct Slip<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,
     /// A turn up to the angle at the slip, instead of a load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
-    pub(super) turn: Option<Turn<C>>,
+    pub(crate) turn: Option<Turn<C>>,
     /// The constant load that acts before the growing load, and together with it; zero if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) base: Option<Wrench<C>>,

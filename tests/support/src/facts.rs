@@ -28,6 +28,7 @@ pub fn facts(error: &Error) -> [String; 3] {
         Error::Link { name, field, value, .. } => number(name, field, value),
         Error::NotClosed { what, off } => number(&"cycle", what, off),
         Error::Question { question, field, .. } => number(question, field, &""),
+        Error::NoSuchContact { contact, contacts } => number(&"contact", contacts, contact),
         Error::Body { name, fault } => number(name, fault, &""),
         other => panic!("{other:?}"),
     }

@@ -70,7 +70,9 @@ pub(crate) fn map(
         return Ok(());
     };
     let title = pictures.title();
-    let weakest = weakest.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
+    // A component that is due to rounding counts as zero, so that no angle of 1e-30° is printed.
+    let clean = |x: f64, beside: f64| Words::default().beside(x, beside.abs());
+    let weakest = weakest.map(|([x, y], size)| (clean(y, x).atan2(clean(x, y)).rem_euclid(TAU), size));
 
     let words = ask::words(at, &base, caution);
     println!("{title}: {}", words.join(", "));

@@ -166,12 +166,12 @@ impl Assembly {
                 return Self::fault(label, field, value, crate::error::MODERATE);
             }
         }
-        if tendon.arms.len() > self.joints.len() {
+        if tendon.arms.len() != self.joints.len() {
             return Self::fault(
                 label,
                 "number of arms",
                 tendon.arms.len() as f64,
-                "at most the number of joints",
+                "the number of joints, with 0 where the tendon does not pull",
             );
         }
         if let Some(&value) = tendon.arms.iter().find(|arm| !is_moderate(**arm)) {

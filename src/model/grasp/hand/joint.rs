@@ -35,7 +35,8 @@ pub enum JointKind {
 
 /// Largest torque (N m) or force (N) of a joint's motor or clutch, and the behaviour at this limit: slip, or a constant torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(remote = "Self", rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Limit {
@@ -44,6 +45,9 @@ pub enum Limit {
     /// A controller, or a motor that stalls: the torque stays at this bound, and follows the spring again when the load decreases.
     Saturates(f64),
 }
+
+#[cfg(feature = "serde")]
+crate::serial::object::read_as_object!("a limit, {\"saturates\": 0.5} or {\"slips\": 0.5}", Limit);
 
 impl Limit {
     /// The bound on the torque or force, N m or N.
