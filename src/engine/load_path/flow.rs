@@ -134,7 +134,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             // A free motion slower than this fraction of the twist rate is rounding.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
-        let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
+        let free_motions = point.free_motions.iter().map(|v| (v, pushed(v)));
+        let arc = Arc::new(segment, states, free_motions, (unit, point.fixed.clone()));
         // The friction force of a contact that has just closed is mere rounding, so its direction is taken from the contact state.
         let friction = |&i: &usize| {
             let size = tangential_norm(&point.lines[i].force);
@@ -229,8 +230,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
         let before: Vec<_> = mapped(&self.point.lines, &|line| line.force);
         energy.store(self.arc.sites(), &before, &at.forces);
-        let point =
-            self.arc.segment.point_on_arc(&self.point.linear_problem, to, &at, &rate, direction.factor);
+        let point = self.arc.segment.point_on_arc(self.point, to, &at, &rate, direction.factor);
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
