@@ -31,8 +31,8 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    // Number of terms of the continued fraction from which on its value no longer changes.
-    let mut k = (1080.0 / (x * x)).ceil() + 4.0;
+    // The number of terms of the continued fraction after which its value no longer changes.
+    let mut k = (400.0 / (x * x)).ceil() + 10.0;
     while k > 0.0 {
         fraction = x + k / fraction;
         k -= 1.0;

@@ -14,9 +14,7 @@
 //! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load factor has a maximum and T is singular. One more row
 //! below this matrix, transverse to the path, makes it regular even at such a maximum.
 
-use core::cell::OnceCell;
-
-use crate::numerics::{Each, IntoList, Vector, by_axis};
+use crate::numerics::{Each, IntoList, Once, Vector, by_axis};
 use nalgebra::{Matrix, SVector};
 
 use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
@@ -39,25 +37,27 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The constant parts of T and b in `T q' = b λ'`, which do not come from sliding contacts: T is the tangent stiffness, b the right-hand
-    /// side, q the twist and λ the load factor. The constant parts are computed on first use, because some questions (how fast friction forces
-    /// turn) do not need them.
-    fixed: OnceCell<ConstantTerms>,
+    /// The terms that do not come from sliding contacts; all points of one arc share them.
+    pub(super) fixed: SharedTerms,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
 }
 
 /// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
 /// λ the load factor.
-struct ConstantTerms {
-    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since
-    /// T would otherwise be singular. The object then moves along such a motion with the velocity given in `Arc::free_motions`, which may be
-    /// zero.
+#[derive(Debug)]
+pub(super) struct ConstantTerms {
+    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since T
+    /// would otherwise be singular. The object then moves along it with its velocity in `Arc::free_motions`, which may be zero.
     stiffness: PathStiffness,
-    /// The terms of the right-hand side b of `T q' = b λ'` (twist q, load factor λ) from commands of contacts that do not slide, and from the
-    /// velocities of free motions.
+    /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide.
     push: Vector,
+    /// The artificial stiffness against motions that no spring resists, N/m: the stiffness of the stiffest spring.
+    stiffest: f64,
 }
+
+/// The [`ConstantTerms`] of an arc, computed on first use, because the rates at which friction forces turn can be computed without them.
+pub(super) type SharedTerms = alloc::sync::Arc<Once<ConstantTerms>>;
 
 /// A direction (q', λ') of the path in the space of twist q and load factor λ, also used for a change of both.
 #[derive(Debug, Clone)]
@@ -88,12 +88,12 @@ impl<'s, 'g> Arc<'s, 'g> {
         segment: &'s Segment<'g>,
         states: &'s [State],
         free_motions: impl IntoIterator<Item = (&'m Vector, f64)>,
-        unit: f64,
+        (unit, fixed): (f64, SharedTerms),
     ) -> Self {
         let sliding = (0..states.len()).filter(|&i| states[i].slides()).list();
         let driven = segment.change.iter().any(|a| a.norm() > 0.0);
         let free_motions = free_motions.into_iter().map(|(v, rate)| (v.clone(), rate)).list();
-        Self { segment, states, sliding, unit, free_motions, fixed: OnceCell::new(), driven }
+        Self { segment, states, sliding, unit, free_motions, fixed, driven }
     }
 
     fn fixed(&self) -> &ConstantTerms {
@@ -134,22 +134,23 @@ impl<'s, 'g> Arc<'s, 'g> {
                 push += &pushed * segment.change[i];
             }
         }
-        for (v, rate) in free_motions {
+        for (v, _) in free_motions {
             let held = v * stiffest;
             stiffness.add(&[0..size.count(), 0..0], |i, j| v[i] * held[j]);
-            push += v * (stiffest * rate);
         }
-        ConstantTerms { stiffness, push }
+        ConstantTerms { stiffness, push, stiffest }
     }
 
     pub(super) fn sites(&self) -> &'g [Site] {
         self.segment.grasp.sites()
     }
 
-    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts. It is the rate of the load plus
-    /// [`ConstantTerms::push`], the rate of the forces due to commands.
+    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load, `ConstantTerms::push`
+    /// and terms of the velocities of free motions.
     fn push_at(&self, factor: f64) -> Vector {
-        self.segment.trajectory.rate_at(factor) + &self.fixed().push
+        let ConstantTerms { push, stiffest, .. } = self.fixed();
+        let along = |push: Vector, (v, rate): &(Vector, f64)| push + v * (stiffest * rate);
+        self.segment.trajectory.rate_at(factor) + self.free_motions.iter().fold(push.clone(), along)
     }
 
     /// Norm of the rate of the load plus the rate of the forces by which commands push contacts that do not slide. The unit is N per unit of the
@@ -399,7 +400,8 @@ impl Segment<'_> {
             .map_err(|u| self.unbalanced(factor, u.motion))?;
         let rate = self.pushed_along(&linear_problem, rate, pushed);
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).list();
-        let arc = Arc::new(self, states, linear_problem.free_motions().iter().map(|v| (v, 0.0)), 1.0);
+        let free_motions = linear_problem.free_motions().iter().map(|v| (v, 0.0));
+        let arc = Arc::new(self, states, free_motions, (1.0, SharedTerms::default()));
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(ForcesAndTwist, f64)| {
             // After an event only rounding errors are to be corrected. A correction by more than this fraction of the largest force has
@@ -408,7 +410,8 @@ impl Segment<'_> {
         };
         let balanced =
             arc.balanced(at.twist.clone(), factor, &Direction::forward(), &frictions).filter(is_near);
-        let at = balanced.map_or_else(|| at.clone(), |(at, _)| at);
-        Ok(self.point_with_rates(linear_problem, factor, at.clone(), (&rate, 1.0), (factor, &at)))
+        let (at, fixed) = (balanced.map_or_else(|| at.clone(), |(at, _)| at), arc.fixed);
+        let point = self.point_with_rates(linear_problem, factor, at.clone(), (&rate, 1.0), (factor, &at));
+        Ok(PathPoint { fixed, ..point })
     }
 }

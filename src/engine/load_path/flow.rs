@@ -135,8 +135,9 @@ impl<'s, 'g> Flow<'s, 'g> {
             // A velocity of the object along a free motion is rounding below this fraction of the norm of the twist rate.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
-        let arc = Arc::new(segment, states, point.free_motions.iter().map(|v| (v, pushed(v))), unit);
-        // The friction force of a contact that has just closed is mere rounding, so the direction of this force is taken from the contact state.
+        let free_motions = point.free_motions.iter().map(|v| (v, pushed(v)));
+        let arc = Arc::new(segment, states, free_motions, (unit, point.fixed.clone()));
+        // The friction force of a contact that has just closed is mere rounding, so its direction is taken from the contact state.
         let friction = |&i: &usize| {
             let size = tangential_norm(&point.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
@@ -232,8 +233,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
         let before: Vec<_> = mapped(&self.point.lines, &|line| line.force);
         energy.store(self.arc.sites(), &before, &at.forces);
-        let point =
-            self.arc.segment.point_on_arc(&self.point.linear_problem, to, &at, &rate, direction.factor);
+        let point = self.arc.segment.point_on_arc(self.point, to, &at, &rate, direction.factor);
         Some(FlowStep { to, point, energy, error, backwards })
     }
 

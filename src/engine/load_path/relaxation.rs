@@ -164,6 +164,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
 mod tests {
     use nalgebra::DMatrix;
 
+    use super::super::arc::SharedTerms;
     use super::super::segment::Segment;
     use super::super::trajectory::Trajectory;
     use super::*;
@@ -210,7 +211,7 @@ mod tests {
                 .collect();
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
             let states: Vec<_> = core::iter::once(State::Sticking).chain(sliding).collect();
-            let arc = Arc::new(&segment, &states, [], 0.5);
+            let arc = Arc::new(&segment, &states, [], (0.5, SharedTerms::default()));
             let direction =
                 arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
             let direction = direction.expect("one direction");

@@ -4,6 +4,7 @@
 
 use nalgebra::{Matrix, SVector};
 
+use super::arc::SharedTerms;
 use super::first_exits::{FirstExits, first_reached};
 use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
@@ -45,6 +46,8 @@ pub(super) struct PathPoint {
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
+    /// The terms of contacts that do not slide, on an arc, shared by all of its points.
+    pub(super) fixed: SharedTerms,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
     /// proportional to these sizes.
@@ -118,17 +121,20 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(linear_problem, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// The state `at` on an arc, at the load factor `factor`. Its rates `rate`, and the rate `factor_rate` of the load factor, are per unit of
-    /// arclength.
+    /// The state `at` at the load factor `factor` of the arc on which `before` lies. Its rates `rate`, and the rate `factor_rate` of the load factor,
+    /// are per unit of arclength.
     pub(super) fn point_on_arc(
         &self,
-        linear_problem: &alloc::sync::Arc<LinearProblem>,
+        before: &PathPoint,
         factor: f64,
         at: &ForcesAndTwist,
         rate: &ForcesAndTwist,
         factor_rate: f64,
     ) -> PathPoint {
-        self.point_with_rates(linear_problem.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
+        let linear_problem = before.linear_problem.clone();
+        let point =
+            self.point_with_rates(linear_problem, factor, at.clone(), (rate, factor_rate), (factor, at));
+        PathPoint { fixed: before.fixed.clone(), ..point }
     }
 
     /// The proof that no equilibrium exists beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
@@ -195,6 +201,7 @@ impl<'g> Segment<'g> {
             free_motions: linear_problem.free_motions().to_vec(),
             neutral_motions: linear_problem.neutral_motions(),
             linear_problem,
+            fixed: SharedTerms::default(),
             gaps,
             sizes: [most, base_travel + way * rate_sizes[1]],
             rate_sizes,
