@@ -32,6 +32,7 @@ mod recontact;
 mod rings;
 mod round_cone;
 mod second_stop;
+mod short_leg;
 mod sliding_arcs;
 mod small_steps;
 mod snapping_over;
