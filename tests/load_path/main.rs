@@ -35,6 +35,7 @@ mod second_stop;
 mod short_leg;
 mod sliding_arcs;
 mod small_steps;
+mod snap_is_named;
 mod snapping_over;
 mod soft_tips;
 mod start_at_rest;
