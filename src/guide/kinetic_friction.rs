@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json
-//! HOLDS, but plastic foot slides from 0.9375 of it on, caught after slipping 0.6 mm at plastic foot; lost at 13 N (1.625 times this load)
+//! HOLDS, but plastic foot slides from 0.9375 of it on, caught after slipping 0.6 mm at plastic foot, counting no momentum; lost at 13 N (1.625 times this load)
 //! ```
 //!
 //! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, its limit. It slides, keeps 4 N, and the rubber foot takes
@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json --base 0,-20 --force 14,0
-//! SLIPS OUT at 13 N of 14 N beside the load at rest, caught at 7.5 N after slipping 0.6 mm at plastic foot, after which it takes 12 N: the object moves along +x, plastic foot and rubber foot slide (gross slip)
+//! SLIPS OUT at 13 N of 14 N beside the load at rest, caught at 7.5 N after slipping 0.6 mm at plastic foot, counting no momentum, after which it takes 12 N: the object moves along +x, plastic foot and rubber foot slide (gross slip)
 //! ```
 //!
 //! If no other contact takes over the force, the sentence says *falls at the first slip*. The load after *it takes* (12 N here) is the load that the
@@ -41,7 +41,7 @@
 //!
 //! # Limitations
 //!
-//! * **No overshoot.** The object comes to rest where forces balance, as if it moved in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
+//! * **No overshoot.** *Counting no momentum*, the object comes to rest where forces balance, as if it moved in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
 //!   steadily. Without damping it falls twice as far, to `(2 μ_k - μ_s) N`, sticks, and repeats this: stick-slip. In such a jump the change of force
 //!   at other contacts is up to about twice the computed change. Contacts that catch the object in the computation may then fail to do so.
 //!   `2 μ_k - μ_s` in place of `μ_k` shows this effect; for one spring it is exact.

@@ -11,4 +11,5 @@ mod reasons;
 mod repeated;
 mod safety;
 mod said_in_full;
+mod several_loads;
 mod windows;

@@ -274,16 +274,16 @@ pub(super) enum LegLoad<const C: usize> {
 impl<const C: usize> LegLoad<C> {
     /// The load as a function of the load factor along this leg, which begins with the load `from`, and the load at its end.
     pub(super) fn trajectory(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
-        let to = match self {
-            Self::Straight(LegGoal::Stay) => *from,
-            Self::Straight(LegGoal::By(change)) => *from + *change,
-            Self::Straight(LegGoal::To(goal)) => *goal,
+        let (rate, to) = match self {
+            Self::Straight(LegGoal::Stay) => (Wrench::ZERO, *from),
+            Self::Straight(LegGoal::By(change)) => (*change, *from + *change),
+            Self::Straight(LegGoal::To(goal)) => (*goal - *from, *goal),
             Self::Turn(turn) => {
                 let trajectory = turn.beginning_with(from);
                 return (trajectory, trajectory.at(1.0));
             }
         };
-        (Trajectory::Straight { from: *from, rate: to - *from }, to)
+        (Trajectory::Straight { from: *from, rate }, to)
     }
 }
 

@@ -12,7 +12,7 @@ use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Each, IntoList, Vector, largest, mapped, paired};
+use crate::numerics::{IntoList, Vector, largest, mapped, paired};
 use crate::prelude::*;
 
 /// A load program in progress. The fraction of the present leg that is done is not stored here.
@@ -182,12 +182,13 @@ impl Program {
     /// leg. Moments are about the centroid of the contacts.
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {
-            Trajectory::Straight { from, .. } => {
-                let [mut from, mut to] = [from, &self.goal].each(|load| grasp.load_unchecked(load));
+            Trajectory::Straight { from, rate } => {
+                // The change of the load is converted by itself. As a difference of two loads, a small change would be rounding.
+                let (mut from, mut rate) = (grasp.load_unchecked(from), grasp.inside_unchecked(rate));
                 for [first, last] in self.other_loads(grasp).into_iter().flatten() {
-                    (from, to) = (from + first, to + last);
+                    rate += last - &first;
+                    from += first;
                 }
-                let rate = to - &from;
                 Trajectory::Straight { from, rate }
             }
             Trajectory::Turn { load, angle } => {

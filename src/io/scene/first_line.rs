@@ -7,7 +7,8 @@ use super::question::Question;
 use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
-use crate::load_path::{Change, DriveChange, PadChange};
+use crate::hold::NO_MOMENTUM;
+use crate::load_path::{Change, DriveChange, Event, PadChange};
 use crate::numerics::{IntoList, mapped};
 use crate::words::{Words, listed, printable};
 
@@ -227,6 +228,18 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
 }
 
+/// The first jump of a path that snaps over, else its first jump: "snaps over at 0.7 of leg 2, (0, -4) N, counting no momentum; ". Empty without
+/// jumps.
+fn jumps<const C: usize>(path: &PathAnswer<C>, place: &dyn Fn(usize, f64, &Wrench<C>) -> String) -> String {
+    let jump = |snaps: bool| {
+        let is_meant = |event: &&Event<C>| event.jump.as_ref().is_some_and(|jump| jump.snaps || !snaps);
+        let event = path.events.iter().find(is_meant)?;
+        let what = if snaps { "snaps over" } else { "jumps" };
+        Some(format!("{what} at {}, {NO_MOMENTUM}; ", place(event.leg, event.fraction, &event.load)))
+    };
+    jump(true).or_else(|| jump(false)).unwrap_or_default()
+}
+
 /// The first line of `follow`: "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
 fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let digits = words.precision();
@@ -265,7 +278,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         let drive = event.drives.iter().find(|drive| drive.what == DriveChange::Yields)?;
         Some(format!("{} yields at {}; ", drive.part.text(), place(event.leg, event.fraction, &event.load)))
     });
-    let slip = yields.unwrap_or_default() + &slip;
+    let slip = jumps(path, &place) + &yields.unwrap_or_default() + &slip;
     let sentence = match &path.end {
         PathOutcome::Completed { .. } if path.energies.is_empty() && path.steps.is_empty() => {
             return "NOTHING FOLLOWED: no legs are given".to_owned();

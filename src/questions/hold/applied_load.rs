@@ -143,7 +143,13 @@ impl Engine {
         // If motions cease to be small in a jump at the first slip, the load factors of both events differ by rounding alone. The first slip then
         // still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
-        let first_slip = self.first_slip(&onset, &events).filter(is_small);
+        let at_start = match &onset {
+            Onset::At(event) => event.factor <= NEGLIGIBLE,
+            Onset::AlreadySliding(_) => true,
+            _ => false,
+        };
+        let start = if at_start { path.state_at(0, 0.0) } else { None };
+        let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
         let holding = match &state {
@@ -299,15 +305,28 @@ impl Engine {
         }
     }
 
-    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. For load factor 0 it also lists contacts
-    /// that begin to slide at `events` at the start of the load path. `None` if `onset` names no such contacts.
-    pub(crate) fn first_slip(&self, onset: &Onset<3>, events: &[Event<3>]) -> Option<FirstSlip> {
+    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. It also lists contacts that begin to slide
+    /// at `events` whose load factors differ from that of the first slip by rounding alone, up to the first jump. At load factor 0 it lists contacts
+    /// that slide in `start`, the equilibrium at the start of the path. `None` if `onset` names no such contacts.
+    pub(crate) fn first_slip(
+        &self,
+        onset: &Onset<3>,
+        events: &[Event<3>],
+        start: Option<&Equilibrium<3>>,
+    ) -> Option<FirstSlip> {
         let parts = self.wholes();
-        let slides_at_rest = |i: usize, state: &Equilibrium<3>| {
+        let slides_in = |i: usize, state: &Equilibrium<3>| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
         };
-        let at_once = || events.iter().take_while(|event| event.leg == 0 && event.fraction == 0.0);
-        let slides_at_once = |i: usize| at_once().any(|event| begins_to_slide(event, i));
+        let factor = if let Onset::At(event) = onset { event.factor } else { 0.0 };
+        // At the start of a load the first slip may itself be a jump.
+        let before_any_jump = events.iter().take_while(|event| factor == 0.0 || event.jump.is_none());
+        let is_at_once = |event: &Event<3>| event.leg == 0 && (event.fraction - factor).abs() <= NEGLIGIBLE;
+        let at_once = before_any_jump.filter(|event| is_at_once(event)).list();
+        let slides_at_once = |i: usize| {
+            at_once.iter().any(|event| begins_to_slide(event, i))
+                || start.is_some_and(|start| slides_in(i, start))
+        };
         match onset {
             Onset::At(event) => {
                 let leaves = |matches: fn(&Departure<3>) -> bool| {
@@ -325,20 +344,16 @@ impl Engine {
                     event.leaving.iter().any(|leaving| leaving.contact.index == i && slides(leaving))
                 };
                 Some(FirstSlip {
-                    factor: event.factor,
-                    slide: if event.factor == 0.0 {
-                        parts.with(&|i| slides(i) || slides_at_once(i))
-                    } else {
-                        parts.with(&slides)
-                    },
+                    factor,
+                    slide: parts.with(&|i| slides(i) || slides_at_once(i)),
                     open: leaves(|how| matches!(how, Departure::Opens)),
                     would_pull: leaves(|how| matches!(how, Departure::WouldPull)),
                     give_way: mapped(&event.drives, &|drive| drive.part.text()),
                 })
             }
             Onset::AlreadySliding(state) => Some(FirstSlip {
-                factor: 0.0,
-                slide: parts.with(&|i| slides_at_rest(i, state) || slides_at_once(i)),
+                factor,
+                slide: parts.with(&|i| slides_in(i, state) || slides_at_once(i)),
                 open: Vec::new(),
                 would_pull: Vec::new(),
                 give_way: Vec::new(),

@@ -14,6 +14,9 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
+/// Said beside jumps: an object with momentum may move past the equilibrium in which a jump ends.
+pub(crate) const NO_MOMENTUM: &str = "counting no momentum";
+
 /// A jump under constant load that ends in another equilibrium: the object slips or snaps over, and contacts catch it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -112,8 +115,8 @@ impl Engine {
 }
 
 impl CaughtJump {
-    /// Writes the clause about all jumps, with the load and the motion of the last jump. An example is ", caught at 7.5 N of 12 N after slipping 0.4
-    /// mm at left". `size` is the magnitude and unit of the whole load, if one number describes it.
+    /// Writes the clause about all jumps, with the load and the motion of the last jump. An example is ", caught at 7.5 N after slipping 0.4 mm at
+    /// left, counting no momentum". `size` is the magnitude and unit of the whole load, if one number describes it.
     pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,
@@ -135,7 +138,8 @@ impl CaughtJump {
                 write!(f, ", caught {times} times, the last time {at} as {moves:.digits$}")
             }
             (times, None) => write!(f, ", caught {times} times, the last time {at} {last:.digits$}"),
-        }
+        }?;
+        write!(f, ", {NO_MOMENTUM}")
     }
 
     /// The jumps among the events of the leg (section of the load program) that applies the whole load. The fraction of this leg that is done is

@@ -236,7 +236,7 @@ impl Loading {
         Ok(if factor > 1.0 {
             Trial::Sufficient { carried: factor, other }
         } else {
-            let first = self.grasp.engine.first_slip(&onset, &[]);
+            let first = self.grasp.engine.first_slip(&onset, &[], None);
             let says = first.map_or_else(|| self.said(&onset), |first| self.said(&first));
             Trial::Insufficient { says, carried: factor, other, is_too_far: false }
         })
@@ -313,7 +313,8 @@ impl Loading {
         };
         if demand == Demand::Sticks {
             let onset = self.grasp.onset_of_turn(turn)?.onset;
-            let first = engine.first_slip(&onset, &[]).map_or_else(String::new, |first| self.said(&first));
+            let first =
+                engine.first_slip(&onset, &[], None).map_or_else(String::new, |first| self.said(&first));
             return Ok(match &onset {
                 Onset::Never => Trial::always(),
                 Onset::Undecided(undecided) => Trial::Unknown(self.said(undecided)),
