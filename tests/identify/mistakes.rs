@@ -22,7 +22,7 @@ fn each_is_refused_by_name() -> Tested {
     let one = |unknown: Unknown| Identify::new([unknown], [slip.clone()]);
     refused(Identify::new([], [slip.clone()]), "unknowns", "number", "0");
     refused(Identify::new([mu.clone()], []), "slips", "number", "0");
-    refused(one(mu.clone().of_contacts([2])), "unknown 0", "the contact", "2");
+    refused(one(mu.clone().of_contacts([2])), "contact", "2", "2");
     refused(one(mu.clone().of_contacts([])), "unknown 0", "number of contacts", "0");
     refused(one(mu.clone().in_layout(1)), "unknown 0", "layout", "1");
     refused(one(mu.clone().starting_at(-1.0)), "unknown 0", "start", "-1");

@@ -35,7 +35,7 @@ fn errors_name_contact_field_and_value() {
             "angle",
             "1.4142135623730951",
         ),
-        (asked().along(2, Surface::circle([0.0, 0.0], 1.0)), "", "number of the", "2"),
+        (asked().along(2, Surface::circle([0.0, 0.0], 1.0)), "contact", "2", "2"),
         (asked().pressing_at_most(-2.0), "0 (left)", "pressing force", "-2"),
         (
             Improve::new(Loads::Turn(Turn::tilting([0.0, -1.0], [0.0, 0.0]))).pressing_at_most(1.0),

@@ -129,7 +129,7 @@ fn what_cannot_be_meant_is_refused() {
     for (error, datum, value) in [
         (lower(1.0), "friction is less", "1"),
         (lower(f64::NAN), "friction is less", "NaN"),
-        (refused(Need::friction_of([2], weight)), "the contact", "2"),
+        (refused(Need::friction_of([2], weight)), "2", "2"),
         (refused(Need::load(Loads::Each(Vec::new()))), "load", ""),
     ] {
         let [_, what, given] = facts(&error);

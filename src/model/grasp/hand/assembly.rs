@@ -65,7 +65,7 @@ impl Hand<3> {
         }
         let mut named_tendons = Vec::new();
         for (number, tendon) in tendons.iter().enumerate() {
-            named_tendons.push(assembly.add_tendon(tendon, number)?);
+            named_tendons.push(assembly.add_tendon(tendon, number, first)?);
         }
         let pressed = assembly.pressed(&fingers)?;
         let mut commands = paired(&assembly.joints, &pressed, &|(joint, more)| joint.command + more);
@@ -157,7 +157,14 @@ impl Assembly {
         Ok(())
     }
 
-    fn add_tendon(&mut self, tendon: &super::tendon::Tendon, number: usize) -> Result<NamedPart, Error> {
+    /// Adds the tendon with the index `number`. It has an arm for each of the `count` joints of fingers; slides of contacts with a constant force,
+    /// which come behind these joints, may be left out.
+    fn add_tendon(
+        &mut self,
+        tendon: &super::tendon::Tendon,
+        number: usize,
+        count: usize,
+    ) -> Result<NamedPart, Error> {
         let named = tendon.name.as_ref().map_or_else(String::new, |name| format!(" ({})", printable(name)));
         let label = format!("tendon {number}{named}");
         check_spring(&label, tendon.stiffness, tendon.limit)?;
@@ -166,7 +173,7 @@ impl Assembly {
                 return Self::fault(label, field, value, crate::error::MODERATE);
             }
         }
-        if tendon.arms.len() != self.joints.len() {
+        if ![count, self.joints.len()].contains(&tendon.arms.len()) {
             return Self::fault(
                 label,
                 "number of arms",
