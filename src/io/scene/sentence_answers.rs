@@ -33,8 +33,8 @@ pub struct HoldAnswer<const C: usize> {
 ///     "format": "grasp-lcp/1",
 ///     "planar": {
 ///         "contacts": [
-///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 },
-///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 }
+///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e4, 8e3], "friction": 0.5, "pressed_with": 10 },
+///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e4, 8e3], "friction": 0.5, "pressed_with": 10 }
 ///         ],
 ///         "questions": [{ "need": { "quantity": "squeeze", "load": { "force": [0, -12] }, "friction_less": 0 } }]
 ///     }
@@ -120,8 +120,8 @@ impl<const C: usize> ImproveAnswer<C> {
 ///     "format": "grasp-lcp/1",
 ///     "planar": {
 ///         "contacts": [
-///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 },
-///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e3, 8e2], "friction": 0.5, "pressed_with": 10 }
+///             { "name": "left", "point": [-0.03, 0], "normal": [1, 0], "series_stiffness": [1e4, 8e3], "friction": 0.5, "pressed_with": 10 },
+///             { "name": "right", "point": [0.03, 0], "normal": [-1, 0], "series_stiffness": [1e4, 8e3], "friction": 0.5, "pressed_with": 10 }
 ///         ],
 ///         "questions": [{ "identify": {
 ///             "unknowns": [{ "quantity": "friction" }],

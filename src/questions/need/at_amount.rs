@@ -25,7 +25,7 @@ impl<const C: usize> Grasp<C> {
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Pressed with 25 N in place of 10 N each, two jaws carry 25 N.
-    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5).pressed_with(10.0);
     /// let need = Need::squeeze(Wrench::force([0.0, -24.0]));
     /// let (squeezed, state) = Grasp::new([jaw(-0.03), jaw(0.03)])?.with_amount(&need, 2.5)?.expect("it holds");
     /// assert!((state.contacts[0].normal_force() - 25.0).abs() < 1e-12 && squeezed.hold(state.load)?.sticks() == Some(true));

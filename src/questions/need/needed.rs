@@ -33,7 +33,7 @@ impl<const C: usize> Grasp<C> {
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
     ///
     /// // Two jaws that press with 10 N each, μ = 0.5: how much do they have to press to carry 12 N?
-    /// let jaw = |x: f64, name| Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let jaw = |x: f64, name| Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1e4, 8e3).friction(0.5).pressed_with(10.0);
     /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
     /// let needed = gripper.need(&Need::squeeze(Wrench::force([0.0, -12.0])).if_lower_by(0.1, 0.0))?;
     /// assert!((needed.amount.bound().expect("1.2 times as much") - 1.2).abs() < 1e-12);
