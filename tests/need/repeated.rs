@@ -35,8 +35,8 @@ fn bound(grasp: &Grasp, need: &Need<2>) -> Result<f64, TestCaseError> {
 
 proptest! {
     #![proptest_config(config(6))]
-    /// The block comes to rest under repeated moments up to a pull of q = μ (p - 2 m), where each foot in turn carries m less. Slips below a
-    /// billionth of the spring deflections are treated as zero.
+    /// Two feet share the normal force p of a block, and a repeated moment relieves each of them in turn by m. The block comes to rest under pulls up
+    /// to q = μ (p - 2 m). Slips below a billionth of the spring deflections are treated as zero.
     #[test]
     fn rests_up_to_what_one_foot_leaves_to_the_other(
         p in 1.0..100.0, part in 0.05..0.9, mu in 0.2..1.0, k_t in 1e2..1e5,

@@ -40,6 +40,6 @@ mod turns;
 mod units;
 mod warnings;
 
-/// A name too long for every place.
+/// A name that is too long to be written whole in any table or picture.
 const LONG: &str =
     "a finger whose name goes on and on, as if nobody were ever to write it on a sheet of paper";

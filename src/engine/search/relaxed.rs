@@ -206,8 +206,8 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The difference between the target f⁰ (forces of the elastic trial) and the nearest point, as a proof that a case has no equilibrium: a
-    /// virtual motion of the object, and virtual forces of the contacts that balance one another.
+    /// The difference between the target f⁰ (forces of the elastic trial) and the nearest point of the cone that the contact states of a case allow.
+    /// It proves that no equilibrium has these states: a virtual motion of the object, and virtual contact forces that balance one another.
     pub(super) fn contradiction(
         &self,
         trial: &LinearProblem,

@@ -226,8 +226,9 @@ fn next_state(
     }
 }
 
-/// Whether contact forces balance the load up to rounding, relative to load and forces. Without a load all forces may be rounding errors; the scale
-/// then includes the fraction `NO_FORCE` of the least force that springs could have. With a load that scale would accept a huge twist.
+/// Whether contact forces balance the load up to rounding. Without a load all forces may be rounding errors. They are then compared with the largest
+/// contact force, or with the fraction `NO_FORCE` of the force that the twist would cause in the springs. With a load they are compared with the
+/// load: a huge twist would make any imbalance small beside the forces of its springs.
 fn balanced(problem: &Problem, at: &ForcesAndTwist) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();

@@ -167,8 +167,8 @@ impl PressedContact<'_> {
 }
 
 /// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
-/// normal force of each contact whose squeeze may change. `parts` has the forces for all loads, as in
-/// [`EvaluatedDesign`](super::ascent::EvaluatedDesign), and `derivatives` those of each part.
+/// normal force of each contact whose squeeze may change. `parts` are the sticking forces of an
+/// [`EvaluatedDesign`](super::ascent::EvaluatedDesign); `derivatives` has the derivatives of each part with respect to the design variables.
 pub(super) fn events(
     loaded: &LoadSet,
     most: &[Option<f64>],

@@ -100,8 +100,8 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
         }
     }
 
-    /// Writes the derivatives with respect to the point, normal, command and stiffness of contact i, each multiplied by `scale`. This factor is -1
-    /// over the derivative of the margin with respect to the load factor.
+    /// Writes the derivatives of the load factor of first slip with respect to point, normal, command and stiffness of contact i. They are the
+    /// derivatives of the sticking margin times `scale`, which is -1 over the derivative of this margin with respect to the load factor.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; LONGEST_ROW]) {
         let (zero, contacts) = (X::all(0.0), count(block.contacts));
