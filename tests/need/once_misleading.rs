@@ -216,13 +216,12 @@ fn the_upper_end_beyond_the_squeeze_given() -> Tested {
 #[test]
 fn a_wedge_with_more_friction_than_in_the_scene_is_tried() -> Tested {
     let grasp = |friction: f64| -> Result<planar::Grasp, Box<dyn std::error::Error>> {
-        let (sin, cos) = (0.5, 0.75_f64.sqrt());
         let contacts = [
-            format!(r#""on": "part", "point": [-0.03, 0], "normal": [1, 0]"#),
-            format!(r#""on": "part", "against": "jaw", "point": [-0.01, 0], "normal": [-1, 0]"#),
-            format!(r#""on": "jaw", "against": "wedge", "point": [0.01, 0], "normal": [{}, {}]"#, -cos, -sin),
-            format!(r#""on": "jaw", "point": [0, -0.02], "normal": [0, 1]"#),
-            format!(r#""on": "wedge", "point": [0.03, 0], "normal": [-1, 0]"#),
+            r#""on": "part", "point": [-0.03, 0], "normal": [1, 0]"#,
+            r#""on": "part", "against": "jaw", "point": [-0.01, 0], "normal": [-1, 0]"#,
+            r#""on": "jaw", "against": "wedge", "point": [0.01, 0], "normal": [-0.8660254037844386, -0.5]"#,
+            r#""on": "jaw", "point": [0, -0.02], "normal": [0, 1]"#,
+            r#""on": "wedge", "point": [0.03, 0], "normal": [-1, 0]"#,
         ];
         let springs =
             format!(r#""friction": {friction}, "stiffness": 1e7, "soft": {{"pair": {{"width": 0.02}}}}"#);

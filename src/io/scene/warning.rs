@@ -251,12 +251,7 @@ impl fmt::Display for Warning {
                 words.number(*force),
                 words.number(*pressed)
             ),
-            Self::ManyTurns { angle } => write!(
-                f,
-                "a turn of {} rad is {:.1} full turns: degrees? Those are `angle_deg`",
-                words.number(*angle),
-                angle / core::f64::consts::TAU
-            ),
+            Self::ManyTurns { angle } => turns_often(f, words, *angle),
             #[cfg(feature = "mesh")]
             Self::MissesInPart { name, missing, .. } => write_missing(f, words, name, *missing),
             #[cfg(feature = "mesh")]
@@ -288,6 +283,11 @@ impl fmt::Display for Warning {
             ),
         }
     }
+}
+
+fn turns_often(f: &mut fmt::Formatter<'_>, words: Words, angle: f64) -> fmt::Result {
+    let (angle, turns) = (words.number(angle), angle / core::f64::consts::TAU);
+    write!(f, "a turn of {angle} rad is {turns:.1} full turns: degrees? Those are `angle_deg`")
 }
 
 #[cfg(feature = "mesh")]

@@ -143,12 +143,7 @@ impl Engine {
         // If motions cease to be small in a jump at the first slip, the load factors of both events differ by rounding alone. The first slip then
         // still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
-        let at_start = match &onset {
-            Onset::At(event) => event.factor <= NEGLIGIBLE,
-            Onset::AlreadySliding(_) => true,
-            _ => false,
-        };
-        let start = if at_start { path.state_at(0, 0.0) } else { None };
+        let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
@@ -390,6 +385,16 @@ impl Engine {
         let longest = self.length().max(largest(&lengths, &|length| *length));
         Some(NoEquilibriumNear { translation: radius, rotation: radius / longest })
     }
+}
+
+/// The equilibrium at rest, if a contact slides there already or slips as soon as the load grows; otherwise `None`.
+fn rest_that_slips(onset: &Onset<3>, path: &LoadPath<'_, 3>) -> Option<Equilibrium<3>> {
+    let slips = match onset {
+        Onset::At(event) => event.factor <= NEGLIGIBLE,
+        Onset::AlreadySliding(_) => true,
+        _ => false,
+    };
+    if slips { path.state_at(0, 0.0) } else { None }
 }
 
 /// Whether the contact with this index begins to slide at an event, from sticking or as it closes.

@@ -75,7 +75,7 @@ impl Improve<3> {
         let count = (self.starts() * 24) as u64;
         let numbers: Vec<u64> = (0..count * kinds.len() as u64).list();
         let drawn = in_order(&numbers, &|number| {
-            let from = kinds[(number / count) as usize];
+            let from = if *number < count { &given } else { &as_given };
             // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
             let drawn = design_space.random(from, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
             // Only the value and the design point are kept: the forces of thousands of design points would take much memory.
