@@ -48,7 +48,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Two fingers that each press with `press`, N.
 fn pinch(friction: f64, press: f64) -> Result<Grasp, grasp_lcp::Error> {
     let finger = |x: f64| {
-        let finger = Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e3, 1.5e3);
+        // Slips do not depend on the stiffness, but softer points would buckle under these forces.
+        let finger = Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e4, 1.5e4);
         finger.friction(friction).pressed_with(press)
     };
     Grasp::new([finger(-0.02), finger(0.02)])
