@@ -17,7 +17,7 @@ use serde::de::DeserializeOwned;
 use crate::answers::{Reply, UnwrittenAnswer, json};
 use crate::columns::{Columns, GivenColumns};
 use crate::errors::{of_json, refused, wrong};
-use crate::loads::wrench;
+use crate::loads::{mapping_text, wrench};
 use crate::pictures::PythonPicture;
 use crate::quality::Quality;
 use crate::stored_grasp::StoredGrasp;
@@ -60,12 +60,7 @@ impl<const C: usize> StoredGrasp<C> {
         if self.setup.bodies.is_empty() || given.cast::<PyMapping>().is_err() {
             return wrench(argument, given);
         }
-        let text: String = given
-            .py()
-            .import("grasp_lcp._columns")?
-            .call_method1("load_text", (argument, given))?
-            .extract()?;
-        read_for(&self.setup, &text, argument)
+        read_for(&self.setup, &mapping_text(argument, given)?, argument)
     }
 
     fn ramp(&self, asked: &AskedRamp<'_, '_>) -> PyResult<Ramp<C>> {

@@ -16,18 +16,9 @@ const MOST: usize = 6;
 /// Reads a load: `C` components of a force (N), or all components with the moment about the origin (N m), or a mapping as in scenes.
 pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
     if given.cast::<PyMapping>().is_ok() {
-        let text = if let Some(text) = given.cast::<PyDict>().ok().and_then(|given| text_of_numbers(given)) {
-            text
-        } else {
-            // Python converts all other mappings, so that its errors name the key.
-            let columns = given.py().import("grasp_lcp._columns")?;
-            columns.call_method1("load_text", (argument, given))?.extract()?
-        };
-        let read = |error| of_json(argument, &error);
-        return Ok(Wrench::from_components(&match C {
-            2 => serde_json::from_str::<Wrench<2>>(&text).map_err(read)?.components().to_vec(),
-            _ => serde_json::from_str::<Wrench<3>>(&text).map_err(read)?.components().to_vec(),
-        }));
+        let text = mapping_text(argument, given)?;
+        // Read whole: a load that is made of its components alone has no known points of action.
+        return serde_json::from_str(&text).map_err(|error| of_json(argument, &error));
     }
     let (numbers, count) = few(argument, given)?;
     let all = C * (C + 1) / 2;
@@ -38,6 +29,16 @@ pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -
         )));
     }
     Ok(Wrench::from_components(&numbers[..count]))
+}
+
+/// The JSON text of a load that is a mapping as in scenes.
+pub(crate) fn mapping_text(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Some(text) = given.cast::<PyDict>().ok().and_then(|given| text_of_numbers(given)) {
+        return Ok(text);
+    }
+    // Python converts all other mappings, so that its errors name the key.
+    let columns = given.py().import("grasp_lcp._columns")?;
+    columns.call_method1("load_text", (argument, given))?.extract()
 }
 
 /// The JSON text of a dictionary whose values are finite numbers, or lists of at most [`MOST`] of them; `None` for all others.

@@ -64,3 +64,13 @@ def test_words_of_a_verdict() -> None:
     assert GRASP.hold([0, -1]).small_motions and grasp_lcp.__version__.count(".") == 2
     tilted = GRASP.turn(weight=[0, -30], degrees=30), GRASP.turn(weight=[0, -30], angle=np.pi / 6)
     assert tilted[0].to_json() == tilted[1].to_json()
+
+
+def test_a_load_keeps_its_point_of_action() -> None:
+    # Fingers at ±a that press with N take 2 N a of the 2 k a² that resist turning: a bar buckles under its weight from N = k a = 100 N on.
+    for press in (99.0, 101.0):
+        bar = Grasp.planar([[-0.05, 0], [0.05, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e5, 2e3], friction=0.5, pressed_with=press)
+        for load in ({"force": [0, -1], "at": [0, 0]}, {"force": np.array([0, -1.0]), "at": [0.0, 0.0]}, {"mass": 0.1}):
+            state = bar.solve(load).equilibrium
+            assert state is not None
+            assert state.is_beyond_small_motions == (press > 100)
