@@ -4,7 +4,7 @@ use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;
 use crate::loads::OptionVectors;
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
-use crate::scene_loads::SceneLoads;
+use crate::scene_loads::{SceneLoads, first_base};
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::scene::{Question, Setup};
@@ -40,17 +40,14 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
 
 /// Warns that the load at rest of the scene's questions does not act if `question` of the command line has no load at rest.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
-    let base =
-        |(k, asked): (usize, &Question<3>)| Some((k, asked.base().filter(|base| *base != Wrench::ZERO)?));
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)
         && !is_own
-        && let Some((k, left_out)) = setup.questions.iter().enumerate().find_map(base)
+        && let Some((number, base)) = first_base(setup)
     {
-        let load = setup.words(Words::default()).load(&left_out);
+        let load = setup.words(Words::default()).load(&base);
         eprintln!(
-            "warning: the load acts alone, without that at rest of the scene's question {}, {load}",
-            k + 1
+            "warning: the load acts alone, without that at rest of the scene's question {number}, {load}"
         );
     }
 }

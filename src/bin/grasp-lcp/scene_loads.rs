@@ -50,6 +50,13 @@ impl SceneLoads {
     }
 }
 
+/// The first load at rest of a scene's questions that is not zero, with the number of its question from 1.
+pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wrench<C>)> {
+    let bases = setup.questions.iter().map(Question::base);
+    let is_loaded = |base: Option<Wrench<C>>| base.filter(|base| *base != Wrench::ZERO);
+    bases.zip(1..).find_map(|(base, number)| Some((number, is_loaded(base)?)))
+}
+
 /// The scene's own question `need` for the sought quantity; `None` if the command line gives a load or another option that replaces the question.
 pub(crate) fn own_need(
     setup: &Setup<3>,

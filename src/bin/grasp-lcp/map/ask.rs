@@ -8,19 +8,16 @@ use grasp_lcp::words::Words;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
+use crate::scene_loads::first_base;
 
 /// The constant load that acts in addition to the force of the map: the load at rest of the scene's first question that has one, or zero. If
 /// questions have different loads at rest, a warning names the question whose load is taken.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
-    let bases: Vec<_> = setup.questions.iter().map(Question::base).collect();
-    let is_loaded = |base: &Option<Wrench<C>>| base.is_some_and(|base| base != Wrench::ZERO);
-    let Some(first) = bases.iter().position(is_loaded) else { return Wrench::ZERO };
-    let base = bases[first].unwrap_or(Wrench::ZERO);
-    if bases.iter().flatten().any(|other| *other != base) {
+    let Some((number, base)) = first_base(setup) else { return Wrench::ZERO };
+    if setup.questions.iter().filter_map(Question::base).any(|other| other != base) {
         let load = Words::default().load(&base);
         eprintln!(
-            "warning: questions of the scene have different loads at rest: the map takes that of question {}, {load}",
-            first + 1
+            "warning: questions of the scene have different loads at rest: the map takes that of question {number}, {load}"
         );
     }
     base
