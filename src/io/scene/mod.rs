@@ -373,6 +373,7 @@ mod tangential;
 mod tolerances;
 mod turn;
 mod warning;
+mod warning_words;
 #[cfg(feature = "json")]
 mod weight_twice;
 mod wrench;

@@ -9,14 +9,13 @@ use crate::contact::{Polygon, State};
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proof, TooFar};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
-use crate::load_path::{
-    Change, ContactChange, DepartingContact, Departure, Event, Leg, LoadPath, Loss, Onset, PathEnd, Ramp,
-};
+use crate::load_path::{Event, Leg, LoadPath, Loss, PathEnd, Ramp};
 use crate::object::Load;
 use crate::proofs::nothing_near;
 use crate::search::{Doubt, SearchOutcome, Settings};
 
 use super::caught_jump::CaughtJump;
+use super::first_slip::{begins_to_slide, rest_that_slips};
 use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -300,63 +299,6 @@ impl Engine {
         }
     }
 
-    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. It also lists contacts that begin to slide
-    /// at `events` whose load factors differ from that of the first slip by rounding alone, up to the first jump. At load factor 0 it lists contacts
-    /// that slide in `start`, the equilibrium at the start of the path. `None` if `onset` names no such contacts.
-    pub(crate) fn first_slip(
-        &self,
-        onset: &Onset<3>,
-        events: &[Event<3>],
-        start: Option<&Equilibrium<3>>,
-    ) -> Option<FirstSlip> {
-        let parts = self.wholes();
-        let slides_in = |i: usize, state: &Equilibrium<3>| {
-            matches!(state.contacts[i].state, ContactState::Sliding { .. })
-        };
-        let factor = if let Onset::At(event) = onset { event.factor } else { 0.0 };
-        // At the start of a load the first slip may itself be a jump.
-        let before_any_jump = events.iter().take_while(|event| factor == 0.0 || event.jump.is_none());
-        let is_at_once = |event: &Event<3>| event.leg == 0 && (event.fraction - factor).abs() <= NEGLIGIBLE;
-        let at_once = before_any_jump.filter(|event| is_at_once(event)).list();
-        let slides_at_once = |i: usize| {
-            at_once.iter().any(|event| begins_to_slide(event, i))
-                || start.is_some_and(|start| slides_in(i, start))
-        };
-        match onset {
-            Onset::At(event) => {
-                let leaves = |matches: fn(&Departure<3>) -> bool| {
-                    let is_meant = |i: usize| {
-                        event
-                            .leaving
-                            .iter()
-                            .any(|leaving| leaving.contact.index == i && matches(&leaving.how))
-                    };
-                    parts.with(&is_meant)
-                };
-                let slides = |i: usize| {
-                    let slides =
-                        |leaving: &DepartingContact<3>| matches!(leaving.how, Departure::Slides { .. });
-                    event.leaving.iter().any(|leaving| leaving.contact.index == i && slides(leaving))
-                };
-                Some(FirstSlip {
-                    factor,
-                    slide: parts.with(&|i| slides(i) || slides_at_once(i)),
-                    open: leaves(|how| matches!(how, Departure::Opens)),
-                    would_pull: leaves(|how| matches!(how, Departure::WouldPull)),
-                    give_way: mapped(&event.drives, &|drive| drive.part.text()),
-                })
-            }
-            Onset::AlreadySliding(state) => Some(FirstSlip {
-                factor,
-                slide: parts.with(&|i| slides_in(i, state) || slides_at_once(i)),
-                open: Vec::new(),
-                would_pull: Vec::new(),
-                give_way: Vec::new(),
-            }),
-            _ => None,
-        }
-    }
-
     /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, if the load is not finite or beyond
     /// 1e50, and if no proof is found.
     fn nothing_near(
@@ -385,22 +327,4 @@ impl Engine {
         let longest = self.length().max(largest(&lengths, &|length| *length));
         Some(NoEquilibriumNear { translation: radius, rotation: radius / longest })
     }
-}
-
-/// The equilibrium at rest, if a contact slides there already or slips as soon as the load grows; otherwise `None`.
-fn rest_that_slips(onset: &Onset<3>, path: &LoadPath<'_, 3>) -> Option<Equilibrium<3>> {
-    let slips = match onset {
-        Onset::At(event) => event.factor <= NEGLIGIBLE,
-        Onset::AlreadySliding(_) => true,
-        _ => false,
-    };
-    if slips { path.state_at(0, 0.0) } else { None }
-}
-
-/// Whether the contact with this index begins to slide at an event, from sticking or as it closes.
-fn begins_to_slide(event: &Event<3>, contact: usize) -> bool {
-    let begins = |change: &ContactChange<3>| {
-        matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
-    };
-    event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }

@@ -30,6 +30,7 @@ mod applied_load;
 mod caught_jump;
 mod driven_on;
 mod face;
+mod first_slip;
 mod in_slips;
 mod loss;
 mod short_verdict;

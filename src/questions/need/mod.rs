@@ -50,6 +50,7 @@ mod between;
 mod bound_scan;
 mod checked_need;
 mod face;
+mod found_amounts;
 mod loading;
 mod needed;
 mod press;
