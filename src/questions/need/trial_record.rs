@@ -21,7 +21,7 @@ use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{AtRest, VerdictScope};
-use crate::numerics::{Each, IntoList, Space, mapped, picked, sort_by_number};
+use crate::numerics::{Space, lowest, mapped, picked, sort_by_number};
 use crate::object::uses_band;
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -144,8 +144,8 @@ impl<'q> TrialRecord<'q> {
             return Vec::new();
         }
         let lists = [self.known.borrow(), self.quick.borrow()];
-        let nearest = rests(&lists)
-            .min_by(|(one, _), (other, _)| (one - amount).abs().total_cmp(&(other - amount).abs()));
+        let rests = rests(&lists);
+        let nearest = lowest(&rests, &|(at, _)| (at - amount).abs());
         nearest.map_or_else(Vec::new, |(_, rest)| rest.states.clone())
     }
 
@@ -166,19 +166,23 @@ impl<'q> TrialRecord<'q> {
     /// `sufficient` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
-        let mut behind: Vec<_> =
-            rests(&lists).filter(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0).list();
+        let mut behind = rests(&lists);
+        behind.retain(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0);
         sort_by_number(&mut behind, &|(at, _)| (at - sufficient).abs());
         let (_, here) = *behind.first().filter(|(at, _)| *at == sufficient)?;
         behind.dedup_by_key(|(at, _)| *at);
-        let mut alike = behind.into_iter().filter(|(_, there)| same_kinds(here, there));
-        let three = [(); 3].map(|()| alike.next());
-        let margins = (0..here.contacts.len()).flat_map(|i| [(i, 0), (i, 1)]);
-        let roots = margins.filter_map(|(i, k)| {
-            where_it_vanishes(three.each(|point| point.map(|(at, rest)| (at, rest.contacts[i].margins[k]))))
-        });
-        let between = roots.filter(|root| (root - sufficient) * (root - insufficient) < 0.0);
-        between.min_by(|one, other| (one - sufficient).abs().total_cmp(&(other - sufficient).abs()))
+        behind.retain(|(_, there)| same_kinds(here, there));
+        let mut nearest: Option<f64> = None;
+        for (i, k) in (0..here.contacts.len()).flat_map(|i| [(i, 0), (i, 1)]) {
+            let point = |n: usize| behind.get(n).map(|(at, rest)| (*at, rest.contacts[i].margins[k]));
+            let Some(root) = where_it_vanishes([point(0), point(1), point(2)]) else { continue };
+            let is_between = (root - sufficient) * (root - insufficient) < 0.0;
+            let is_nearer = |other: f64| (root - sufficient).abs() < (other - sufficient).abs();
+            if is_between && nearest.is_none_or(is_nearer) {
+                nearest = Some(root);
+            }
+        }
+        nearest
     }
 
     pub(super) fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
@@ -248,9 +252,12 @@ impl<'q> TrialRecord<'q> {
 }
 
 /// The amounts for which an equilibrium at rest is known, each with its contact states.
-fn rests<'l>(lists: &'l [Ref<'l, Vec<(f64, Trials)>>; 2]) -> impl Iterator<Item = (f64, &'l AtRest)> {
-    let all = lists.iter().flat_map(|list| list.iter());
-    all.filter_map(|(at, trials)| Some((*at, trials.at_rest.as_ref()?)))
+fn rests<'l>(lists: &'l [Ref<'l, Vec<(f64, Trials)>>; 2]) -> Vec<(f64, &'l AtRest)> {
+    let mut all = Vec::new();
+    for list in lists {
+        all.extend(picked(list, &|(at, trials)| Some((*at, trials.at_rest.as_ref()?))));
+    }
+    all
 }
 
 /// Adds the results for an amount to a list, and returns the result for the demand.
