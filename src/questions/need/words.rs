@@ -110,13 +110,17 @@ impl Needed {
             None if ends_small_motions => {
                 write!(f, "TAKES {much}, up to which motions are small, and holds")?;
             }
-            _ if is_least => write!(f, "NEEDS {much} so that {aim}")?,
+            Some(end) if is_least => {
+                let most = self.short(words, end.sufficient, &end.presses);
+                write!(f, "NEEDS {much}, at most {most}, so that {aim}")?;
+            }
+            None if is_least => write!(f, "NEEDS {much} so that {aim}")?,
             Some(end) => {
                 write!(f, "TAKES {} and {aim}", self.between_ends(words, end.sufficient, *sufficient))?;
             }
             None => write!(f, "TAKES {much} and {aim}")?,
         }
-        self.beside(f, *sufficient)?;
+        self.beside(f, *sufficient, until.as_ref())?;
         self.safe_amount(f, (*sufficient, presses))?;
         write!(f, "{LINE}with {}: {otherwise}", if is_least { "less" } else { "more" })?;
         if let Some(unknown) = unknown {
@@ -143,7 +147,10 @@ impl Needed {
     ) -> fmt::Result {
         let (words, aim) = (Words::of(f), self.aim());
         if self.quantity.is_least() {
-            write!(f, "NEEDS none: {aim} down to {}", self.amount_text(words, roughly(to, true), &[]))?;
+            let most =
+                until.map(|end| format!(", at most {}", self.short(words, end.sufficient, &end.presses)));
+            let least = self.amount_text(words, roughly(to, true), &[]);
+            write!(f, "NEEDS none{}: {aim} down to {least}", most.unwrap_or_default())?;
         } else if let Some(end) = until {
             let [much, to] =
                 [self.amount_text(words, end.sufficient, &[]), self.short(words, roughly(to, false), &[])];
@@ -157,7 +164,7 @@ impl Needed {
                 self.amount_text(words, amount, &[]).trim_end_matches(',')
             )?;
         }
-        self.beside(f, to)?;
+        self.beside(f, to, until)?;
         self.safe_amount(f, (to, &[]))?;
         self.far_end(f, until)?;
         self.amounts_tried(f, tried)
@@ -235,8 +242,13 @@ impl Needed {
         limit.map_or(Ok(()), |limit| write!(f, "{LINE}there, at rest, {limit}"))
     }
 
-    /// Writes the amount with which nothing slides, after the amount with which the object is held.
-    fn beside(&self, f: &mut fmt::Formatter<'_>, sufficient: f64) -> fmt::Result {
+    /// Writes the amount with which nothing slides, after the amounts with which the object is held: from `sufficient` to `held_until`.
+    fn beside(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        sufficient: f64,
+        held_until: Option<&FarEnd>,
+    ) -> fmt::Result {
         let words = Words::of(f);
         let is_least = self.quantity.is_least();
         match &self.sticks {
@@ -245,7 +257,7 @@ impl Needed {
                 if (sticks - sufficient).abs() <= ALIKE_IN_WORDS * sufficient.abs() =>
             {
                 f.write_str(if is_least { " and nothing slides" } else { ", and nothing slides" })?;
-                self.sticks_until(f, until.as_ref())
+                self.sticks_until(f, until.as_ref(), held_until)
             }
             Some(Amount::Bound { sufficient: sticks, presses, until, .. }) => {
                 let much = self.interval_text(words, (*sticks, presses), until.as_ref());
@@ -257,7 +269,7 @@ impl Needed {
             }
             Some(Amount::Any { until, .. }) => {
                 f.write_str(", and nothing slides")?;
-                self.sticks_until(f, until.as_ref())
+                self.sticks_until(f, until.as_ref(), held_until)
             }
             Some(Amount::None { .. }) => {
                 f.write_str(", and something slides, opens or gives way with every amount that was tried")
@@ -279,10 +291,21 @@ impl Needed {
         }
     }
 
-    /// Writes the far end of the amounts with which nothing slides.
-    fn sticks_until(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
-        let Some(end) = end else { return Ok(()) };
-        let to = if self.quantity.is_least() { "up to" } else { "from" };
+    /// Writes the far end of the amounts with which nothing slides, unless the amounts with which the object is held end before it.
+    fn sticks_until(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        end: Option<&FarEnd>,
+        held_until: Option<&FarEnd>,
+    ) -> fmt::Result {
+        let is_least = self.quantity.is_least();
+        let is_beyond = |end: &&FarEnd| {
+            let held = held_until.map_or(f64::NAN, |held| held.sufficient);
+            let rounding = ALIKE_IN_WORDS * held.abs();
+            if is_least { end.sufficient >= held - rounding } else { end.sufficient <= held + rounding }
+        };
+        let Some(end) = end.filter(|end| !is_beyond(end)) else { return Ok(()) };
+        let to = if is_least { "up to" } else { "from" };
         write!(f, " {to} {}", self.short(Words::of(f), end.sufficient, &end.presses))
     }
 
