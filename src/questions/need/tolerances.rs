@@ -62,7 +62,7 @@ pub(super) const AT_A_JUMP: f64 = 1e-6;
 /// The widths at which the bracket of the sought amount is narrow enough in space, since the verdicts come from load paths with step errors.
 ///
 /// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
-pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-10), (64, 5e-10)];
+pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-9)];
 
 /// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
 pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
