@@ -136,8 +136,8 @@ impl Loading {
         self
     }
 
-    /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first. A load that is not carried, or else the
-    /// load carried least, is noted in `refuting`.
+    /// Determines whether the grasp meets the demand with this amount. The load or directions in `refuting`, with which earlier amounts were
+    /// insufficient, are applied first. A load that is not carried, or else the load carried least, is noted in `refuting`.
     pub(super) fn put_on(&self, demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));

@@ -266,8 +266,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     Ok((at, first))
 }
 
-/// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts: the
-/// first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
+/// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts (more
+/// squeeze, less load): the first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
 fn guessed(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -335,9 +335,11 @@ fn edge_from(
         {
             continue;
         }
-        // A full trial of an amount whose quick trial is undecided would take long, so the next estimate is tried instead.
+        // If the quick trial (without the enumeration of contact states) is undecided, a full trial would take long, so the next estimate is tried
+        // instead.
         match (tries.quick)(amount, false)? {
-            // A full trial of a force of any direction takes hundreds of verdicts, so that only the bound itself is confirmed by one.
+            // A full trial of a force of any direction takes hundreds of verdicts. Therefore only the bound itself is confirmed by one, not this
+            // amount.
             Trial::Sufficient { .. } if tries.learns => {}
             Trial::Sufficient { .. } => {
                 if let now @ Trial::Sufficient { .. } = tries.at(amount)? {

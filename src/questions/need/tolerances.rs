@@ -137,6 +137,8 @@ pub(super) const NARROW: f64 = 0.01;
 /// If smaller, most safe amounts take the trials of a scan. If larger, an interval of sufficient amounts that the search stepped over stays unseen.
 pub(super) const STEPPED_OVER: f64 = 1.25;
 
-/// Coefficient of friction up to which it is asked whether more friction fails; few surfaces have more. If smaller, a wedge whose real friction is
-/// above the scene's is said to hold; if larger, a change between the scene's coefficient and this one is stepped over more easily.
+/// Coefficient of friction up to which the search asks whether more friction fails; few surfaces have more.
+///
+/// If smaller, a wedge whose real friction is above the scene's is said to hold. If larger, a change between the scene's coefficient and this one is
+/// stepped over more easily.
 pub(super) const USUAL_FRICTION: f64 = 1.0;
