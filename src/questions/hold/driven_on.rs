@@ -100,8 +100,8 @@ impl Engine {
         Some(numbered(count, &of))
     }
 
-    /// Whether a motion of unit length moves no joint, and displaces the bodies relative to the fingers at no contact with a force, except that it
-    /// swings ropes and springs.
+    /// Whether a unit motion moves no joint, and no contact that carries a force is displaced relative to its finger. Ropes and springs that swing do
+    /// not count.
     fn turns_in_place(&self, forces: &[SVector<f64, 3>], motion: &Vector) -> bool {
         // A displacement of the contact within rounding of the displacements that a unit motion causes counts as none.
         let is_still = |i: usize| {

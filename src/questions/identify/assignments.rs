@@ -19,8 +19,8 @@ use crate::prelude::*;
 
 /// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
 const MOST_PAIRS: usize = 10;
-/// After two unknowns have exchanged their values, this many values of the smaller one are tried. The first is the value as it is; it is then halved
-/// each time, down to a sixteenth.
+/// After two unknowns have exchanged their values to find another assignment, this many values of the smaller one are tried. The first is the value
+/// as it is; it is then halved each time, down to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
 /// Upper limit of the number of bisections between two sets of values of the unknowns at which slips depend on different unknowns. The bisections
 /// seek a third assignment of slips to the unknowns on which they depend.
@@ -249,7 +249,8 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     gain(model, one, other) > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// By how much the loss of the second fit exceeds the loss of the first, in standard deviations of the first; 0 if the second fit is exact.
+/// By how much the loss of the second fit exceeds the loss of the first. Both losses are of residuals divided by the standard deviations of the first
+/// fit. 0 if the second fit is exact.
 pub(super) fn gain(model: &Model<'_>, one: &Fitted, other: &Fitted) -> f64 {
     match (&one.linear, &other.linear) {
         (None, _) => f64::NEG_INFINITY,

@@ -156,8 +156,8 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
 }
 
 /// A start for a second search, if the prediction of some slip at `fit` differs from its observation, but depends on no unknown that [`changing`]
-/// selects. A box that tips, for example, slides first if friction is lower. The selected unknowns are halved if the slip was observed below its
-/// prediction, else doubled, until the prediction depends on them; at most twelve times.
+/// selects (frictions, or else squeezes). Example: the model predicts that a box tips, whereas with less friction it would slide before. The selected
+/// unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction depends on them; at most twelve times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
     let is_flat = |linear: &Linear, k: usize| {

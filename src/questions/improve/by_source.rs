@@ -15,7 +15,7 @@ use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
-/// forces. Of a contact that is left open, the first component is the closing force of [`StickingForces::by`].
+/// forces. For a contact that touches without force and is left open, the first component is the closing force of [`StickingForces::by`].
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
 /// Index in [`BySource`] of the forces that do not vary with the squeeze or the loads: they are due to the base load and to fixed commands.

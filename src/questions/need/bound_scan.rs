@@ -23,7 +23,7 @@ pub(super) struct BoundScan {
     /// Number of pairs of neighbouring amounts of the scan of which one is sufficient and the other is not, including the pair at the bound.
     pub(super) changes: usize,
     /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
-    /// if all amounts tried on the easier side of the bound are sufficient.
+    /// if all amounts tried on the easier side of the bound (more squeeze, less load) are sufficient.
     pub(super) until: Option<Threshold>,
     /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
@@ -112,9 +112,9 @@ impl BoundScan {
         Ok(around)
     }
 
-    /// The bracket of the far end if all amounts tried in the harder direction are sufficient, so that there is no bound; `to` is the hardest of
-    /// them. The scan goes from `to` in the easier direction, over the `known` amounts and `scan` new amounts that are easier than the first amount
-    /// of the search. `None` if all these amounts are sufficient.
+    /// The last sufficient amount in the easier direction (more squeeze, less load) and its insufficient neighbour. This is for searches in which all
+    /// amounts tried in the harder direction are sufficient, so that there is no bound; `to` is the hardest of them. From `to` on, the `known`
+    /// amounts and `scan` new amounts that are easier than the first amount of the search are tried. `None` if all of them are sufficient.
     pub(super) fn far_end(
         to: f64,
         scan: usize,

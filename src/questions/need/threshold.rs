@@ -24,7 +24,7 @@ pub(super) struct Threshold {
 }
 
 impl Threshold {
-    /// This bracket narrowed to the widths [`BESIDE_A_BOUND`].
+    /// This bracket narrowed to the widths [`BESIDE_A_BOUND`], for a change between sufficient and insufficient that is not the bound.
     pub(super) fn beside(
         self,
         tries: TrialFunctions<'_>,
@@ -46,9 +46,9 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // A full trial may find a weaker direction of a force of any direction, which later quick trials include. Each further direction changes the
-        // bound less. Therefore an amount nearer to the sufficient end of the bracket by the fraction [`AT_A_JUMP`] is tried, too; if it is
-        // sufficient, it is the answer.
+        // With a force of any direction, a full trial may find a direction in which the presumed amount is insufficient. Later quick trials include
+        // this direction, and each further direction changes the bound less. Therefore an amount nearer to the sufficient end of the bracket by the
+        // fraction [`AT_A_JUMP`] is tried, too; if it is sufficient, it is the answer.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
@@ -227,7 +227,8 @@ impl Narrowing {
         self.at_first = (self.width(), self.fall());
     }
 
-    /// Chooses the measure that guides the next trial. Returns whether this measure jumps at the bound, so that the bracket has to be halved.
+    /// Chooses the measure (carried part of the load less 1, or second margin) that guides the next trial. Returns whether it jumps at the bound, so
+    /// that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
         let is_known = |sides: &[BracketEnd; 2], which: usize| signs_differ(sides, which).is_some();
         // If the present measure has no known zero in the bracket, the other measure is used, provided that it has one.

@@ -151,10 +151,10 @@ impl Trials {
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct RefutingLoads {
-    /// Index, from 0, of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
+    /// Index, from 0, of the load that was not carried with the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction that refuted an amount, or in which the smallest part of the force was carried. Quick trials are
-    /// confined to these directions.
+    /// Directions of a force of any direction in which the force was not carried with some amount, or was carried least. Quick trials are confined to
+    /// these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
