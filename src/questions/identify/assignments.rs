@@ -27,7 +27,8 @@ const MOST_HALVINGS: u8 = 5;
 const MOST_BISECTIONS: usize = 4;
 /// Upper limit of the number of fits (local minima of the loss) that are kept, to limit the work.
 const MOST_FITS: usize = 12;
-/// Upper limit of the number of sets of values of the unknowns at which all slips are predicted to find other assignments. It limits the work.
+/// Upper limit of the number of predictions of all slips, each with other values of the unknowns, in the search for other assignments. It limits the
+/// work.
 const MOST_LOOKS: usize = 240;
 
 /// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To

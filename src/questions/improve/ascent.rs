@@ -204,8 +204,8 @@ impl AscentProblem<'_> {
         Ok(Some(further))
     }
 
-    /// For each contact whether it is open or touches without force under the base load, and some load leaves it so. No contact is idle under a
-    /// force of any direction, which pushes all of them.
+    /// For each contact whether it is idle: it is open or touches without force under the base load, and at least one load does not close it. No
+    /// contact is idle under a force of any direction, which pushes all of them.
     pub(super) fn idle(&self, given: &DesignPoint) -> Result<Vec<bool>, Error> {
         let none = vec![false; given.idle.len()];
         if self.loaded.any.is_some() {

@@ -30,7 +30,7 @@ pub(super) const LOADS: usize = 2;
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
-    /// For each contact whether it is left open.
+    /// For each contact whether it is left open: it touches without force and counts as open.
     pub(super) open: Vec<bool>,
     /// Indices of the loads whose first slips are computed from these forces.
     pub(super) judged: Vec<usize>,
@@ -115,7 +115,7 @@ impl StickingForces {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
 
-    /// Whether a contact is left open.
+    /// Whether a contact is left open: it touches without force and counts as open.
     pub(super) fn is_open(&self, contact: usize) -> bool {
         self.open.get(contact) == Some(&true)
     }
