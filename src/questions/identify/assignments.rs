@@ -36,7 +36,7 @@ const MOST_LOOKS: usize = 240;
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.
-/// Each fit found is a starting point for further exchanges.
+/// From each fit found, pairs of unknowns exchange their values again.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,

@@ -109,7 +109,8 @@ impl Loading {
             }
             Loads::Turn(turn) => {
                 let turn = self.multiplied_turn(turn);
-                // The load at each angle may exclude amounts with which forces cannot balance it. With fewer angles fewer amounts would be excluded.
+                // Each of these angles gives a load that may exclude amounts, because contact forces cannot balance it. With fewer angles fewer
+                // amounts would be excluded.
                 let parts = 8_u32;
                 list =
                     (0..=parts).map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts))).list();

@@ -254,8 +254,8 @@ impl Narrowing {
         jumps && !has_other
     }
 
-    /// The next amount to try: next to the amount at which the measure probably vanishes, or at which contacts at rest probably leave their states,
-    /// or in the middle of the bracket.
+    /// The next amount to try: next to the amount at which the measure in use (a number that vanishes at the bound) probably vanishes, or at which
+    /// contacts at rest probably leave their states, or in the middle of the bracket.
     fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -275,7 +275,8 @@ impl Narrowing {
         from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
     }
 
-    /// The amount at which the measure in use vanishes: extrapolated from the end that the last step moved, or else by a secant.
+    /// The amount at which the measure in use (a number that vanishes at the bound) is predicted to vanish: extrapolated from the end that the last
+    /// step moved, or else by a secant.
     fn root(&self) -> Option<f64> {
         let [over, under] = signs_differ(&self.sides, self.which)?;
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
