@@ -33,7 +33,7 @@ impl Workspace {
         self.finish_basis(lcp, settings)
     }
 
-    /// [`Self::finish`], except that each z_j that is zero up to rounding stays in the basis.
+    /// Refines and checks the point at the end of the path like [`Self::finish`], but keeps each z_j that is zero up to rounding in the basis.
     pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         refill(&mut self.vanishing, lcp.len(), false);
         self.finish_basis(lcp, settings)

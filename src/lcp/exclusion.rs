@@ -71,8 +71,8 @@ impl ExclusionTest<'_> {
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
         increasing(&values).into_iter().take(3).any(|position| {
             let (value, which) = &broken[position];
-            // The entries (Mᵀv)_α of the proof are shifted below zero by at most this fraction of qᵀv < 0; the rest keeps qᵀv negative. With a
-            // value near 0 or 1 rounding would decide one of the two signs.
+            // The proof needs (Mᵀv)_α ≤ 0 and qᵀv < 0. Shifting (Mᵀv)_α below zero raises qᵀv by at most this fraction of its magnitude. With a value
+            // near 0 or 1 rounding would decide one of the two signs.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);

@@ -126,8 +126,8 @@ impl LemkePath {
                 continue;
             }
             if row.is_some() && pivot <= certain {
-                // The pivot is small relative to its column, but may be reliable relative to the terms of its own row. Only entries of the
-                // column that are noise compared with the terms of their rows are set to zero.
+                // The pivot is at most `certain`, thus small relative to its column, but may be reliable relative to the terms of its own row. Only
+                // entries of the column that are noise compared with the terms of their rows are set to zero.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

@@ -46,7 +46,8 @@ impl Logarithms {
         columns.finish();
     }
 
-    /// Adds q as one more column of the matrix [M, q]; its sums become the last of `columns`.
+    /// Adds the binary logarithms of the entries of q, as one more column beside M, to the sums of their rows. The sum over q becomes the last entry
+    /// of `columns`.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
         for (i, q) in q.iter().enumerate().filter(|(_, q)| is_nonzero(**q)) {

@@ -39,7 +39,7 @@ pub struct Breakpoint {
     pub basis: Basis,
     /// Direction of the parameter τ on the next piece of the path of solutions.
     pub trend: Trend,
-    /// The rate dz/dτ of the solution on the next piece of the path (n entries), for either direction of τ; zero if τ is constant.
+    /// The rate dz/dτ of the solution on the next piece of the path (n entries), also where τ decreases on that piece; zero if τ is constant.
     pub rate: DVector<f64>,
 }
 

@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn a_column_that_has_drifted_is_put_right() {
-        // A diagonally dominant matrix without further structure.
+        // A matrix of irregular entries without structure; the added 3 keeps its diagonal large.
         let m: Vec<f64> =
             (0..36).map(|k| f64::from(k + 1).sin() + if k % 7 == 0 { 3.0 } else { 0.0 }).collect();
         let mut path = LemkePath::default();

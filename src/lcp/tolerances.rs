@@ -49,8 +49,8 @@ pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 /// would be removed.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. The basis is then singular, in a
-/// recomputed dictionary, or a principal minor is not positive.
+/// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. In a recomputed dictionary the
+/// basis is then singular; in the P-matrix test a principal minor is not positive.
 ///
 /// Only rows are exchanged, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings. With a smaller
 /// limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases of condition

@@ -57,8 +57,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first. No scaling brings such
-/// an entry near 1 together with all others, so that a regular system could appear singular.
+/// Solves a square system; `None` if it is singular. Rows and columns with a single nonzero entry are eliminated first. Otherwise a regular system
+/// could appear singular, since no scaling brings such an entry and all others near 1.
 fn without_single_entries(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {

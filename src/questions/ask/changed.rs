@@ -154,7 +154,7 @@ impl<const C: usize> Grasp<C> {
         self.not_installed_with_friction(&friction)?.installed_again()
     }
 
-    /// [`Self::with_friction`] without its last step, which adjusts the commands of links so that they have their given tensions.
+    /// [`Self::with_friction`] without its last step, which adjusts the commands of links (such as cables) so that they have their given tensions.
     pub(crate) fn not_installed_with_friction(
         &self,
         friction: &dyn Fn(usize, f64) -> f64,
@@ -162,13 +162,14 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_friction(friction))
     }
 
-    /// This grasp with other contacts, as many as before, and the same joints. The commands of links are not adjusted to their tensions.
+    /// This grasp with other contacts, as many as before, and the same joints. Links (such as cables) keep their commands, so they may no longer have
+    /// their given tensions.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         self.changed(self.engine.with_data(contacts.into_inside(), &|_| [1.0; 2]))
     }
 
     /// The force that the part with this name (a body, contact, cable or joint) exerts, and this grasp with that force multiplied by `factor`. The
-    /// commands of links are not yet adjusted to the tensions that they are to have.
+    /// commands of links (such as cables) are not yet adjusted to their given tensions.
     pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
         Ok((pressing, self.changed(Ok(engine))?))
@@ -179,7 +180,7 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_overlaps(factor))
     }
 
-    /// [`Self::squeezed`] without the last step, which adjusts the commands of links to their given tensions.
+    /// [`Self::squeezed`] without the last step, which adjusts the commands of links (such as cables) to their given tensions.
     pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.squeezed(factor))
     }

@@ -67,7 +67,7 @@ impl<const C: usize> Energy<'_, C> {
     ///
     /// The paper (section 5.1, see [`energy`](crate::energy)) has all displacements as variables. The minimum here equals the minimum of that program
     /// as long as that program opens no contact with infinite friction. The springs of finger and object are combined in series here, so that rigid
-    /// sides and series stiffness are allowed. Orthogonal factors keep the accuracy.
+    /// sides and series stiffness are allowed. Orthogonal factors (QR) keep the accuracy at large ratios of stiffnesses.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

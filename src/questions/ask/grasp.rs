@@ -41,7 +41,7 @@ use crate::prelude::*;
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
 /// | the quadratic program of minimum energy | [`energy`](Self::energy) |
-/// | any of these for another friction cone, or with other limits on work | [`with`](Self::with) settings |
+/// | any of these for another friction cone, or with other limits on computing effort | [`with`](Self::with) settings |
 ///
 /// These methods take a load, a [`Ramp`] or a [`Turn`](crate::load_path::Turn) by value or by reference. A load in the place of a ramp grows from
 /// zero.
@@ -167,7 +167,7 @@ impl<const C: usize> Grasp<C> {
         Ok(points)
     }
 
-    /// The settings with which the methods of this grasp compute: friction cone, limits on work and on small motions.
+    /// The settings with which the methods of this grasp compute: friction cone, limits on computing effort, and limits of small motions.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
@@ -297,8 +297,8 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The size and direction of the least force through a point with which motions are no longer small, in addition to a base load. `None` if no
-    /// force moves the object while everything sticks.
+    /// The size (N) and unit direction of the least force through a point (m) with which a motion exceeds its limit of small motions while everything
+    /// sticks. The force acts in addition to a base load. `None` if no force has this effect.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<C>,

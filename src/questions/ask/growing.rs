@@ -9,8 +9,8 @@ use crate::grasp::Wrench;
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with the loads `others`, by name of the body, which grow in proportion to `load`, the load of a scene's question. `load` is `None`
-    /// if the question has several loads or no load. This grasp itself if `others` is empty.
+    /// This grasp with the loads `others` on further bodies, by name, which grow in proportion to `load`, the single load of a scene's question.
+    /// `load` is `None` if the question has several loads or none. Returns this grasp itself if `others` is empty.
     pub(crate) fn growing(
         &self,
         question: &'static str,

@@ -24,8 +24,8 @@ impl<const C: usize> Grasp<C> {
     /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The load factor of the first slip comes from
     /// screening and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes
     /// some ten times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row
-    /// takes as long as [`Self::hold`]. Where screening shows that everything sticks, it is not asked whether the grasp
-    /// buckles ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
+    /// takes as long as [`Self::hold`]. Where screening shows that everything sticks, buckling is not checked
+    /// ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
     ///
     /// The verdicts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///

@@ -46,8 +46,8 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Rows excluded here get `None`, and the caller computes their load path. Screening does not notice that a grasp of bonded contacts alone
-        // carries no force, and computes no slips of contacts without friction.
+        // Rows excluded here get `None`, and the caller computes their load path. Screening does not notice that a grasp with bonded contacts only
+        // may carry no force at all (a loose object), and it computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
         if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {

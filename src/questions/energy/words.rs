@@ -57,7 +57,7 @@ impl<const C: usize> fmt::Display for Comparison<C> {
     }
 }
 
-/// The words that name the contacts that slide in the equilibrium, up to "and" before the imbalance of the minimum; empty if none slides.
+/// The beginning of a sentence that names the contacts sliding in the equilibrium, such as "left slides, and "; empty if none slides.
 fn slides<const C: usize>(state: &Equilibrium<C>) -> String {
     let mut names = Vec::new();
     for whole in state.whole_contacts() {

@@ -233,7 +233,7 @@ impl Engine {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // There is no equilibrium at the loss if the base load itself is not held. Contacts slide under it, their friction falls to the kinetic
+            // Without an equilibrium at the loss, the base load itself is not held: contacts slide under it, their friction falls to the kinetic
             // value, and no other contact catches the object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,

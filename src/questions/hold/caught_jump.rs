@@ -14,7 +14,7 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
-/// Said beside jumps: an object with momentum may move past the equilibrium in which a jump ends.
+/// Ends the clause about jumps: an object with momentum may move past the equilibrium in which a jump ends.
 pub(crate) const NO_MOMENTUM: &str = "counting no momentum";
 
 /// A jump under constant load that ends in another equilibrium: the object slips or snaps over, and contacts catch it.
@@ -116,7 +116,8 @@ impl Engine {
 
 impl CaughtJump {
     /// Writes the clause about all jumps, with the load and the motion of the last jump. An example is ", caught at 7.5 N after slipping 0.4 mm at
-    /// left, counting no momentum". `size` is the magnitude and unit of the whole load, if one number describes it.
+    /// left, counting no momentum". `size` is the magnitude and unit of the whole load, if one number describes it; `is_held` tells whether the whole
+    /// load is held.
     pub(super) fn write_clause(
         all: &[Self],
         size: Option<(f64, &str)>,

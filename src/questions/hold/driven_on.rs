@@ -21,16 +21,16 @@ impl Engine {
     /// The motion that nothing resists and along which the forces of the equilibrium `there` and its `load` drive the bodies on: the potential of the
     /// forces falls as the bodies turn. It is a combination of the free motions of `there`.
     ///
-    /// `None` if there is no such motion, if the point of action of a load is not known, or if a free motion moves a joint or shears a closed
-    /// contact. In the last case the potential of the joint or contact would have to be included.
+    /// `None` if there is no such motion, if a vacuum acts, if the point of action of a load is not known, or if a free motion moves a joint or
+    /// shears a closed contact. In the last case the potential of the joint or contact would have to be included.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
         let free = mapped(&there.local.free_motions, &|motion| motion.to());
         let (least, motion) = self.free_stiffness(&free, &forces_in(&there.contacts), load)?.pop()?;
         (least < 0.0).then(|| self.motion_outside(&motion))
     }
 
-    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, provided that the load alone changes. The proof
-    /// `nothing_near` of the loss takes the lever arms of the load as constant. It is removed, because the object swings.
+    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, provided that the load alone changes. Then the proof
+    /// `nothing_near` of the loss is removed: it takes the lever arms of the load as constant, but they change as the object swings.
     pub(super) fn let_swing(&self, verdict: &mut Verdict<3>, ramp: &Ramp<3>, settings: &Settings) {
         let is_load_alone = ramp.command_change.is_none() && ramp.joint_change.is_none();
         if verdict.held_to <= NEGLIGIBLE && verdict.holds() == Some(false) && is_load_alone {
@@ -76,7 +76,8 @@ impl Engine {
     }
 
     /// The principal geometric stiffnesses of contact forces and `load` along the unit motions `free`, each with its motion, in descending order.
-    /// Stiffnesses within rounding are set to zero. `None` in the cases in which [`Self::driven_on`] returns `None`.
+    /// Stiffnesses within rounding are set to zero. `None` if `free` is empty, and for vacuums, loads and motions with which [`Self::driven_on`]
+    /// returns `None`.
     fn free_stiffness(
         &self,
         free: &[Vector],
@@ -100,8 +101,8 @@ impl Engine {
         Some(numbered(count, &of))
     }
 
-    /// Whether a motion of unit length moves no joint, and displaces the bodies relative to the fingers at no contact with a force, except that it
-    /// swings ropes and springs.
+    /// Whether a unit motion moves no joint, and no contact that carries a force is displaced relative to its finger. Ropes and springs that swing do
+    /// not count.
     fn turns_in_place(&self, forces: &[SVector<f64, 3>], motion: &Vector) -> bool {
         // A displacement of the contact within rounding of the displacements that a unit motion causes counts as none.
         let is_still = |i: usize| {

@@ -13,8 +13,9 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The brief verdict from a path with the slips of contacts as unknowns. `None` if a contact opens or stops sliding, if no contact slides, if the
-    /// grasp buckles, or if the load factor of the first slip or of the end is within rounding of 1. The caller then follows the full load path.
+    /// The brief verdict (without equilibria and proofs) from a path with the slips of contacts as unknowns. `None` if a contact opens or stops
+    /// sliding, if no contact slides, if the grasp buckles, or if the load factor of the first slip or of the end is within rounding of 1. The caller
+    /// then follows the full load path.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,

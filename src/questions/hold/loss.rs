@@ -13,8 +13,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The place from which on the theory of small motions no longer applies, if it comes before a loss of equilibrium. Whether the grasp buckles is
-    /// asked only if it [may](Self::may_buckle) at rest or under the whole load.
+    /// The event from which on the theory of small motions no longer applies, if it comes before a loss of equilibrium. Buckling is checked only if
+    /// it is [possible](Self::may_buckle) at rest or under the whole load.
     pub(super) fn end_of_theory(&self, path: &LoadPath<'_, 3>, ramp: &Ramp<3>) -> Option<EndOfSmallMotions> {
         let far = end_before_loss(path);
         let may_buckle = |factor: f64| self.may_buckle(&ramp.load_at(factor));

@@ -177,7 +177,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// The verb for what ends a load without gross slip.
+/// The verb if the theory of small motions ends before gross slip: the grasp buckles, a suction cup leaks, or a motion is too large.
 impl From<&TooFar> for LossVerb {
     fn from(far: &TooFar) -> Self {
         match far {

@@ -54,7 +54,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // A contact that closes and slides only later is not part of the first slip, but this sentence names it, too.
+                    // This sentence also names contacts that close and slide only after the first slip.
                     _ => write!(f, ", but {}", subject_and_verb(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;

@@ -19,15 +19,16 @@ use crate::prelude::*;
 
 /// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
 const MOST_PAIRS: usize = 10;
-/// After two unknowns have exchanged their values, this many values of the smaller one are tried. The first is the value as it is; it is then halved
-/// each time, down to a sixteenth.
+/// After two unknowns have exchanged their values to find another assignment, this many values of the smaller one are tried. The first is the value
+/// as it is; it is then halved each time, down to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
 /// Upper limit of the number of bisections between two sets of values of the unknowns at which slips depend on different unknowns. The bisections
 /// seek a third assignment of slips to the unknowns on which they depend.
 const MOST_BISECTIONS: usize = 4;
 /// Upper limit of the number of fits (local minima of the loss) that are kept, to limit the work.
 const MOST_FITS: usize = 12;
-/// Upper limit of the number of sets of values of the unknowns at which all slips are predicted to find other assignments. It limits the work.
+/// Upper limit of the number of predictions of all slips, each with other values of the unknowns, in the search for other assignments. It limits the
+/// work.
 const MOST_LOOKS: usize = 240;
 
 /// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To
@@ -35,7 +36,7 @@ const MOST_LOOKS: usize = 240;
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.
-/// Each fit found is a starting point for further exchanges.
+/// From each fit found, pairs of unknowns exchange their values again.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,
@@ -249,7 +250,8 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     gain(model, one, other) > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// By how much the loss of the second fit exceeds the loss of the first, in standard deviations of the first; 0 if the second fit is exact.
+/// By how much the loss of the second fit exceeds the loss of the first. Both losses are of residuals divided by the standard deviations of the first
+/// fit. 0 if the second fit is exact.
 pub(super) fn gain(model: &Model<'_>, one: &Fitted, other: &Fitted) -> f64 {
     match (&one.linear, &other.linear) {
         (None, _) => f64::NEG_INFINITY,

@@ -35,7 +35,7 @@ pub(super) enum FitEnd {
 /// Relative standard deviations of the observations, by which residuals are divided.
 #[derive(Clone, Default)]
 pub(super) struct Scatter {
-    /// One standard deviation for each slip, then one for each known sum, relative to the observed value.
+    /// One standard deviation for each slip, then one for each known sum (sum of unknowns from another measurement), relative to the observed value.
     pub(super) rows: Vec<f64>,
     /// Estimated from the residuals: the standard deviation common to all slips or, if standard deviations are given, a common factor on them.
     pub(super) scale: f64,
@@ -59,8 +59,8 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. The question gives them for known sums, and for all slips or for none. If for none, or if
-    /// `is_estimated`, a factor common to all slips is estimated from the residuals.
+    /// Relative standard deviations of the observations. The question gives them for known sums (sums of unknowns from other measurements), and for
+    /// all slips or for none. If for none, or if `is_estimated`, a factor common to all slips is estimated from the residuals.
     fn scatter(&self, linear: &Linear, is_estimated: bool) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Vec<_> = mapped(slips, &|slip| slip.scatter.unwrap_or(1.0));
@@ -74,7 +74,8 @@ impl Model<'_> {
         Scatter { rows, scale, is_estimated, degrees }
     }
 
-    /// The weight of observation number `row`, whose residual is `u` standard deviations: Huber's weight for slips, 1 for known sums.
+    /// The weight of observation number `row`, whose residual is `u` standard deviations: Huber's weight for slips, 1 for known sums (sums of
+    /// unknowns from other measurements), which come after the slips.
     fn weight(&self, row: usize, u: f64) -> f64 {
         if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
     }
@@ -156,8 +157,8 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
 }
 
 /// A start for a second search, if the prediction of some slip at `fit` differs from its observation, but depends on no unknown that [`changing`]
-/// selects. A box that tips, for example, slides first if friction is lower. The selected unknowns are halved if the slip was observed below its
-/// prediction, else doubled, until the prediction depends on them; at most twelve times.
+/// selects (frictions, or else squeezes). Example: the model predicts that a box tips, whereas with less friction it would slide before. The selected
+/// unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction depends on them; at most twelve times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
     let is_flat = |linear: &Linear, k: usize| {
@@ -223,8 +224,8 @@ fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A search for the fit as in [`fitted_from`], but without a second one. If `is_estimated`, a common factor on the given standard deviations is
-/// estimated from the residuals.
+/// A single search for the least loss from the logarithms `begin`, without the second search of [`fitted_from`]. If `is_estimated`, a common factor
+/// on the given standard deviations is estimated from the residuals.
 fn fitted_with(
     model: &Model<'_>,
     begin: Vec<f64>,
@@ -283,7 +284,7 @@ fn fitted_with(
     Ok(fit)
 }
 
-/// Number of independent combinations of unknowns that the slips and known sums determine.
+/// Number of independent combinations of unknowns that the slips and known sums (sums of unknowns from other measurements) determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);

@@ -25,8 +25,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Singular, largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
-/// The state of the object and its pressing contacts at gross slip, as a root of the equations of this module. Moments are divided by `length`,
-/// rotations multiplied by it.
+/// The state of the object and its pressing contacts at gross slip, as a root of the equilibrium equations at the top of this file. Moments are
+/// divided by `length`, rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's> {
     target: &'a SlipToPredict<'s>,
     /// The length that makes moments and rotations comparable with forces and displacements, m: the distance of the farthest contact from the origin.
@@ -39,7 +39,7 @@ pub(super) struct GrossSlip<'a, 's> {
 
 impl<'a, 's> GrossSlip<'a, 's> {
     /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a pressing contact opens as the object
-    /// leaves. Also `None` if the equations of this module do not describe the grasp or have no root near the end of the path.
+    /// leaves. Also `None` if the equations at the top of this file do not describe the grasp or have no root near the end of the path.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -68,8 +68,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         Self { target, length, at, motion, pressing }.at_root()
     }
 
-    /// Solves the equations of this module by Newton's method. `None` unless it converges to a root with the load factor of the end of the load path
-    /// and with all contacts pressing.
+    /// Solves the equilibrium equations at the top of this file by Newton's method. `None` unless it converges to a root with the load factor of the
+    /// end of the load path and with all contacts pressing.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());

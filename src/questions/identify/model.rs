@@ -59,7 +59,8 @@ pub(super) struct Predicted {
     pub(super) exact: Option<Vec<f64>>,
 }
 
-/// The residuals of all observations (slips and known sums) and their derivatives, for one set of values of the unknowns.
+/// The residuals of all observations (slips, and sums of unknowns from other measurements) and their derivatives, for one set of values of the
+/// unknowns.
 #[derive(Clone)]
 pub(super) struct Linear {
     /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.

@@ -242,7 +242,8 @@ impl Grasp<3> {
             if part.label.link.is_none() {
                 let point = points.get(count).copied().unwrap_or(middle);
                 for contact in &mut contacts[part.range.clone()] {
-                    // For a contact with a single point the bracket is exactly zero, so that the contact gets the new point without rounding.
+                    // For a contact with a single point `contact.point - middle` is exactly zero, so that the contact gets the new point without
+                    // rounding.
                     contact.point = point + (contact.point - middle);
                 }
                 count += 1;

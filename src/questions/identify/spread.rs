@@ -84,7 +84,7 @@ struct Spread {
     values: Vec<f64>,
     /// Right singular vectors of the weighted derivatives, as columns.
     directions: DMatrix<f64>,
-    /// Number of combinations of unknowns that slips and known sums determine.
+    /// Number of combinations of unknowns that slips and known sums (sums of unknowns from other measurements) determine.
     rank: usize,
     scatter: Scatter,
     /// For slips with groups, the contributions of groups to the errors; otherwise `None`.

@@ -79,8 +79,8 @@ impl Unknown {
         Self::of(UnknownKind::Carried)
     }
 
-    /// The factor on the given squeeze: on commands, forces and vacuums of its contacts and links; for all contacts, on commands, constant torques
-    /// and tensions of joints and tendons, too.
+    /// A factor on the given squeeze, as the unknown. It multiplies commands, forces and vacuums of its contacts and links. For all contacts it also
+    /// multiplies commands, constant torques and tensions of joints and tendons.
     pub fn squeeze() -> Self {
         Self::of(UnknownKind::Squeeze)
     }

@@ -25,7 +25,8 @@ use crate::prelude::*;
 #[derive(Debug)]
 pub(super) struct EvaluatedDesign {
     pub(super) design_point: DesignPoint,
-    /// The forces of contacts. In the first part idle contacts are open; a further part has the forces under loads that push some of them.
+    /// The contact forces in one or several parts. In the first part all idle contacts (touching without force) are open. Each further part is for
+    /// loads that close some of them.
     pub(super) parts: Vec<StickingForces>,
     /// Value of the goal: the least load factor of first slip, or the least reserve (margin of a contact force to the edge of its friction cone), N.
     pub(super) value: f64,
@@ -150,7 +151,8 @@ impl AscentProblem<'_> {
         }
         let (value, scale) = match self.loaded.goal {
             ImproveGoal::FirstSlip => {
-                // A contact that touches without force has conditions that say nothing about the first slip, unless it is idle.
+                // A contact without force under the base load breaks its sticking conditions at load factor 0, which says nothing about the first
+                // slip. Such a design is refused, unless the contact is idle.
                 let is_weightless = |event: &SlipEvent| {
                     let force = parts[0].at_rest(event.condition.contact);
                     event.value <= NEGLIGIBLE * first && ActiveSet::is_weightless(&force, size)
@@ -170,8 +172,8 @@ impl AscentProblem<'_> {
         Ok(Some(EvaluatedDesign { design_point, parts, value, scale }))
     }
 
-    /// The forces of contacts in parts, see [`EvaluatedDesign::parts`]. A load is judged with the idle contacts closed that it presses by more than
-    /// `rounded`, N, before it has grown by the load factor `first`. `None` if nothing resists a load.
+    /// The contact forces in parts, see [`EvaluatedDesign::parts`]. For each load, an idle contact is closed if the load presses it by more than
+    /// `rounded`, N, at the load factor `first`. `None` if nothing resists a load.
     fn parts(
         &self,
         design_point: &DesignPoint,
@@ -202,8 +204,8 @@ impl AscentProblem<'_> {
         Ok(Some(further))
     }
 
-    /// For each contact whether it is open or touches without force under the base load, and some load leaves it so. No contact is idle under a
-    /// force of any direction, which pushes all of them.
+    /// For each contact whether it is idle: it is open or touches without force under the base load, and at least one load does not close it. No
+    /// contact is idle under a force of any direction, which pushes all of them.
     pub(super) fn idle(&self, given: &DesignPoint) -> Result<Vec<bool>, Error> {
         let none = vec![false; given.idle.len()];
         if self.loaded.any.is_some() {
@@ -282,7 +284,8 @@ impl AscentProblem<'_> {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
                     }
-                    // With several parts an idle contact that a load closes is taken to have stuck at rest, where it slips freely: no proof.
+                    // With several parts, a load closes an idle contact. Its friction force is computed as if it had stuck since rest, although it
+                    // slips freely until it closes. So the multipliers prove no optimum.
                     if arrived && design.parts.len() > 1 {
                         return ended(design, SearchEnd::Stalled, steps, None);
                     }

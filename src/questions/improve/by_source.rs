@@ -15,7 +15,7 @@ use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
-/// forces. Of a contact that is left open, the first component is the closing force of [`StickingForces::by`].
+/// forces. For a contact that touches without force and is left open, the first component is the closing force of [`StickingForces::by`].
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
 /// Index in [`BySource`] of the forces that do not vary with the squeeze or the loads: they are due to the base load and to fixed commands.
@@ -30,7 +30,7 @@ pub(super) const LOADS: usize = 2;
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
-    /// For each contact whether it is left open.
+    /// For each contact whether it is left open: it touches without force and counts as open.
     pub(super) open: Vec<bool>,
     /// Indices of the loads whose first slips are computed from these forces.
     pub(super) judged: Vec<usize>,
@@ -115,7 +115,7 @@ impl StickingForces {
         self.by(REST, contact) + self.by(SQUEEZE, contact)
     }
 
-    /// Whether a contact is left open.
+    /// Whether a contact is left open: it touches without force and counts as open.
     pub(super) fn is_open(&self, contact: usize) -> bool {
         self.open.get(contact) == Some(&true)
     }

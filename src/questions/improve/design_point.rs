@@ -58,7 +58,7 @@ pub(super) struct DesignPoint {
 }
 
 impl DesignPoint {
-    /// This design point in which the contacts in `idle` are idle.
+    /// This design point with the contacts in `idle` idle: they are open or without force until a load pushes them, and their commands do not vary.
     pub(super) fn with_idle(&self, idle: &[bool]) -> Self {
         let mut design_point = self.clone();
         for contact in (0..idle.len()).filter(|contact| idle[*contact]) {
@@ -170,8 +170,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The first tangent of the contact frame at the place `location`; `from` if there is no such place. The frame with the tangent `from` tilts with
-    /// the normal, without a rotation about the normal.
+    /// The first tangent of the contact frame at the place `location`. The frame with the first tangent `from` is tilted with the normal, without a
+    /// rotation about the normal. The result is `from` if there is no place.
     fn tangent(
         &self,
         contact: usize,

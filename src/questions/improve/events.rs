@@ -188,7 +188,8 @@ pub(super) fn events(
             } else if part == 0 {
                 constraints.extend(pressed.constraints(most[number]));
             }
-            // An idle contact that a load pushes into its cone never leaves it: all its force is in proportion to the load.
+            // An idle contact has no force at rest, so its force under a load is in proportion to the load. If it sticks under a small load, it
+            // sticks under every multiple of it.
             let never_leaves = is_idle && loaded.goal == ImproveGoal::FirstSlip;
             if sticking.is_open(number) || never_leaves {
                 continue;

@@ -23,11 +23,12 @@
 //! Σ λ_k ∇τ_k + Σ ν_b ∇b = 0,      λ, ν >= 0,      Σ λ_k = 1
 //! ```
 //!
-//! A contact may touch without force in the given grasp. Under a load that does not push it, the search leaves it open, as the first slip does.
-//!
 //! Here k runs over active sticking conditions, b over active limits: to first order no place and squeeze nearby is better. [`Improved::residual`] is
-//! the largest component of the first sum. Surfaces are curved, so that there are usually several such optima. The search starts from the given grasp
-//! and from the best of many random ones.
+//! the largest component of the first sum or, if larger, the residual of complementarity. Surfaces are curved, so that there are usually several such
+//! optima. The search starts from the given grasp and from the best of many random ones.
+//!
+//! A contact may touch without force in the given grasp. Under a load that does not push it, the search takes it as open, as the computation of first
+//! slip does.
 //!
 //! | file | idea |
 //! |---|---|

@@ -7,8 +7,9 @@
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. At the present
-//! values (d = 0) the weighted gradients of events and constraints do not cancel: their sum consists of the multipliers of the box and of B d.
+//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. By the
+//! optimality conditions, the gradients of events and constraints, weighted by their multipliers, sum to the multipliers of the box plus B d. At an
+//! optimum of the search both vanish.
 
 use nalgebra::{DMatrix, DVector};
 

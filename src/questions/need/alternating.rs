@@ -10,15 +10,16 @@ use super::trial::Trial;
 use crate::error::Error;
 use crate::numerics::sort_by_number;
 
-/// Number of amounts tried beyond the last one for which an equilibrium at rest is found without the enumeration.
+/// Number of amounts tried beyond the last one for which an equilibrium at rest is found without enumerating the contact states.
 ///
-/// If smaller, amounts whose verdicts depend on rounding are called sufficient. If larger, the answer takes longer: each amount costs an enumeration.
+/// If smaller, amounts whose verdicts depend on rounding are called sufficient. If larger, the answer takes longer: each amount costs an enumeration
+/// of contact states.
 const BEYOND_PRESUMED: u32 = 6;
 
 impl Threshold {
-    /// Narrows this bracket, a sufficient and an insufficient amount, by trials that include the enumeration of contact states. `presumed` is the
-    /// last amount for which an equilibrium at rest is found without the enumeration. If verdicts beyond it alternate, `presumed` becomes the
-    /// sufficient amount of the bracket.
+    /// Narrows this bracket, a sufficient and an insufficient amount, by trials that enumerate the contact states. `presumed` is the last amount for
+    /// which an equilibrium at rest is found without this enumeration. If verdicts beyond it alternate, `presumed` becomes the sufficient amount of
+    /// the bracket.
     pub(super) fn beyond(
         mut self,
         presumed: f64,

@@ -44,9 +44,9 @@ impl Loading {
         )
     }
 
-    /// The result `held`, which the equilibrium with everything sticking gives, or a worse result under a force along one of the coordinate axes. In
-    /// that equilibrium it is not computed whether the force buckles the grasp. The geometric stiffness is linear in the force, so forces along the
-    /// axes are checked for it.
+    /// The result `held`, which the equilibrium with everything sticking gives, or a worse result under a force along one of the coordinate axes.
+    /// That equilibrium does not show whether the force buckles the grasp. Since the geometric stiffness is linear in the force, buckling is checked
+    /// only for forces along both senses of each axis.
     fn unless_it_buckles(&self, mut held: Trial, along: Along<'_>) -> Result<Trial, Error> {
         let axes = self.grasp.space().axes();
         for k in 0..2 * axes {
@@ -78,7 +78,7 @@ impl Loading {
             }));
         }
         let weakest = self.grasp.weakest_direction(base, point)?;
-        // If directions are tried one by one later, the direction in which the least force makes a contact slide is tried first.
+        // The direction in which the least force makes a contact slide is noted. If directions are tried one by one later, it is tried first.
         if let WeakestDirection::Force { direction, .. } = &weakest
             && refuting.directions.borrow().is_empty()
         {
@@ -126,9 +126,9 @@ impl Loading {
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
-    /// The worst result over directions of a force; `worst` has the result without the force. Directions that refuted other amounts are tried first,
-    /// then a few evenly spread ones, then those near directions in which the force is nearly lost. Directions between all these come last. A quick
-    /// trial is confined to directions that refuted other amounts, if there are any.
+    /// The worst result over directions of a force; `worst` has the result without the force. Directions with which other amounts were found
+    /// insufficient are tried first, then a few evenly spread ones, then those near directions in which the force is nearly lost. Directions between
+    /// all these come last. A quick trial (without the enumeration of contact states) tries only the first kind, if there are any.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -302,7 +302,8 @@ impl Loading {
     ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
         for _ in 0..50 {
-            // If far more than the load is carried in the weakest direction so far, the same is true of its neighbours, and the search ends.
+            // If more than [`CLOSE`] times the load is carried in the weakest direction so far, the whole load is carried in its neighbours, and the
+            // search ends.
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
@@ -320,7 +321,8 @@ impl Loading {
             }
             match best {
                 Some(better) => direction = better,
-                // If the carried forces form a convex set, the whole load is also carried between the neighbours, at the angle `step` on either side.
+                // If the carried forces form a convex set, the whole load is carried in all directions between the neighbours, which lie at the angle
+                // `step` on either side.
                 None if weakest.carried().is_some_and(|part| part * (2.0 * step).cos() > 1.0) => break,
                 None => step *= 0.5,
             }

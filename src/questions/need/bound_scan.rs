@@ -23,16 +23,16 @@ pub(super) struct BoundScan {
     /// Number of pairs of neighbouring amounts of the scan of which one is sufficient and the other is not, including the pair at the bound.
     pub(super) changes: usize,
     /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
-    /// if all amounts tried on the easier side of the bound are sufficient.
+    /// if all amounts tried on the easier side of the bound (more squeeze, less load) are sufficient.
     pub(super) until: Option<Threshold>,
     /// Further intervals of sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
 impl SearchPlan {
-    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it. If `coarse`, there is one more amount, 16 times as
-    /// large or small as `from`. Amounts outside the range of the plan are not tried. If a proof excludes all harder amounts (less squeeze, more
-    /// load) beyond an end of the range, and this end is near, it is the last amount.
+    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it, up to a factor of 4 away. If `coarse`, there is one
+    /// more amount, 16 times as large or small as `from`. Amounts outside the range of the plan are not tried. If a proof excludes all harder amounts
+    /// (less squeeze, more load) from less than a factor of 4 on, the amounts extend to this proved end.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         let to_the_end = self.end(up).filter(|_| up != self.is_least).map(|end| (end / from).max(from / end));
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
@@ -58,8 +58,9 @@ impl SearchPlan {
 }
 
 impl BoundScan {
-    /// Tries `scan` new amounts, half of them on each side of a bound of the sufficient amounts, as far as contact forces can balance the loads.
-    /// `known` amounts are included in the scan. If `far`, there is one more amount on the easier side, 16 times as large, or as small, as the bound.
+    /// Tries `scan` new amounts, half of them on each side of a bound of the sufficient amounts, within the range in which contact forces can balance
+    /// the loads. The amounts in `known` are included. One more amount, 16 times as large or as small as the bound, is tried on the harder side (less
+    /// squeeze, more load), and on the easier side if `far`. Nothing is tried if `plan.is_monotone`.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -111,9 +112,9 @@ impl BoundScan {
         Ok(around)
     }
 
-    /// The bracket of the far end if all amounts tried in the harder direction are sufficient, so that there is no bound; `to` is the hardest of
-    /// them. The scan goes from `to` in the easier direction, over the `known` amounts and `scan` new amounts that are easier than the first amount
-    /// of the search. `None` if all these amounts are sufficient.
+    /// The last sufficient amount in the easier direction (more squeeze, less load) and its insufficient neighbour. This is for searches in which all
+    /// amounts tried in the harder direction are sufficient, so that there is no bound; `to` is the hardest of them. From `to` on, the `known`
+    /// amounts and `scan` new amounts that are easier than the first amount of the search are tried. `None` if all of them are sufficient.
     pub(super) fn far_end(
         to: f64,
         scan: usize,
@@ -125,8 +126,8 @@ impl BoundScan {
         let up = plan.is_least;
         let mut amounts: Vec<f64> = mapped(known, &|(at, _)| *at);
         amounts.extend(plan.at_the_end(up));
-        // If every easier amount is known to be sufficient up to small motions, two amounts far away, with ratios 4 and 16 to the first amount, are
-        // enough: they show whether the part moves too far.
+        // If `is_monotone`, every easier amount (more squeeze, less load) is known to be sufficient unless motions become too large. Two amounts far
+        // away, with ratios 4 and 16 to the first amount, show whether they do.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
         in_order(&mut amounts, up);
@@ -232,8 +233,8 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
     highest(&both_ways, &|(carried, _)| *carried).map(|(_, at)| *at)
 }
 
-/// The middle of the two neighbouring amounts with the largest ratio that have the same verdict but different contact states at rest, and whether
-/// they suffice. Amounts within a ratio of [`FAR_FROM_START`] to `near` come first.
+/// Of neighbouring amounts with the same verdict but different contact states at rest, the pair with the largest ratio: their geometric mean, and
+/// whether they suffice. Amounts within a ratio of [`FAR_FROM_START`] to `near` come first.
 fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];

@@ -31,8 +31,8 @@ impl<const C: usize> Need<C> {
         self.load.iter().chain(&self.loads)
     }
 
-    /// The load in proportion to which the loads of other bodies [grow](Self::together_with). `None` unless the sought amount multiplies a single
-    /// load.
+    /// The load in proportion to which the loads of other bodies [grow](Self::together_with). `None` if the question has no load or several, or if an
+    /// arm or an angle is sought.
     pub(crate) fn grows(&self) -> Option<Wrench<C>> {
         let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
         self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))

@@ -19,7 +19,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, mapped, picked, sort_by_number};
 use crate::prelude::*;
 
-/// Completes the answer after a search has found sufficient amounts: makes the scan, and computes the far end and the forces at rest.
+/// Completes the answer after a search has found sufficient amounts. It tries further amounts around the bound (the scan), finds the last sufficient
+/// amount on the easier side (the far end), and computes the contact forces at rest.
 pub(super) struct FoundAmounts<'f, 'q> {
     pub(super) tried: &'f TrialRecord<'q>,
     pub(super) demand: Demand,
@@ -53,8 +54,9 @@ impl FoundAmounts<'_, '_> {
         Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
-    /// Tries further amounts between the amounts tried before, those near `near` first; see [`between_known`]. Returns whether one of them has another
-    /// verdict than its neighbours. Nothing is tried if no scan is made, or if every amount easier than a sufficient one is known to be sufficient.
+    /// Tries further amounts between the amounts tried before, those near `near` first; see [`between_known`]. Returns whether one of them has
+    /// another verdict than its neighbours. Nothing is tried if no scan is made, or if amounts easier (more squeeze, less load) than a sufficient one
+    /// are known to be sufficient.
     fn changes_between(
         &self,
         plan: &SearchPlan,
@@ -184,8 +186,8 @@ impl FoundAmounts<'_, '_> {
     }
 }
 
-/// Whether the search for a safe amount stepped over many amounts. This is so if the sufficient amount is easier than the first amount tried by more
-/// than the ratio [`STEPPED_OVER`].
+/// Whether the search for a safe amount stepped over many amounts. This is so if the sufficient amount is easier (more squeeze, less load) than the
+/// first amount tried by more than the ratio [`STEPPED_OVER`].
 fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
     let begin = plan.begin();
     let ratio = if plan.is_least { sufficient / begin } else { begin / sufficient };
@@ -207,9 +209,9 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
     Some([last, beyond[first].0])
 }
 
-/// The bracket of the far end of the sufficient amounts whose bound is `sufficient`. The far end is expected between the two amounts `far`, which are
-/// tried in turn. For a safe amount, `far` is the bracket of the far end with friction, squeeze and loads as given. `None` if neither of the two
-/// amounts is insufficient, or if a verdict is undecided.
+/// The last sufficient amount on the easier side (more squeeze, less load) of the bound `sufficient`, and its insufficient neighbour. It is expected
+/// between the two amounts `far`, which are tried in turn. For a safe amount, `far` are the same two amounts with friction, squeeze and loads as
+/// given. `None` if neither of the two is insufficient, or if a verdict is undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

@@ -109,7 +109,8 @@ impl Loading {
             }
             Loads::Turn(turn) => {
                 let turn = self.multiplied_turn(turn);
-                // The load at each angle may exclude amounts with which forces cannot balance it. With fewer angles fewer amounts would be excluded.
+                // Each of these angles gives a load that may exclude amounts, because contact forces cannot balance it. With fewer angles fewer
+                // amounts would be excluded.
                 let parts = 8_u32;
                 list =
                     (0..=parts).map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(parts))).list();
@@ -136,8 +137,8 @@ impl Loading {
         self
     }
 
-    /// Determines whether the grasp meets the demand with this amount. Loads in `refuting` are applied first. A load that is not carried, or else the
-    /// load carried least, is noted in `refuting`.
+    /// Determines whether the grasp meets the demand with this amount. The load or directions in `refuting`, with which earlier amounts were
+    /// insufficient, are applied first. A load that is not carried, or else the load carried least, is noted in `refuting`.
     pub(super) fn put_on(&self, demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));

@@ -136,7 +136,7 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     let whole = |amount: f64| tried.at(amount, demand, false);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let learns = matches!(need.loads, Loads::AnyForce { .. });
-    // A full trial of a force of any direction takes fifty to some hundreds of verdicts, so a quick trial replaces it.
+    // A force of any direction takes fifty to some hundreds of verdicts in a full trial, so a quick trial (in few directions) replaces it.
     let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
@@ -166,8 +166,8 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
             None => found.any(&plan, to),
         },
         BoundSearch::Nothing(mut vain) => {
-            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` an amount that holds the object is known
-            // already. If the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
+            // `vain` are the amounts tried, none of which is sufficient. `SearchExtent::Towards` seeks the amount with which nothing slides, after an
+            // amount that holds the object. If the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
             if look == SearchExtent::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }

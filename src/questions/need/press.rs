@@ -78,7 +78,7 @@ impl ContactPress {
         }
     }
 
-    /// Whether the force in words is a number that the user sets: a pressure, an overlap, or the force that is set.
+    /// Whether the text of [`Self::in_words`] states a number that the user sets: a pressure, an overlap, or a normal force equal to `pressed_with`.
     fn names_itself(&self) -> bool {
         let is_set = |set: f64| (set - self.force).abs() <= ALIKE_IN_WORDS * set;
         self.pressure.is_some() || self.overlap.is_some() || self.pressed_with.is_some_and(is_set)
@@ -110,9 +110,9 @@ pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
     is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
 }
 
-/// The text for a force that is the same at all pressing contacts: `name(force)`, followed by the number to set, which is `pressed_with` or else
-/// `times`, the multiple of the given squeeze. The number is left out if the force itself is what the user sets. `None` if forces or numbers differ
-/// between contacts.
+/// The text for a normal force that is the same at all pressing contacts. It is `name(force)`, followed by the number to set: `pressed_with`, if that
+/// is the same, and `times`, the multiple of the given squeeze. This number is left out if the force itself is what the user sets. `None` if forces,
+/// pressures or overlaps differ between contacts.
 fn all_alike(
     words: Words,
     presses: &[ContactPress],
@@ -131,7 +131,7 @@ fn all_alike(
     })
 }
 
-/// The force at each pressing contact as text without names, as in [`in_words`].
+/// The force at each pressing contact as text without names of contacts: "12 N". If forces differ, the text is `times`, the multiple of the squeeze.
 pub(super) fn in_short(words: Words, presses: &[ContactPress], times: String) -> String {
     all_alike(words, presses, &times, &|force| force).unwrap_or(times)
 }
@@ -158,7 +158,8 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
     }
 }
 
-/// The multiple `times` of the given squeeze, with the force that is set, if no contact presses at rest.
+/// The text if no contact presses at rest: `times`, the multiple of the given squeeze, and the force `pressed_with` if it is the same at all contacts
+/// with commands of their own.
 fn with_what_is_set(words: Words, presses: &[ContactPress], times: String) -> String {
     let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).list();
     match set.first().and_then(|first| first.pressed_with) {

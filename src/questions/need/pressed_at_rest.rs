@@ -11,11 +11,12 @@ use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The normal force of each contact at rest with the squeeze multiplied by `squeeze`, N. Returned with them are the names of the joints and tendons
-/// whose drives are at their limit.
+/// The normal force of each contact with the squeeze multiplied by `squeeze`, N, and the names of the joints and tendons whose drives are at their
+/// limit.
 ///
-/// The forces are those without any load. Some contacts may have commands, forces or vacuums of their own. If none of these contacts presses without
-/// a load, the forces under the load at rest are returned. A contact held by a given force presses with this force even if no equilibrium is known.
+/// The forces are those without any load. The forces under the load at rest replace them in two cases: no equilibrium without load is known, or none
+/// of the contacts with a command, force or vacuum of its own presses in it. If neither equilibrium is known, the given forces are returned if they
+/// alone press; else the list is empty.
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,

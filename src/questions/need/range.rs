@@ -157,7 +157,7 @@ impl Range {
                 (low, last) = (at, now);
             } else {
                 high = at;
-                // No proof exists at the root of the secant, so this root is the least coefficient to the accuracy of the proofs.
+                // At the root of the secant no load is proved unbalanced, so this root is the least coefficient to the accuracy of the proofs.
                 if secant == Some(at) {
                     break;
                 }

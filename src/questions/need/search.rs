@@ -23,12 +23,12 @@ pub(super) struct TrialFunctions<'t> {
     /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
     /// trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
-    /// Whether the contact states at rest differ between two amounts with full trials.
+    /// Whether the contact states in the equilibrium at rest (before the loads act) differ between two amounts, both with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
     /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
-    /// Whether full trials may find new directions in which a force of any direction is not carried. Later quick trials then include these
-    /// directions.
+    /// Whether the question has a force of any direction. Full trials may then find directions in which it is not carried, and later quick trials
+    /// include these directions.
     pub(super) learns: bool,
     /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
     pub(super) is_planar: bool,
@@ -127,8 +127,8 @@ impl SearchPlan {
         if self.is_least { one < other } else { one > other }
     }
 
-    /// The amount at the relative distance `part` beyond the proved end of the range on the harder side; inside the range if `part` is negative.
-    /// `None` if no such end is known, or if it is easier than the amount `sufficient`.
+    /// The amount at the relative distance `part` beyond the proved end of the range on the harder side (less squeeze, more load); inside the range
+    /// if `part` is negative. `None` if no such end is known, or if it is easier than the amount `sufficient`.
     fn beside_the_end(&self, sufficient: f64, part: f64) -> Option<f64> {
         let end = self.end(!self.is_least).filter(|end| self.is_harder(*end, sufficient))?;
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
@@ -225,8 +225,8 @@ pub(super) fn search(
     // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
-    // If the start is insufficient because its squeeze moves the part too far, a smaller squeeze may be sufficient. Therefore smaller amounts are
-    // tried, too, if the least is sought.
+    // If the start is insufficient because its squeeze moves the part too far, a smaller squeeze may be sufficient. Therefore harder amounts (less
+    // squeeze, more load) are tried, too, unless a greatest amount is sought and `is_monotone`.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(sufficient) = first_sufficient(tries, plan, (begin, up, factor), &mut vain)? {
@@ -266,8 +266,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     Ok((at, first))
 }
 
-/// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts: the
-/// first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
+/// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts (more
+/// squeeze, less load): the first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
 fn guessed(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -335,9 +335,11 @@ fn edge_from(
         {
             continue;
         }
-        // A full trial of an amount whose quick trial is undecided would take long, so the next estimate is tried instead.
+        // If the quick trial (without the enumeration of contact states) is undecided, a full trial would take long, so the next estimate is tried
+        // instead.
         match (tries.quick)(amount, false)? {
-            // A full trial of a force of any direction takes hundreds of verdicts, so that only the bound itself is confirmed by one.
+            // A full trial of a force of any direction takes hundreds of verdicts. Therefore only the bound itself is confirmed by one, not this
+            // amount.
             Trial::Sufficient { .. } if tries.learns => {}
             Trial::Sufficient { .. } => {
                 if let now @ Trial::Sufficient { .. } = tries.at(amount)? {
@@ -368,7 +370,8 @@ fn first_insufficient(
 ) -> Result<BoundSearch, Error> {
     let (mut at, mut factor, mut unknown) = (sufficient, 1.0, None);
     let insufficient = loop {
-        // The ratio grows from step to step: secants narrow a wide bracket quickly, and paths at tiny forces take long.
+        // The ratio grows from step to step. A wide bracket costs little, since secants narrow it quickly, but each load path at tiny forces takes
+        // long.
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {

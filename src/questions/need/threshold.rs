@@ -24,7 +24,7 @@ pub(super) struct Threshold {
 }
 
 impl Threshold {
-    /// This bracket narrowed to the widths [`BESIDE_A_BOUND`].
+    /// This bracket narrowed to the widths [`BESIDE_A_BOUND`], for a change between sufficient and insufficient that is not the bound.
     pub(super) fn beside(
         self,
         tries: TrialFunctions<'_>,
@@ -33,11 +33,11 @@ impl Threshold {
         self.narrowed(tries, sufficient, BESIDE_A_BOUND)
     }
 
-    /// This bracket narrowed by secants of a [measure](Trial::measures) of the distance to the bound. If the measure is unknown, jumps, or changes
-    /// across the bracket by rounding alone, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount of the
-    /// bracket.
+    /// This bracket narrowed by secants of a [measure](Trial::measures), a number that vanishes at the bound. If the measure is unknown, jumps, or
+    /// changes across the bracket by rounding alone, the bracket is halved. The argument `sufficient` has the two measures at the sufficient amount
+    /// of the bracket.
     ///
-    /// The first measure is the carried part of the load. If it jumps, the second margin of the trial is used.
+    /// The first measure is the carried part of the load less 1. If it jumps at the bound, the second margin of the trial is used.
     pub(super) fn narrowed(
         mut self,
         tries: TrialFunctions<'_>,
@@ -46,9 +46,9 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // A full trial may find a weaker direction of a force of any direction, which later quick trials include. Each further direction changes the
-        // bound less. Therefore an amount nearer to the sufficient end of the bracket by the fraction [`AT_A_JUMP`] is tried, too; if it is
-        // sufficient, it is the answer.
+        // With a force of any direction, a full trial may find a direction in which the presumed amount is insufficient. Later quick trials include
+        // this direction, and each further direction changes the bound less. Therefore an amount nearer to the sufficient end of the bracket by the
+        // fraction [`AT_A_JUMP`] is tried, too; if it is sufficient, it is the answer.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
@@ -107,8 +107,8 @@ impl Threshold {
         }
     }
 
-    /// Narrows the bracket. If `presumes`, trials are quick and undecided amounts are taken as insufficient. Otherwise trials are full, and an
-    /// undecided trial ends the narrowing.
+    /// Narrows the bracket. If `presumes`, trials are quick (without the enumeration of contact states), and undecided amounts are taken as
+    /// insufficient. Otherwise trials are full, and an undecided trial ends the narrowing.
     pub(super) fn by(
         self,
         tries: TrialFunctions<'_>,
@@ -125,8 +125,8 @@ impl Threshold {
             }
             let is_slow = bracket.is_slow(step);
             let halves = bracket.choose_measure();
-            // At a jump no measure guides the search. In space, moreover, load paths have step errors larger than rounding, so verdicts on amounts
-            // this close to the jump may be wrong. Therefore a wider bracket is accepted.
+            // If the carried part of the load jumps at the bound, no secant guides the search. In space, moreover, load paths have step errors larger
+            // than rounding, so verdicts on amounts this close to the jump may be wrong. Therefore a wider bracket is accepted.
             let is_blind = halves || bracket.fall().is_none();
             if !tries.is_planar && is_blind && bracket.is_within(AT_A_JUMP) {
                 break;
@@ -163,9 +163,9 @@ struct Narrowing {
     sides: [BracketEnd; 2],
     /// Index of the measure in use: 0 for the carried part of the load less 1, 1 for the second margin of the trial ([`Trial::measures`]).
     which: usize,
-    /// The width of the bracket, and the decrease of the measure across it, when the measure began to be watched for a jump.
+    /// The width of the bracket, and the change of the measure in use across it, from which on this measure is watched for a jump at the bound.
     at_first: (f64, Option<f64>),
-    /// Index in `sides` of the end that the last step moved. `None` before the first step, and after some steps of a slow search.
+    /// Index in `sides` of the end that the last step moved. `None` before the first step, and after every fourth step of a slow search.
     kept: Option<usize>,
     /// The next trial keeps at least a distance from both ends of the bracket. The first entry is this distance, as a fraction of the larger amount;
     /// the second is the value to which it is reset when the other end has moved.
@@ -214,21 +214,24 @@ impl Narrowing {
         width > 0.125 * core::mem::replace(&mut self.widths[step % 3], width)
     }
 
-    /// The decrease of the measure in use from one end of the bracket to the other; `None` unless its signs at the two ends differ.
+    /// The decrease of the measure in use (a number that vanishes at the bound) from the sufficient to the insufficient end of the bracket. `None`
+    /// unless its signs at the two ends differ.
     fn fall(&self) -> Option<f64> {
         signs_differ(&self.sides, self.which).map(|[over, under]| over - under)
     }
 
-    /// Takes the measure with the index `which` into use, and watches it for a jump from the present width on.
+    /// Uses the measure with the index `which` (0: carried part of the load less 1; 1: second margin). It is watched for a jump from the present
+    /// width on.
     fn watch(&mut self, which: usize) {
         self.which = which;
         self.at_first = (self.width(), self.fall());
     }
 
-    /// Chooses the measure that guides the next trial. Returns whether this measure jumps at the bound, so that the bracket has to be halved.
+    /// Chooses the measure (carried part of the load less 1, or second margin) that guides the next trial. Returns whether it jumps at the bound, so
+    /// that the bracket has to be halved.
     fn choose_measure(&mut self) -> bool {
         let is_known = |sides: &[BracketEnd; 2], which: usize| signs_differ(sides, which).is_some();
-        // If the present measure is not known at both ends of the bracket, the other measure is used, provided that it is known at both ends.
+        // If the present measure has no known zero in the bracket, the other measure is used, provided that it has one.
         if !is_known(&self.sides, self.which) && is_known(&self.sides, 1 - self.which) {
             self.watch(1 - self.which);
         }
@@ -251,8 +254,8 @@ impl Narrowing {
         jumps && !has_other
     }
 
-    /// The next amount to try: next to the amount at which the measure probably vanishes, or at which contacts at rest probably leave their states,
-    /// or in the middle of the bracket.
+    /// The next amount to try: next to the amount at which the measure in use (a number that vanishes at the bound) probably vanishes, or at which
+    /// contacts at rest probably leave their states, or in the middle of the bracket.
     fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -272,7 +275,8 @@ impl Narrowing {
         from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
     }
 
-    /// The amount at which the measure in use vanishes: extrapolated from the end that the last step moved, or else by a secant.
+    /// The amount at which the measure in use (a number that vanishes at the bound) is predicted to vanish: extrapolated from the end that the last
+    /// step moved, or else by a secant.
     fn root(&self) -> Option<f64> {
         let [over, under] = signs_differ(&self.sides, self.which)?;
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
@@ -311,7 +315,7 @@ impl Narrowing {
     }
 }
 
-/// One end of a bracket: the two measures at its amount, and its last amounts with their measures.
+/// One end of a bracket: the [measures](Trial::measures) at its amount, and its last amounts with their measures.
 struct BracketEnd {
     measures: [Option<f64>; 2],
     /// The last three amounts of this end with their measures, the present one first.

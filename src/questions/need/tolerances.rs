@@ -110,7 +110,7 @@ pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 /// The search begins with some amount, which may be easier (such as more squeeze or less load) than the bound. If it is easier by more than this
 /// ratio, still easier amounts are tried as well. The scan around the bound does not extend that far.
 ///
-/// If smaller, answers take more verdicts. If larger, a far end just on the easier side of the first amount is missed.
+/// If smaller, answers take more verdicts. If larger, the end of the sufficient amounts is missed if it is little easier than the first amount.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
 /// Number of tried amounts that are easier than the first amount of the search (such as more squeeze or less load), in the case of [`FAR_BEHIND`].
@@ -122,7 +122,7 @@ pub(super) const NEAR_THE_START: usize = 3;
 /// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`] if a greatest amount is sought. A force may jam
 /// the object already with an arm far shorter than the grasp.
 ///
-/// Without these amounts, a far end at a very short arm is missed. Each costs a verdict.
+/// Without these amounts, the end of the sufficient amounts at a very short arm is missed. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 
 /// An interval of sufficient amounts is narrow if its ends differ by less than this fraction. If there is a wider interval, the bound in the answer
@@ -132,11 +132,14 @@ pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 /// over.
 pub(super) const NARROW: f64 = 0.01;
 
-/// If the bound of a safe amount is easier than the first amount of the search by more than this ratio, a scan around the bound is made.
+/// If the bound of a safe amount is easier (such as more squeeze or less load) than the first amount of the search by more than this ratio, a scan
+/// around the bound is made.
 ///
 /// If smaller, most safe amounts take the trials of a scan. If larger, an interval of sufficient amounts that the search stepped over stays unseen.
 pub(super) const STEPPED_OVER: f64 = 1.25;
 
-/// Coefficient of friction up to which it is asked whether more friction fails; few surfaces have more. If smaller, a wedge whose real friction is
-/// above the scene's is said to hold; if larger, a change between the scene's coefficient and this one is stepped over more easily.
+/// Coefficient of friction up to which the search asks whether more friction fails; few surfaces have more.
+///
+/// If smaller, a wedge whose real friction is above the scene's is said to hold. If larger, a change between the scene's coefficient and this one is
+/// stepped over more easily.
 pub(super) const USUAL_FRICTION: f64 = 1.0;

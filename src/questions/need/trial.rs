@@ -12,8 +12,8 @@ use crate::prelude::*;
 /// negative, not even the load at rest is carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// A new refuting direction replaces those in the list that are within this angle of it, rad. If smaller, the list fills with directions near one
-/// minimum; if larger, a second minimum is forgotten.
+/// A new direction with which an amount was insufficient replaces those in the list that are within this angle of it, rad. If smaller, the list fills
+/// with directions near one minimum of the carried load; if larger, a second minimum is forgotten.
 const SAME_DIRECTION: f64 = 5e-3;
 
 /// The result of the trial of an amount.
@@ -93,8 +93,8 @@ impl Trial {
         }
     }
 
-    /// Two measures of the distance from the bound of the sufficient amounts: the carried part less 1, and the second margin. Each measure is zero at
-    /// the bound, unless it jumps at the bound. `None` if a measure is not known.
+    /// Two measures of the distance from the bound of the sufficient amounts: `carried` less 1, and the second margin `other`. Each measure is zero
+    /// at the bound, unless it jumps at the bound. `None` for a measure that is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Sufficient { carried, other } | Self::Insufficient { carried, other, .. } => {
@@ -151,10 +151,10 @@ impl Trials {
 /// The loads that refuted earlier amounts, i.e. were not carried with them. As a rule the same load refutes the next amount, so it is applied first.
 #[derive(Debug, Default)]
 pub(super) struct RefutingLoads {
-    /// Index, from 0, of the load that refuted the last insufficient amount, or was carried least with the last sufficient amount.
+    /// Index, from 0, of the load that was not carried with the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction that refuted an amount, or in which the smallest part of the force was carried. Quick trials are
-    /// confined to these directions.
+    /// Directions of a force of any direction in which the force was not carried with some amount, or was carried least. Quick trials are confined to
+    /// these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 

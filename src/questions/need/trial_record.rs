@@ -72,20 +72,21 @@ impl<'q> TrialRecord<'q> {
         }
     }
 
-    /// This record, which tries first the directions in which a force refuted amounts of `other`.
+    /// This record, which tries first the directions of a force with which amounts of the record `other` were insufficient.
     pub(super) fn with_directions_of(self, other: &Self) -> Self {
         self.refuting.directions.replace(other.refuting.directions.borrow().clone());
         self
     }
 
-    /// The full trial of an amount, computed unless it is known. If `short`, no load path is followed beyond the whole load.
+    /// The full trial of an amount, with the enumeration of contact states, computed unless it is known. If `short`, load paths end at the whole
+    /// load.
     pub(super) fn at(&self, amount: f64, demand: Demand, short: bool) -> Result<Trial, Error> {
         if let Some(trial) = of(&self.known, amount, demand) {
             return Ok(trial);
         }
-        // An amount that is sufficient in a quick trial is sufficient in a full trial, too. There are two exceptions. With many coordinates the
-        // search for an equilibrium at rest starts from the contact states of another amount in a quick trial. Of a force of any direction quick
-        // trials omit some directions.
+        // An amount that is sufficient in a quick trial (without the enumeration of contact states) is sufficient in a full trial, too. There are two
+        // exceptions. With many coordinates, a quick trial starts the search for an equilibrium at rest from the contact states of another amount. Of
+        // a force of any direction, quick trials omit some directions.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
@@ -215,7 +216,7 @@ impl<'q> TrialRecord<'q> {
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
-            // A load is put on from rest, so a path to a larger load has passed all smaller loads.
+            // A load grows from rest, a turn from angle 0. If the grasp holds with one amount, its path has therefore passed all smaller amounts.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,

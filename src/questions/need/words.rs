@@ -137,7 +137,8 @@ impl Needed {
         self.amounts_tried(f, *tried)
     }
 
-    /// Writes that all amounts that were tried are sufficient, `to` being the last, up to the far end `until`.
+    /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the last sufficient
+    /// amount on the other side, if there is one.
     fn any(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -278,7 +279,8 @@ impl Needed {
         }
     }
 
-    /// The interval of sufficient amounts from the bound `near` to the far end, or the bound alone, without the place: "3 N to 5 N".
+    /// The interval of sufficient amounts from the bound `near` to its other end, or the bound alone, without names of contacts or bodies: "3 N to 5
+    /// N".
     fn interval_text(&self, words: Words, near: (f64, &[ContactPress]), until: Option<&FarEnd>) -> String {
         match until {
             None => self.short(words, near.0, near.1),
