@@ -37,7 +37,8 @@ pub(crate) fn accelerated(setup: &mut Setup<3>, option: &str) -> Result<(f64, [f
     Ok(own)
 }
 
-/// The common centre of mass of the bodies, with gravity or without; `None` unless the bodies share loads by mass and have masses.
+/// The common centre of mass of the bodies, m, whether or not the scene has gravity. `None` unless the bodies have masses and share every load in
+/// proportion to them.
 pub(crate) fn shared_centre(setup: &Setup<3>) -> Option<Vec<f64>> {
     let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
     setup.gravity = Some([1.0; 3].into());

@@ -50,7 +50,7 @@ impl SceneLoads {
     }
 }
 
-/// The first load at rest of a scene's questions that is not zero, with the number of its question from 1.
+/// The first nonzero constant load (base load or load at the start) of the scene's questions, with the number of its question from 1.
 pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wrench<C>)> {
     let bases = setup.questions.iter().map(Question::base);
     let is_loaded = |base: Option<Wrench<C>>| base.filter(|base| *base != Wrench::ZERO);

@@ -1,4 +1,4 @@
-//! Answers of a grasp in the form of a scene's answers.
+//! Converts answers that the caller got from a grasp to the form in which a scene writes answers.
 
 use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};

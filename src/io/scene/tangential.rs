@@ -21,7 +21,8 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
+    /// Implements [`Self::depends_on_tangential_stiffness`] for the plane and for space: vectors have three components, and in the plane the third is
+    /// zero.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
         // others takes more of this load.

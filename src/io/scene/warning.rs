@@ -211,7 +211,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::warnings`] of a setup whose vectors have three components, even if it is planar.
+    /// Implements [`Self::warnings`] for the plane and for space: vectors have three components, and in the plane the third is zero.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = self.warnings_at_once()?;
         warnings.extend(self.stiffness_left_out()?);

@@ -32,7 +32,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::refuse_weight_twice`] of a setup whose vectors have three components, even if it is planar.
+    /// Implements [`Self::refuse_weight_twice`] for the plane and for space: vectors have three components, and in the plane the third is zero.
     fn refuse_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
         match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
             Some((field, message)) => {

@@ -23,8 +23,8 @@ use crate::loads::OptionVectors;
 pub(crate) use data_deviations::DataDeviations;
 pub(crate) use watch::MapProgress;
 
-/// Prints a table and draws the maps of a scene, for a force at a point. The load at rest of the scene's questions acts in addition. If `pictures` is
-/// `None`, prints the map as JSON.
+/// Prints a table and draws the maps of a scene, for a force at a point. The constant load (base load or load at the start) of the scene's questions
+/// acts in addition. If `pictures` is `None`, prints the map as JSON.
 pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,
