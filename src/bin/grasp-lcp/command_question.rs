@@ -38,8 +38,8 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// Warns if `question` of the command line replaces questions of the scene under a constant load (base load or load at the start), and has no such
-/// load itself. The scene's constant load then does not act.
+/// Warns that a constant load (base load or load at the start) of the scene's questions does not act. This is so if `question` of the command line
+/// has no constant load of its own.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)

@@ -135,7 +135,7 @@ impl Setup<3> {
                 }
             }
         }
-        // Grippers are designed for loads that friction can carry; a load of a hundred times this limit is probably a mistake.
+        // Grippers are designed for loads that friction can carry; a hundred times the load that friction can carry is probably a mistake.
         if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }

@@ -25,8 +25,8 @@ use crate::numerics::{highest, unit};
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// Largest work `φ·v + u·F` over all stretches v and forces F that the label allows, of length one in energy units. φ (N) is the virtual force,
-    /// and u (m) the virtual motion.
+    /// Largest work `φ·v + u·F` over all pairs of stretch v and force F of length one, in energy units, that the label allows. The label restricts
+    /// the states of the contact. φ (N) is the virtual force, and u (m) the virtual motion.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
@@ -83,8 +83,8 @@ impl LocalLaw<'_> {
         most
     }
 
-    /// The friction force for μ F_n = 1 that does the most work along a stretch. It lies in a sector of the round cone, or at a corner of the
-    /// polygon.
+    /// The friction force at μ F_n = 1 that does the most work along a stretch. On the round cone its direction lies in the given sector; on a
+    /// polygon it is a corner.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);

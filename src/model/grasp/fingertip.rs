@@ -156,7 +156,7 @@ impl SoftFingertip<3> {
         let place = |from_rim: usize, ring: &Layer, i: usize| {
             let half_spacings = 2 * i + from_rim % 2;
             let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
-            // Sines and cosines below this size are rounding of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps. A
+            // Sines and cosines below 1e-15 are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps. A
             // ring of at most 4096 points has no other value below 3e-4.
             let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
             PatchPoint {
@@ -247,7 +247,7 @@ impl SoftFingertip<3> {
         Self::of_layers(width, &pressure.layers(Space::Planar, strips))
     }
 
-    /// Implements [`SoftFingertip::contacts`] in the engine, for contacts of the plane or of space.
+    /// The point contacts that replace `contact`, as in [`SoftFingertip::contacts`]; vectors have three components, also in the plane.
     pub(crate) fn contacts_inside(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;

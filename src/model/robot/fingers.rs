@@ -6,7 +6,7 @@ use super::described::Robot;
 use crate::error::Error;
 use crate::grasp::{Contact, Finger, Hand, Joint, JointKind};
 
-/// A finger of the grasp: its independent joints, and the indices of its contacts.
+/// A finger of the grasp: its independent joints, i.e. those that mimic no other joint, and the indices of its contacts.
 pub(crate) struct JointGroup {
     joints: Vec<usize>,
     pub(crate) contacts: Vec<usize>,

@@ -175,7 +175,7 @@ impl Pad {
         Ok((Self { points, outline, profile, area, layer: None }, contact))
     }
 
-    /// The position of the pad's centre; `None` for a sampled surface, whose height at the centre is not known.
+    /// The centre of the pad in the pad's own frame, i.e. its origin; `None` for a sampled surface, whose height at the centre is not known.
     pub(super) fn middle(&self) -> Option<Vector3<f64>> {
         (self.outline != Outline::Sampled).then(Vector3::zeros)
     }

@@ -142,8 +142,8 @@ impl PlacedBodies {
         }
     }
 
-    /// For each coordinate of the bodies other than the object: the displacement of the surface behind the contact relative to the surface into which
-    /// the normal points, per unit of the coordinate. The coordinates are counted from the first coordinate after the object's coordinates.
+    /// Relative motion at a contact due to the bodies other than the object: the displacement of the surface behind the contact less that of the
+    /// surface into which the normal points, per unit of each coordinate. Coordinates are numbered from the first one after the object's coordinates.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -186,8 +186,8 @@ impl PlacedBodies {
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
 
-    /// The wrench on each body other than the object, with moments about the user's origin. `outside` holds the generalised forces in all
-    /// coordinates, in the user's units.
+    /// The wrench on each body except the body that has the object's coordinates, with moments about the user's origin. `outside` holds the
+    /// generalised forces in all coordinates, in the user's units.
     pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<3>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
             let first = place.first;

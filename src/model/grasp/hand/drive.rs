@@ -132,8 +132,8 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units. It is 2 for each of the two springs in series
-    /// that model a drive which yields at a constant force, else 1.
+    /// Ratio of this spring's stiffness to the stiffness of its joint or tendon, both along the drive, N/m. It is 2 for each of the two springs in
+    /// series that model a drive which yields at a constant force, else 1.
     fn halves(&self) -> f64 {
         if matches!(self.role, DriveLaw::UpperHalf | DriveLaw::LowerHalf) { 2.0 } else { 1.0 }
     }
