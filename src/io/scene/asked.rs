@@ -54,7 +54,7 @@ impl Setup<3> {
         question
     }
 
-    /// Implements [`Self::check`] for the plane and for space: vectors have three components, and in the plane the third is zero.
+    /// Checks a question, as for [`Self::check`], in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -120,7 +120,8 @@ impl Setup<3> {
         [self.entries().count(), joints + self.tendons.len(), joints]
     }
 
-    /// Implements [`Self::answers_in`] for the plane and for space: vectors have three components, and in the plane the third is zero.
+    /// The answers to all questions, as for [`Self::answers_in`], in the plane or in space. Vectors have three components; in the plane the third is
+    /// zero.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.answer_in(&grasp, question, words))

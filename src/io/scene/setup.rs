@@ -263,7 +263,7 @@ impl Setup<3> {
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// Implements [`Self::grasp`] for the plane and for space: vectors have three components, and in the plane the third is zero.
+    /// The grasp of this setup, as for [`Self::grasp`], in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
@@ -280,7 +280,8 @@ impl Setup<3> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// Implements [`Self::hand`] for the plane and for space: vectors have three components, and in the plane the third is zero.
+    /// The hand that holds the object, as for [`Self::hand`], in the plane or in space. Vectors have three components; in the plane the third is
+    /// zero.
     fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {

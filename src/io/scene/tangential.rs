@@ -21,8 +21,8 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// Implements [`Self::depends_on_tangential_stiffness`] for the plane and for space: vectors have three components, and in the plane the third is
-    /// zero.
+    /// Indices of the questions whose answers depend on the tangential stiffness, as for [`Self::depends_on_tangential_stiffness`], in the plane or
+    /// in space. Vectors have three components; in the plane the third is zero.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
         // others takes more of this load.

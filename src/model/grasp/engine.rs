@@ -28,8 +28,8 @@ pub(crate) struct Engine {
     /// Centroid of the contact points on the object (the loaded body, if there are several), m. The engine refers moments and rotations to this
     /// point, so that a distant origin of the caller causes no cancellation.
     pub(super) origin: SVector<f64, 3>,
-    /// Root mean square distance of these contact points from their centroid, m; 1 for a single point. The engine divides moment arms by this length,
-    /// so that rotations and translations have comparable size for any unit of the caller.
+    /// Root mean square distance of the object's contact points from their centroid, m; 1 for a single point. The engine divides moment arms by this
+    /// length, so that rotations and translations have comparable size for any unit of the caller.
     pub(super) length: f64,
     /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(super) linkage: Option<Box<Linkage>>,

@@ -22,7 +22,7 @@ impl Engine {
         Ok(self.inside_unchecked(wrench))
     }
 
-    /// [`Self::inside`] for a wrench whose components are known to be in range.
+    /// Converts a wrench to the engine's coordinates, as [`Self::inside`] does, but without checking its components.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
             Some(bodies) if bodies.is_shared() => self.combine_wrenches(bodies, &bodies.shared(wrench)),

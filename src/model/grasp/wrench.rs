@@ -204,7 +204,7 @@ impl<const C: usize> Wrench<C> {
         self.check_in(Space::of::<C>(), what)
     }
 
-    /// [`Self::check`] in the engine, for the plane or for space.
+    /// Returns an error for components that are not finite or too large, in the plane or in space; `what` names the wrench in the message.
     pub(crate) fn check_in(&self, space: Space, what: &'static str) -> Result<(), Error> {
         for (component, &place) in space.components::<C>().iter().enumerate() {
             let value = self.0[place];

@@ -46,7 +46,7 @@ impl Touch {
         self.on_for_contact(0, part)
     }
 
-    /// [`Self::on`] for the contact with this index, which errors name.
+    /// The contacts at which the pad touches the part, as for [`Self::on`]. Errors name the contact by `index`.
     pub(crate) fn on_for_contact(&self, index: usize, part: &Part) -> Result<Touched, Error> {
         let mut contact = self.contact.clone();
         if let Some([normal, tangential]) = self.pad.stiffness() {

@@ -19,7 +19,7 @@ pub(crate) enum LimitEnd {
     LetsGo,
     /// No contact resists the load any further.
     GivesWay,
-    /// The motions of the path cease to be small.
+    /// Rotations or slips of the path exceed the limits of the model, which holds for small motions.
     TooFar,
     /// The grasp buckles.
     Buckles,

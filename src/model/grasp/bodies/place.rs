@@ -1,4 +1,4 @@
-//! Coordinates of each body, and the two sides of each contact.
+//! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
 
 use alloc::sync::Arc;
 
