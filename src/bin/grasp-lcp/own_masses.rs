@@ -14,8 +14,8 @@ pub(crate) struct TurnedWeight {
     pub(crate) at: Numbers,
 }
 
-/// If the scene's gravity acts on bodies with masses, removes the gravity and returns the total weight of the bodies, which the caller turns as a
-/// load. `None` otherwise.
+/// If the scene's gravity acts on bodies with masses, removes the gravity and returns the total weight of the bodies. The caller turns this weight as
+/// a load. `None` otherwise.
 pub(crate) fn tilted(setup: &mut Setup<3>) -> Option<TurnedWeight> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;

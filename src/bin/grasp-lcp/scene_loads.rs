@@ -9,7 +9,7 @@ use grasp_lcp::squeeze::Loads;
 use crate::arguments::{NeedArguments, SoughtQuantity};
 use grasp_lcp::scene::{Question, Setup};
 
-/// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies that grow in proportion to the added loads.
+/// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies in proportion to the added loads.
 pub(crate) struct SceneLoads {
     pub(crate) base: Wrench<3>,
     pub(crate) loads: Loads<3>,

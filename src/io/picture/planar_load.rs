@@ -1,4 +1,4 @@
-//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about the centre.
+//! The arrows of a planar load. Its force is drawn on the line of action, or at the centre of the object with the moment about the centre.
 
 use super::axes::EqualScales;
 use super::labels::Labels;

@@ -43,7 +43,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// The question `improve`, with the surfaces along which contacts may move, which the scene states at its contacts.
+    /// Adds to the question `improve` the surfaces along which contacts may move. The scene gives each surface at its contact, not in the question.
     pub(super) fn with_surfaces(&self, grasp: &Grasp<3>, asked: &Improve<3>) -> Improve<3> {
         let mut question = asked.clone();
         for (entry, contact) in self.entries().zip(grasp.engine.wholes().iter()) {

@@ -135,7 +135,7 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load that grows from zero is held up to some factor above zero, if every friction coefficient above 0 is raised to 3 or more.
+/// Whether a load that grows from zero is held up to some factor above zero. Every friction coefficient above 0 is first raised to 3 or more.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);

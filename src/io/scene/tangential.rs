@@ -9,8 +9,8 @@ use crate::grasp::inside;
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
-    /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large,
-    /// or if the tangential stiffness of one contact is ten times as large. Each question is answered with the limits of [small
+    /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. The stiffness of all contacts is divided or
+    /// multiplied by ten, or the stiffness of one contact is multiplied by ten. Each question is answered with the limits of [small
     /// motions](crate::Settings::small_motions).
     ///
     /// # Errors

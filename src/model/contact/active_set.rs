@@ -21,8 +21,8 @@ use crate::prelude::*;
 /// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the active facets: the facets on which the contact slides, and the facets at which the friction margin `μ F_n - h·F_t` (h the
-    /// normal) is zero.
+    /// Outward normals h of the active facets. These are the facets on which the contact slides, and those at which the friction margin `μ F_n -
+    /// h·F_t` is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
@@ -59,7 +59,7 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // If the force is on as many facets as the contact frame has axes, the force is at the apex, the only common point of the facets.
+        // If the force is on as many facets as the contact frame has axes, it is at the apex, the only common point of these facets.
         self.apex |= self.facets.len() >= axes;
     }
 }
@@ -179,8 +179,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact, on the edge of the round cone, moves along a tangent of the cone or outwards, and not just radially.
-    /// The contact then begins to slide, since even a straight tangent leads out of the cone.
+    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent of the cone or outwards, not just radially. The
+    /// contact then begins to slide, since even a straight tangent leads out of the cone.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {

@@ -93,8 +93,8 @@ impl LocalLaw<'_> {
         most.copied().unwrap_or_else(SVector::zeros)
     }
 
-    /// Calls `visit` with generators of the forces of a contact on an edge of its friction cone with these facets: forces along the edge in both
-    /// directions, and into the cone.
+    /// Calls `visit` with generators of the forces of a contact on an edge of its friction cone. The edge belongs to `facets`. Generators point along
+    /// the edge in both directions, and into the cone.
     fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, 3>], mut visit: impl FnMut(SVector<f64, 3>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);

@@ -116,8 +116,8 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// The direction at τ = 1 as a reference: the first equation of the file header, integrated by a million steps of the midpoint rule from the
-    /// direction `start`. The radius r of the cone is 1 at τ = 0.
+    /// The direction at τ = 1 as a reference, from the direction `start`. The first equation of the file header is integrated by a million steps of
+    /// the midpoint rule. The radius r of the cone is 1 at τ = 0.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);

@@ -66,8 +66,8 @@ impl LocalLaw<'_> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction that differs from the friction limit by no more than the fraction `SOLVED_ROUNDING` is on the cone: a previous step along the
-        // load path leaves such rounding errors.
+        // A traction that differs from the friction limit by at most the fraction `SOLVED_ROUNDING` is on the cone. A previous step along the load
+        // path leaves such rounding errors.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }

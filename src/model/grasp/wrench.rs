@@ -81,7 +81,7 @@ macro_rules! vector_like {
                 Self::of_all(all)
             }
 
-            /// Extracts the object's components from all coordinates of the engine.
+            /// The object's components, taken from a vector of all coordinates of the grasp: of the object, of joints and of other bodies.
             pub(crate) fn among(space: Space, coordinates: &Vector) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
                 for (k, &place) in space.components::<C>().iter().enumerate() {

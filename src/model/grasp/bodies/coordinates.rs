@@ -18,8 +18,8 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign with which the force of a contact acts on the body that has the coordinates of the object: 1 if the normal points into this body, -1 if
-    /// the body is on the other side, 0 if the contact does not touch it.
+    /// Sign with which the force of a contact acts on the body that has the coordinates of the object. It is 1 if the normal points into this body,
+    /// -1 if the body is on the other side of the contact, else 0.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
@@ -92,7 +92,7 @@ impl Engine {
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
-    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load passed to a question: they act as given if it
+    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load of a question. They act as given if that load
     /// is `one`. See [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     pub(crate) fn growing_together(
         &self,

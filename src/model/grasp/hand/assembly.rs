@@ -75,8 +75,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses a reference length for each coordinate after the object's: the power of two nearest to the largest displacement of a contact per unit
-    /// of this coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
+    /// Chooses a reference length for each coordinate after the object's. It is the power of two nearest to the largest displacement of a contact per
+    /// unit of the coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;
@@ -127,7 +127,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Adds the stiffness matrix K of a finger's joints: one drive, a spring along one axis, for each column l of the factorisation `K = Σ l lᵀ`.
+    /// Adds the stiffness matrix K of a finger's joints, factorised as `K = Σ l lᵀ`. Each column l becomes one drive, a spring along a single axis.
     /// `number` is the index of the finger, `first` the index of its first joint, and `count` the number of its joints.
     fn couple(
         &mut self,
