@@ -82,7 +82,7 @@ impl PolygonCone {
         self.facets
     }
 
-    /// Whether the polygon is inside the circle, outside, or balanced between both.
+    /// Whether the polygon is inscribed in the circle of the round cone, circumscribed about it, or balanced between both.
     #[must_use]
     pub fn fit(&self) -> PolygonFit {
         self.fit
