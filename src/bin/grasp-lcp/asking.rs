@@ -20,13 +20,13 @@ use crate::progress_line::ProgressLine;
 use crate::words::Style;
 use crate::{files, report};
 
-/// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code says whether an answer is
-/// undecided.
+/// Answers the questions of a scene file, or the question of the command line, and prints the answers. The exit code is 4 if an answer is undecided,
+/// i.e. if the search ended with neither a result nor a proof.
 pub(crate) fn ask(ask: &SceneArguments, asked: Command) -> Result<ExitCode, Failure> {
     ask_of(files::read(&ask.scene)?, ask, asked)
 }
 
-/// [`ask`] for a scene that is already read; messages name the file `ask.scene`.
+/// Like [`ask`], for a scene that is already read. Error messages name the file `ask.scene`.
 pub(crate) fn ask_of(
     mut scene: Scene,
     ask: &SceneArguments,
@@ -72,7 +72,7 @@ fn words(ask: &SceneArguments, unit: Unit) -> Words {
     Words::with_digits(ask.digits.into()).in_unit(unit)
 }
 
-/// Prints each answer at once, before the next question is answered. Returns whether all answers are decided.
+/// Prints each answer at once, before the next question is answered. Returns false if an answer is undecided.
 fn one_by_one(setup: &Setup<3>, ask: &SceneArguments, unit: Unit) -> Result<bool, Failure> {
     let refused = |error| files::refused(&ask.scene, &error);
     let style = Style { words: setup.words(words(ask, unit)), axes: setup.axes(), points: ask.points };

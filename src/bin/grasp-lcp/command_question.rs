@@ -38,7 +38,8 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// Warns that the load at rest of the scene's questions does not act if `question` of the command line has no load at rest.
+/// Warns that a constant load (base load or load at the start) of the scene's questions does not act. This is so if `question` of the command line
+/// has no constant load of its own.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)
@@ -115,7 +116,7 @@ fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<
     })
 }
 
-/// The message that neither the scene nor the command line has a question of this kind.
+/// The error message if neither the scene nor the command line has a question for the command `asked`.
 fn missing(asked: &Command) -> String {
     let say = match asked {
         Command::Compare { .. } | Command::Onset { .. } => "--mass, --force or --moment",
@@ -270,7 +271,7 @@ impl OptionVectors {
     }
 
     /// The wrench of a force that acts at a point; `option` is the option that an error names. Without a point the force acts along a line through
-    /// the origin, and the point on this line at which it acts counts as not known.
+    /// the origin. Its point of action on this line, which matters for stability, then counts as unknown.
     pub(crate) fn push(self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         let force = force.along_axes(self.axes, option)?;
         Ok(if at.is_some() { Wrench::force_at(force, self.point(at)?) } else { Wrench::force(force) })

@@ -33,7 +33,7 @@ impl Failure {
     }
 }
 
-/// Exit code if all questions are answered and at least one answer is "undecided".
+/// Exit code if all questions are answered, but at least one answer is undecided, i.e. the search ended with neither a result nor a proof.
 pub(crate) const EXIT_UNDECIDED: u8 = 4;
 
 impl fmt::Display for Failure {

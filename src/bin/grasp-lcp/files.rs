@@ -22,7 +22,7 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
         bytes(path, "a scene, a file in JSON")?
     };
     let scene = Scene::from_json(&text).map_err(|fault| {
-        // A file that is no JSON may be what a scene is made of.
+        // The user may have passed a mesh or a table of slips in place of the scene. The message then names the command that takes such a file.
         let end = path.extension().map(|end| end.to_ascii_lowercase().to_string_lossy().into_owned());
         Failure::Scene(match end.as_deref().filter(|_| fault.kind == FaultKind::Syntax) {
             Some("stl" | "obj") => format!(
@@ -67,8 +67,8 @@ pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     warn_of_stiffness(path, scene)
 }
 
-/// Prints the warnings that need no answers. `given` is the scene before the command line has replaced its questions: warnings about its loads are
-/// printed, too.
+/// Prints the warnings for which no question must be answered. `given` is the scene before the command line has replaced its questions: warnings
+/// about its loads are printed, too.
 pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
     let mut warnings = scene.warnings_at_once().map_err(|error| refused(path, &error))?;
     let of_loads =

@@ -1,4 +1,4 @@
-//! A gripper of two jaws on a part from a mesh, as a scene.
+//! Makes a scene in which a gripper with two jaws holds a part that is given by a mesh.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -95,7 +95,7 @@ impl Grip {
         asking::ask_of(scene, &ask, Command::Ask(ask.clone()))
     }
 
-    /// The scene of two jaws that close on the part, with the question whether they hold its weight: as text, and as a value with its mesh.
+    /// The scene of two jaws that close on the part, with the question whether they hold its weight. Returned as text, and as a value with its mesh.
     fn scene(&self) -> Result<(String, Scene), Failure> {
         let missing = |what: &str| {
             Failure::Usage(format!("{what}: grasp-lcp new grip part.stl --jaws 20x30mm --force 40"))

@@ -254,7 +254,7 @@ impl OptionVectors {
     }
 }
 
-/// The error of a row of the table: a faulty cell, or a faulty option of the command line.
+/// The error of a row of the table of observed slips: a faulty cell, or a faulty option of the command line.
 enum Fault {
     Cell(String),
     Usage(Failure),

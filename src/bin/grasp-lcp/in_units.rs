@@ -23,7 +23,8 @@ impl Command {
         }
     }
 
-    /// Converts points of loads to m; all other options are in SI units, or are directions.
+    /// Converts the lengths among the options from `unit` to m: points of loads, and a point on the axis of a turning arm. For `identify` it stores
+    /// the unit, with which the table of slips is read.
     pub(crate) fn lengths_to_metres(&mut self, unit: Unit) {
         match self {
             Self::Hold { load, .. }

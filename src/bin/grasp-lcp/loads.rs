@@ -39,7 +39,7 @@ impl OptionVectors {
         numbers.map_or(Ok([0.0; 3]), |numbers| numbers.along_axes(self.axes, option))
     }
 
-    /// Motion of an arm that is still.
+    /// A resting arm: gravity acts, and the arm neither accelerates nor turns.
     fn still(self) -> ArmMotion {
         ArmMotion::still().gravity(self.gravity)
     }

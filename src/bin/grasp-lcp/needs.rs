@@ -53,8 +53,9 @@ impl OptionVectors {
         }))
     }
 
-    /// The question for the sought quantity with its loads, and a constant load in addition to these loads: for accelerations to and fro the weight
-    /// of the mass, for loads of the scene its base load. `None` if there is no such constant load.
+    /// The question for the sought quantity with its loads, and a constant load that acts in addition. For accelerations to and fro the constant load
+    /// is the load of all other options, such as the weight of the mass. For loads of the scene it is the base load of the scene's question. `None`
+    /// if there is no constant load.
     fn sought(
         self,
         need_arguments: &NeedArguments,

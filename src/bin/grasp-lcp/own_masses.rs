@@ -14,8 +14,8 @@ pub(crate) struct TurnedWeight {
     pub(crate) at: Numbers,
 }
 
-/// If the scene's gravity acts on bodies with masses, removes the gravity and returns the total weight of the bodies, which the caller turns as a
-/// load. `None` otherwise.
+/// If the scene's gravity acts on bodies with masses, removes the gravity and returns the total weight of the bodies. The caller turns this weight as
+/// a load. `None` otherwise.
 pub(crate) fn tilted(setup: &mut Setup<3>) -> Option<TurnedWeight> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;
@@ -37,7 +37,8 @@ pub(crate) fn accelerated(setup: &mut Setup<3>, option: &str) -> Result<(f64, [f
     Ok(own)
 }
 
-/// The common centre of mass of the bodies, with gravity or without; `None` unless the bodies share loads by mass and have masses.
+/// The common centre of mass of the bodies, m, whether or not the scene has gravity. `None` unless the bodies have masses and share every load in
+/// proportion to them.
 pub(crate) fn shared_centre(setup: &Setup<3>) -> Option<Vec<f64>> {
     let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
     setup.gravity = Some([1.0; 3].into());

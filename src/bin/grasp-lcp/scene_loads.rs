@@ -9,7 +9,7 @@ use grasp_lcp::squeeze::Loads;
 use crate::arguments::{NeedArguments, SoughtQuantity};
 use grasp_lcp::scene::{Question, Setup};
 
-/// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies that grow in proportion to the added loads.
+/// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies in proportion to the added loads.
 pub(crate) struct SceneLoads {
     pub(crate) base: Wrench<3>,
     pub(crate) loads: Loads<3>,
@@ -50,7 +50,7 @@ impl SceneLoads {
     }
 }
 
-/// The first load at rest of a scene's questions that is not zero, with the number of its question from 1.
+/// The first nonzero constant load (base load or load at the start) of the scene's questions, with the number of its question from 1.
 pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wrench<C>)> {
     let bases = setup.questions.iter().map(Question::base);
     let is_loaded = |base: Option<Wrench<C>>| base.filter(|base| *base != Wrench::ZERO);

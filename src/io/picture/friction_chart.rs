@@ -71,8 +71,8 @@ impl<const C: usize> DrawnProgram<'_, C> {
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
             let turns = self.legs.get(leg).is_some_and(Leg::turns);
-            // On legs along which the load changes linearly, curves are smooth between events, and few points suffice. The events themselves are
-            // added.
+            // On a leg (a section of the load program) along which the load changes linearly, curves are smooth between events, and few points
+            // suffice. The events themselves are added.
             let count = if turns { 180 } else { (48 / (last + 1)).max(16) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).list();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));

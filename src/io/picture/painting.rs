@@ -165,7 +165,7 @@ impl Painting {
                 Shape::Area { corners, ink } if ink.opacity == 1.0 => {
                     inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
                 }
-                // Of an area that is only tinted, such as a cone, names should not cover the edges.
+                // Names may cover the inside of a tinted area, such as a friction cone, but should not cover its edges.
                 Shape::Area { corners, .. } => {
                     corners.windows(2).for_each(|ends| along(ends[0], ends[1], 1.0, &mut inked));
                 }

@@ -1,4 +1,4 @@
-//! The arrows of a planar load: a force on its line of action, or a force at the centre of the object with its moment about the centre.
+//! The arrows of a planar load. Its force is drawn on the line of action, or at the centre of the object with the moment about the centre.
 
 use super::axes::EqualScales;
 use super::labels::Labels;
@@ -55,7 +55,7 @@ pub(super) struct LoadOnPaper<'l> {
 }
 
 impl<'l> LoadOnPaper<'l> {
-    /// The load on these axes, with `scale` metres per newton.
+    /// The load in pixels on these axes; `scale` is the length of an arrow per force, m/N.
     pub(super) fn new(load: &'l PlanarLoad, axes: &EqualScales, scale: f64) -> Self {
         let (from, to) = (axes.place(load.at), axes.place(load.at + load.force * scale));
         let long = (to.0 - from.0).hypot(to.1 - from.1);

@@ -61,8 +61,8 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
     draw(paper, line);
 }
 
-/// The fraction, from 0 to 1, of the angle between two points of a curve, with radii `from` and `to`, at which the curve crosses the rim. The
-/// reciprocal of the radius is interpolated linearly, since it is finite even if a radius is infinite. 0 if both radii are equal.
+/// The fraction, from 0 to 1, of the angle between two points of a curve at which the curve crosses the rim. The points have the radii `from` and
+/// `to`. The reciprocal of the radius is interpolated linearly, since it is finite even if a radius is infinite. 0 if both radii are equal.
 fn crossing(from: f64, to: f64, rim: f64) -> f64 {
     let part = (1.0 / from - 1.0 / rim) / (1.0 / from - 1.0 / to);
     if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }

@@ -25,8 +25,8 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
         }
     }
     edges.sort_unstable();
-    // The edges that polygons traverse more often in one direction than in the other, each in the more frequent direction. These edges surround the
-    // region.
+    // Edges that the polygons (parts of triangles above the level) traverse more often in one direction than in the other. Each has the more frequent
+    // direction. These edges surround the region.
     let mut onward: Vec<(Pixel, Pixel, i32)> = Vec::new();
     for same in edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
         let (a, b, _) = same[0];

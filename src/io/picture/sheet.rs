@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter, Write};
 use super::palette::{BLACK, FONT, Ink, Rgb, WHITE};
 use super::words::escaped;
 
-/// Places are rounded to a pixel divided by this number, finer than any screen shows.
+/// Positions are rounded to a pixel divided by this number, finer than any screen shows.
 const PARTS_OF_A_PIXEL: f64 = 100.0;
 
 /// A position on the paper, pixels to the right and downwards.

@@ -43,7 +43,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// The question `improve`, with the surfaces along which contacts may move, which the scene states at its contacts.
+    /// Adds to the question `improve` the surfaces along which contacts may move. The scene gives each surface at its contact, not in the question.
     pub(super) fn with_surfaces(&self, grasp: &Grasp<3>, asked: &Improve<3>) -> Improve<3> {
         let mut question = asked.clone();
         for (entry, contact) in self.entries().zip(grasp.engine.wholes().iter()) {
@@ -54,7 +54,7 @@ impl Setup<3> {
         question
     }
 
-    /// [`Self::check`] of a setup whose vectors have three components, even if it is planar.
+    /// Checks a question, as for [`Self::check`], in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -120,7 +120,8 @@ impl Setup<3> {
         [self.entries().count(), joints + self.tendons.len(), joints]
     }
 
-    /// [`Self::answers_in`] of a setup whose vectors have three components, even if it is planar.
+    /// The answers to all questions, as for [`Self::answers_in`], in the plane or in space. Vectors have three components; in the plane the third is
+    /// zero.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.answer_in(&grasp, question, words))

@@ -17,12 +17,12 @@ use crate::numerics::summed;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl Setup<3> {
-    /// Whether the scene has a question in which nothing presses on any contact: no command of a finger or joint, no load at rest (base load or load
-    /// at the start), and no applied load. An applied load presses if it pushes the object onto a contact, as a weight does, or if it jams the
-    /// object. A question `solve` with a load, a `need` of an arm and an `identify` of forces under the base load are skipped. Without questions the
-    /// function returns whether no command presses; without contacts it returns false.
+    /// Whether the scene has a question in which nothing presses on any contact. Commands of fingers or joints press, as do a constant load (base
+    /// load or load at the start) and an applied load. An applied load presses if it pushes the object onto a contact, as a weight does, or if it
+    /// jams the object. A question `solve` with a load, a `need` of an arm and an `identify` of forces under the base load are skipped. Without
+    /// questions the function returns whether no command presses; without contacts it returns false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
-        // A grasp that has links but no contacts needs no command that presses.
+        // A grasp that has links but no contacts holds the object even if no command presses.
         if grasp.presses() || self.entries().next().is_none() {
             return Ok(false);
         }
@@ -101,8 +101,8 @@ impl Setup<3> {
         for (contact, entry) in self.entries().enumerate() {
             let Some(nominal) = entry.contact.press else { continue };
             pressed += 1;
-            // The force of a contact is its component along the contact's normal, for a pad along its closing direction. Points of a pad on a curved
-            // part have other normals.
+            // The force of a contact is its component along the contact's normal. For a pad it is the component along the pad's closing direction,
+            // since normals differ from point to point on a curved part.
             let along = entry.contact.frame(contact)?.column(0).into_owned();
             let force = summed(&state.contacts[wholes[contact].range.clone()], &|point| {
                 point.force_world.dot(&along)
@@ -135,7 +135,7 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load that grows from zero is held up to some factor above zero, if every friction coefficient above 0 is raised to 3 or more.
+/// Whether a load that grows from zero is held up to some factor above zero. Every friction coefficient above 0 is first raised to 3 or more.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);

@@ -82,7 +82,8 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::brief_answers`] of a setup whose vectors have three components, even if it is planar.
+    /// Short answers to all questions, as for [`Self::brief_answers`], in the plane or in space. Vectors have three components; in the plane the
+    /// third is zero.
     pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.brief_answer(&grasp, question))

@@ -24,7 +24,7 @@ pub(super) fn faulty_field(
     // A unit variant, i.e. a name without the fields that it needs, is reported at the byte after the name.
     let alone = message.starts_with("invalid type: unit variant");
     let json = if error.is_syntax() || alone { before } else { &text[..read] };
-    // If a list is not allowed, serde_json gives as its position either its opening bracket or the byte before.
+    // If a list is not allowed, the position that serde_json gives is either the opening bracket of the list or the byte before it.
     let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
     let around = (behind && message.starts_with("invalid type: sequence"))
         || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));

@@ -67,7 +67,8 @@ fn at_factor(factor: f64, words: Words) -> String {
 }
 
 impl<const C: usize> Answer<C> {
-    /// [`Question::first_line`] without the question. An onset is then given by its load factor and not by its load.
+    /// The first line of an answer whose question is not given: an onset is then described by its load factor instead of its load. See
+    /// [`Question::first_line`].
     #[must_use]
     pub fn first_line(&self, words: Words) -> String {
         let digits = words.precision();

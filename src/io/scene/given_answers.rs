@@ -1,4 +1,4 @@
-//! Answers of a grasp in the form of a scene's answers.
+//! Converts answers that the caller got from a grasp to the form in which a scene writes answers.
 
 use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};
@@ -39,7 +39,8 @@ impl<const C: usize> Setup<C> {
         SceneNames(&grasp).solve(&inside(load), inside(outcome).into_owned(), words).map(outside)
     }
 
-    /// The answer of a setup's grasp to [`Grasp::onset`]. This call computes the equilibrium at first slip and the behaviour beyond it.
+    /// The answer of a setup's grasp to [`Grasp::onset`], in the form of a scene's answers. This call computes the equilibrium at first slip and the
+    /// behaviour beyond it.
     #[must_use]
     pub fn tell_onset(grasp: &Grasp<C>, onset: &path::Onset<C>) -> OnsetAnswer<C> {
         outside(SceneNames(&inside(grasp)).onset(&inside(onset), |factor| Factor { factor }))

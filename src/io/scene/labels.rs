@@ -39,8 +39,8 @@ impl SceneNames<'_> {
         outcome
     }
 
-    /// An outcome in the form of the answer to `solve`. An equilibrium also gets its accuracy and, for each contact, whether working precision
-    /// suffices to distinguish the contact state from the neighbouring states.
+    /// An outcome in the form of the answer to `solve`. An equilibrium also gets its numerical accuracy and, for each contact, whether double
+    /// precision suffices to distinguish its state (sticking, sliding, open) from the neighbouring states.
     pub(super) fn solved(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         if let Outcome::Equilibrium(state) = &mut outcome {
             state.accuracy = self.0.accuracy(state);

@@ -75,9 +75,9 @@ impl Setup<3> {
     }
 
     /// Indices of the questions whose answers depend on the stiffness, i.e. change relatively by more than `same_within` in one of the trials.
-    /// Questions for which `is_known` is true are listed in any case. Answers are compared between the grasps that `compared` makes, for example
-    /// without limits of small motions. A question is also listed if the given grasp answers otherwise than the grasp without these limits, since the
-    /// limits then matter and motions depend on stiffness.
+    /// Questions for which `is_known` is true are listed in any case. `compared` alters every grasp before its answer is compared, for example by
+    /// removing the limits of small motions. A question is also listed if this alteration changes the answer of the given grasp: the limits then
+    /// matter, and motions depend on stiffness.
     pub(super) fn questions_that_depend(
         &self,
         trials: &[Self],
@@ -134,7 +134,7 @@ impl Setup<3> {
         setup
     }
 
-    /// The numbers of the answer to `question` that are compared between trials with different stiffnesses.
+    /// The numbers of an answer that are compared between trials with different stiffnesses, such as the load factor at first slip.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
@@ -145,8 +145,8 @@ impl Setup<3> {
                 // If the grasp does not hold the whole load, the load factor at first slip is not part of the answer.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let first = first.map_or(f64::INFINITY, |first| first.factor);
-                // A grasp that buckles with all trial stiffnesses may not buckle with stiffer springs. NaN differs from every number, so that the
-                // question counts as dependent on stiffness.
+                // A grasp that buckles with all trial stiffnesses may not buckle with stiffer springs. The load factor is then set to NaN, which
+                // differs from every number, so that the question counts as dependent on stiffness.
                 let buckles = lost.is_some_and(|lost| lost.too_far == Some(TooFar::Buckles));
                 let lost = lost.map_or(f64::INFINITY, |lost| if buckles { f64::NAN } else { lost.factor });
                 Ok(vec![known(verdict.holds()), known(verdict.sticks()), first, lost])

@@ -42,8 +42,8 @@ impl Setup<3> {
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
-    /// The name of the body on which a load acts, if this body has a mass: the body `named`, or else the body on which the loads of questions act. If
-    /// all bodies share the load, the first body with a mass. `None` for a body without mass, and without gravity.
+    /// The name of the body on which a load acts, if this body has a mass. The load acts on the body `named`, or else on the body on which the loads
+    /// of questions act. If all bodies share the load, the first body with a mass. `None` for a body without mass, and without gravity.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;
@@ -62,7 +62,8 @@ impl Setup<3> {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
 
-    /// The question in the form in which the grasp of [`Self::grasp_of`] answers it. If gravity turns, the turning load is the weight of the bodies.
+    /// The question as the grasp of [`Self::grasp_of`] must be asked. If the scene's gravity turns, the weight of the bodies becomes the turning
+    /// load.
     ///
     /// # Errors
     /// [`Error::Question`] if gravity should turn but the bodies have no weight. Also if a base load acts in addition to the turning gravity, and
@@ -101,8 +102,8 @@ impl Setup<3> {
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 
-    /// The grasp for a question in which gravity turns, without gravity, since the turning load of the question is the weight. `None` for any other
-    /// question.
+    /// For a question in which the scene's gravity turns: the grasp without gravity, since the turning load of the question already is the weight.
+    /// `None` for any other question.
     pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {
             Question::OnsetOfTurn(turn) => Some(turn),

@@ -69,7 +69,7 @@ impl FingertipPatch {
         self.spread_inside(if C == 2 { Space::Planar } else { Space::Spatial }).map(Face::from_inside)
     }
 
-    /// [`Self::spread`] for vectors of three components, in the plane too.
+    /// The patch of points that takes the place of a contact; vectors have three components, also in the plane.
     pub(super) fn spread_inside(&self, space: Space) -> Result<SoftFingertip<3>, Error> {
         let (patch, of) = match *self {
             Self::Ring { radius, points } => (SoftFingertip::ring(radius, points)?, Space::Spatial),

@@ -17,7 +17,7 @@ const SETUP: [&str; 11] = [
     "settings",
 ];
 
-/// Rewords a message of serde or serde_json for users. `here` is the byte of the text at the fault, if it is known.
+/// Rewords a message of serde or serde_json for users. `here` is the byte of the text at the position of the error, if that position is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((given, wanted)) = message
         .strip_prefix("invalid type: ")

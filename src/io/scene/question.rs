@@ -133,7 +133,8 @@ impl<const C: usize> Question<C> {
         }
     }
 
-    /// The load at rest of this question, which acts before its other loads. `None` for `solve`, `onset_of_turn` and `identify`, which have none.
+    /// The constant load of this question (base load or load at the start), which acts before its other loads. `None` for `solve`, `onset_of_turn`
+    /// and `identify`, which have none.
     #[must_use]
     pub fn base(&self) -> Option<Wrench<C>> {
         Some(match self {

@@ -47,7 +47,7 @@ use crate::words::Words;
 #[non_exhaustive]
 #[must_use]
 pub struct Setup<const C: usize> {
-    /// The plane or space; the vectors of a planar setup may have three components.
+    /// Whether the setup is in the plane or in space. The number of vector components does not tell: inside the crate planar vectors have three, too.
     #[serde(skip, default = "space_of_text::<C>")]
     pub(crate) space: Space,
     /// Contacts whose fingers have no joints. [`Setup::grasp`] returns an error if neither this list nor a finger has a contact.
@@ -104,7 +104,7 @@ fn is_default(settings: &Settings) -> bool {
     *settings == Settings::default()
 }
 
-/// A setup that is deserialized field by field, before its checks.
+/// A setup as read from text, field by field. Its parts and questions are not yet checked.
 struct Fields(Setup<3>);
 
 impl<'de> Deserialize<'de> for Fields {
@@ -263,7 +263,7 @@ impl Setup<3> {
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// [`Self::grasp`] of a setup whose vectors have three components, even if it is planar.
+    /// The grasp of this setup, as for [`Self::grasp`], in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
@@ -280,7 +280,8 @@ impl Setup<3> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// [`Self::hand`] of a setup whose vectors have three components, even if it is planar.
+    /// The hand that holds the object, as for [`Self::hand`], in the plane or in space. Vectors have three components; in the plane the third is
+    /// zero.
     fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {

@@ -18,7 +18,7 @@ use crate::numerics::{IntoList, Space, chosen, every_index, largest, mapped, pic
 use crate::statics::Closure;
 
 impl Setup<3> {
-    /// Warnings about implausible data of contacts, such as friction, stiffness, force and position, whatever the loads.
+    /// Warnings about implausible data of contacts, such as friction, stiffness, force and position. Loads of questions are not considered.
     pub(super) fn odd_contacts(&self, grasp: &Grasp<3>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().list();
@@ -135,7 +135,7 @@ impl Setup<3> {
                 }
             }
         }
-        // Grippers are designed for loads that friction can carry; a load of a hundred times this limit is probably a mistake.
+        // Grippers are designed for loads that friction can carry; a hundred times the load that friction can carry is probably a mistake.
         if carried > 0.0 && heaviest > 100.0 * carried {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }

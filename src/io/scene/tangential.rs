@@ -9,8 +9,8 @@ use crate::grasp::inside;
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
-    /// Indices of the questions whose answers change by more than 5 % if the tangential stiffness of all contacts is a tenth, or ten times as large,
-    /// or if the tangential stiffness of one contact is ten times as large. Each question is answered with the limits of [small
+    /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. The stiffness of all contacts is divided or
+    /// multiplied by ten, or the stiffness of one contact is multiplied by ten. Each question is answered with the limits of [small
     /// motions](crate::Settings::small_motions).
     ///
     /// # Errors
@@ -21,7 +21,8 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::depends_on_tangential_stiffness`] of a setup whose vectors have three components, even if it is planar.
+    /// Indices of the questions whose answers depend on the tangential stiffness, as for [`Self::depends_on_tangential_stiffness`], in the plane or
+    /// in space. Vectors have three components; in the plane the third is zero.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
         // others takes more of this load.

@@ -211,14 +211,15 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// [`Self::warnings`] of a setup whose vectors have three components, even if it is planar.
+    /// All warnings about this setup, as for [`Self::warnings`], in the plane or in space. Vectors have three components; in the plane the third is
+    /// zero.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = self.warnings_at_once()?;
         warnings.extend(self.stiffness_left_out()?);
         Ok(warnings)
     }
 
-    /// [`Scene::warnings_at_once`] in the plane or in space.
+    /// Probable mistakes that are found before any question is answered, in the plane or in space; see [`Scene::warnings_at_once`].
     fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp);

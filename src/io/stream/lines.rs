@@ -13,9 +13,9 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// A block is full with this number of lines.
+/// Number of lines at which a block, a batch of input lines that one worker answers, is full.
 const LINES_OF_A_BLOCK: usize = 64;
-/// Size at which a block is full, bytes.
+/// Size, bytes, at which a block of input lines is full.
 pub const BLOCK_BYTES: usize = 1 << 16;
 
 /// Numbers of lines that were read and answered.
@@ -36,7 +36,8 @@ pub const fn most_ahead(threads: usize) -> usize {
     (queue(threads) + 2) * LINES_OF_A_BLOCK
 }
 
-/// Length of the queue. It holds blocks whose answers are being computed, and answered blocks that wait until earlier blocks are written.
+/// Length of the queue, in blocks of lines. It holds blocks whose answers are being computed, and answered blocks that wait until earlier blocks are
+/// written.
 const fn queue(threads: usize) -> usize {
     4 * threads
 }

@@ -21,8 +21,8 @@ use crate::prelude::*;
 /// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
-    /// Normals of the active facets: the facets on which the contact slides, and the facets at which the friction margin `μ F_n - h·F_t` (h the
-    /// normal) is zero.
+    /// Outward normals h of the active facets. These are the facets on which the contact slides, and those at which the friction margin `μ F_n -
+    /// h·F_t` is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
     /// Whether the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
@@ -59,7 +59,7 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // If the force is on as many facets as the contact frame has axes, the force is at the apex, the only common point of the facets.
+        // If the force is on as many facets as the contact frame has axes, it is at the apex, the only common point of these facets.
         self.apex |= self.facets.len() >= axes;
     }
 }
@@ -104,8 +104,8 @@ impl LocalLaw<'_> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
-    /// The sliding state that a sticking contact may also have without a change of its force, which lies on an edge of the friction cone. `None` if
-    /// the force lies inside the cone or at the apex.
+    /// A sticking contact whose force lies on an edge of the friction cone may equally count as sliding with zero slip, under the same force. Returns
+    /// this sliding state; `None` if the force lies inside the cone or at the apex.
     pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
         let ActiveSet { facets, apex } = self.active_set(line);
         if apex || facets.is_empty() {
@@ -118,8 +118,9 @@ impl LocalLaw<'_> {
         Some(self.slipping_state(&numbers.list()))
     }
 
-    /// Removes from the active set the facets whose friction margin grows at the force rate `line.rate`. Also removes the apex if the normal force or
-    /// the gap grows. Facets on which the contact slides stay in the set. If the force leaves the apex along facets, these facets stay, too.
+    /// Removes from the active set the facets whose friction margin grows at the force rate `line.rate`, except facets on which the contact slides.
+    /// Also removes the apex if the normal force or the gap grows. A force that leaves the apex may then move along facets; such facets are in the
+    /// set afterwards.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -178,8 +179,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact moves along a straight tangent of the round cone, from a point on its edge. A tangent leads out of the
-    /// cone.
+    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent of the cone or outwards, not just radially. The
+    /// contact then begins to slide, since even a straight tangent leads out of the cone.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
@@ -190,8 +191,7 @@ impl LocalLaw<'_> {
         let across = (rate - p * p.dot(&rate)).norm();
         // At the end of a slip the friction margin and the rate of this margin are zero only up to the error of the integration steps.
         let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
-        // If the force rate across the friction direction is below this fraction of the whole force rate, the force moves radially, outwards or
-        // inwards.
+        // If the force rate across the friction direction is at most 1e-6 of the whole force rate, the force moves radially, outwards or inwards.
         on_the_edge
             && cone.facet_margin(&line.rate, &p) <= NEGLIGIBLE * line.rate_size * weight
             && across > 1e-6 * line.rate_size * weight

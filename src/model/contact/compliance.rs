@@ -4,7 +4,7 @@
 //! Let a be the commanded displacement of the finger, u_c the displacement of the object's contact point, g the gap and s the slip. Then
 //!
 //! ```text
-//! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        stretch, in m; force, in N; stiffness, in N/m
+//! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        spring deflection v, m; force F, N; stiffness K, N/m
 //! ```
 //!
 //! **Energy units.** `x = K^{-1/2}F = K^{1/2}v` has the unit √J, and `½|x|²` is the stored energy. In these units every spring has the stiffness one.

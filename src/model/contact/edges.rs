@@ -63,7 +63,7 @@ impl Edges {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
 
-    /// The coefficients of all conditions. For a round cone, the coefficients of its facets at the angles that `angles` selects.
+    /// The coefficients of all conditions; for a round cone, the coefficients of its facets at the angles that the function `angles` returns.
     pub(crate) fn rows(
         &self,
         angles: &dyn Fn(&Harmonic<SVector<f64, 3>>) -> Vec<f64>,
@@ -86,9 +86,9 @@ impl Edges {
         })
     }
 
-    /// Let F be `force` and A be `influence`. The function returns the coefficients a of conditions that contact forces `F + A x` with `|x| = size`
-    /// may violate. The least value of a condition over all these x is `a·F - size |Aᵀa|`. For a round cone, one facet at which this value has a
-    /// negative local minimum is returned, or none. Otherwise all conditions are returned.
+    /// The conditions that some contact force `F + A x` with `|x| = size` may violate, as their coefficients a. F is `force`, and A is `influence`.
+    /// The least value of a condition over all these x is `a·F - size |Aᵀa|`. For a round cone, one facet at which this value has a negative local
+    /// minimum is returned, or none. Otherwise all conditions are returned.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,

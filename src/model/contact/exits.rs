@@ -187,7 +187,7 @@ impl LocalLaw<'_> {
             if through {
                 return Some(apex);
             }
-            // Newton's method has not converged if its last step moves the root by more than this fraction of the distance from the apex.
+            // Newton's method has not converged if its last step moves the root by more than 1e-8 of the root's distance from the apex.
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
                 // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's method
                 // descends from the apex to the root before it.

@@ -54,7 +54,7 @@ pub(crate) struct HullRay {
 }
 
 impl Label {
-    /// The sector to which the label restricts the friction force.
+    /// The sector of friction directions to which the label, a restriction of the contact's states, limits the friction force.
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
@@ -111,7 +111,7 @@ impl Sector {
     /// Vertices of a polygon that encloses the arc of the unit circle over this sector: the ends of the arc, and intersections of tangents between
     /// them.
     fn around(&self) -> Vec<[f64; 2]> {
-        // The arc is divided into equal parts of at most this angle. The tangents at the ends of each part give one vertex.
+        // The arc is divided into equal parts of at most π/8. The tangents at the ends of each part give one vertex.
         let pieces = self.pieces(FRAC_PI_8);
         let half = 0.5 * self.width() / f64::from(pieces);
         let reach = 1.0 / half.cos();
@@ -165,7 +165,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Generators of the convex hull of all stretches and forces that the law allows under a label.
+    /// Generators of the convex hull of all stretches and forces that the contact law allows under a label, i.e. a restriction of the contact's
+    /// states.
     pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay> {
         let root = self.springs.root();
         let rubs = self.springs.resists_tangentially();
@@ -236,9 +237,9 @@ impl LocalLaw<'_> {
         rays
     }
 
-    /// Two narrower labels that together allow the same states as `label`. `stretch` and `force` lie in the hull of `label`, but may violate the
-    /// contact law, which requires friction along the slip. A sector of friction directions is therefore cut between the directions of the friction
-    /// force and of the slip, or halved if it is wide. `None` if the label cannot be divided.
+    /// Two narrower labels (restrictions of the contact's states) that together allow the same states as `label`. `stretch` and `force` lie in the
+    /// hull of `label`, but may violate the contact law, which requires friction along the slip. A sector of friction directions is therefore cut
+    /// between the directions of the friction force and of the slip, or halved if it is wide. `None` if the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
@@ -249,7 +250,8 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // Friction, or slip times stiffness, below this fraction of the larger forces counts as a rounding error and has no direction.
+        // Friction, or slip times stiffness, below the fraction `SOLVED_ROUNDING` of the larger forces counts as a rounding error and has no
+        // direction.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {

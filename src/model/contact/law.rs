@@ -200,8 +200,8 @@ impl<'c> LocalLaw<'c> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction margin of a contact under a force, N, positive inside the cone: `μ F_n - |F_t|` on the round cone, or the least `μ F_n - h·F_t` of
-    /// all facets of a polygonal cone, h the normal. Infinite for infinite friction.
+    /// Friction margin of a contact under a force, N, positive inside the cone. On the round cone it is `μ F_n - |F_t|`, on a polygonal cone the
+    /// least `μ F_n - h·F_t` over its facet normals h. Infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, 3>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;

@@ -25,8 +25,8 @@ use crate::numerics::{highest, unit};
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// Largest work `φ·v + u·F` over all stretches v and forces F that the label allows, of length one in energy units. φ (N) is the virtual force,
-    /// and u (m) the virtual motion.
+    /// Largest work `φ·v + u·F` over all pairs of stretch v and force F of length one, in energy units, that the label allows. The label restricts
+    /// the states of the contact. φ (N) is the virtual force, and u (m) the virtual motion.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
@@ -83,8 +83,8 @@ impl LocalLaw<'_> {
         most
     }
 
-    /// The friction force for μ F_n = 1 that does the most work along a stretch. It lies in a sector of the round cone, or at a corner of the
-    /// polygon.
+    /// The friction force at μ F_n = 1 that does the most work along a stretch. On the round cone its direction lies in the given sector; on a
+    /// polygon it is a corner.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);
@@ -93,8 +93,8 @@ impl LocalLaw<'_> {
         most.copied().unwrap_or_else(SVector::zeros)
     }
 
-    /// Calls `visit` with generators of the forces of a contact on an edge of its friction cone with these facets: forces along the edge in both
-    /// directions, and into the cone.
+    /// Calls `visit` with generators of the forces of a contact on an edge of its friction cone. The edge belongs to `facets`. Generators point along
+    /// the edge in both directions, and into the cone.
     fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, 3>], mut visit: impl FnMut(SVector<f64, 3>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);

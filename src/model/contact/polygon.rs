@@ -82,7 +82,7 @@ impl PolygonCone {
         self.facets
     }
 
-    /// Whether the polygon is inside the circle, outside, or balanced between both.
+    /// Whether the polygon is inscribed in the circle of the round cone, circumscribed about it, or balanced between both.
     #[must_use]
     pub fn fit(&self) -> PolygonFit {
         self.fit
@@ -170,7 +170,7 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
 /// Cosine and sine of an angle, rad: the direction of a facet or corner in the tangent plane.
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
-    // Cosines and sines below this limit are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
+    // Cosines and sines below 1e-15 are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
     [cos, sin].each(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 

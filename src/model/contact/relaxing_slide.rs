@@ -70,15 +70,16 @@ impl RelaxingSlide {
         self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
-    /// The unit direction p of the friction force after the increment s of the path parameter, and the integral `∫ p·K p ds` over this increment.
+    /// The unit direction p of the friction force after the increment s of the path parameter, by one Strang step. Also the integral `∫ p·K p ds`
+    /// over this increment.
     fn split_step(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let (p, first) = self.under_stretch(start, 0.5 * s);
         let (p, second) = self.under_stretch(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
-    /// The unit direction p of the friction force after the increment s of the path parameter, and the integral `∫ p·K p ds` over this increment. The
-    /// normal force is constant.
+    /// The unit direction p of the friction force after the increment s of the path parameter, at constant normal force, while the tangential stretch
+    /// changes. Also the integral `∫ p·K p ds` over this increment.
     fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
@@ -115,8 +116,8 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// The direction at τ = 1 as a reference: the first equation of the file header, integrated by a million steps of the midpoint rule from the
-    /// direction `start`. The radius r of the cone is 1 at τ = 0.
+    /// The direction at τ = 1 as a reference, from the direction `start`. The first equation of the file header is integrated by a million steps of
+    /// the midpoint rule. The radius r of the cone is 1 at τ = 0.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);

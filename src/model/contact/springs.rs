@@ -74,7 +74,7 @@ impl Spring {
     }
 }
 
-/// The correction r of a factor for which `known (factor + r) = product`, that is, the rounding error of the factor.
+/// The rounding error r of `factor`, one of the two factors of a product: `known (factor + r) = product` holds exactly.
 fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
     let rounded = known * factor;
     ((product - rounded) - rounding_of(rounded, known, factor)) / known

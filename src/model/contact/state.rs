@@ -51,8 +51,8 @@ impl<R> Mode<R> {
         }
     }
 
-    /// Indices (from 0) of the facets, among `count` facets of the cone, on which the contact slides: one on a facet, two at a corner, none in any
-    /// other state.
+    /// Indices (from 0) of the facets on which the contact slides, among `count` facets of the cone. There is one on a facet, two at a corner, and
+    /// none in any other state.
     pub(crate) fn own_facets(&self, count: usize) -> [Option<usize>; 2] {
         match self {
             Self::Facet(j) => [Some(usize::from(*j)), None],

@@ -28,10 +28,10 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
 impl LocalLaw<'_> {
-    /// State and force of a contact whose stretch has grown along a straight line from `before` to `stretch`, m. Any slip before must be subtracted
-    /// from `before`, so that the springs alone carry the force there; [`Compliance::slip`](super::Compliance::slip) returns that slip. In the plane,
-    /// or without sliding, the result equals [`Self::answer`] at `stretch`. The exception is a contact that closes between `before` and `stretch`:
-    /// friction starts when the contact closes.
+    /// State and force of a contact whose stretch has grown along a straight line from `before` to `stretch`, m. The caller subtracts any earlier
+    /// slip from `before`, so that the springs alone carry the force there; [`Compliance::slip`](super::Compliance::slip) returns that slip. In the
+    /// plane, or without sliding, the result equals [`Self::answer`] at `stretch`. The exception is a contact that closes between `before` and
+    /// `stretch`: friction starts when the contact closes.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -66,8 +66,8 @@ impl LocalLaw<'_> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction that differs from the friction limit by this fraction or less is on the cone: a previous step along the load path leaves
-        // rounding errors of this size.
+        // A traction that differs from the friction limit by at most the fraction `SOLVED_ROUNDING` is on the cone. A previous step along the load
+        // path leaves such rounding errors.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }

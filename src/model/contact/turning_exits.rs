@@ -43,9 +43,9 @@ pub(crate) enum TurningExit {
 }
 
 impl LocalLaw<'_> {
-    /// All exits of a contact from a state at angles from 0 to `most`, rad, from its force and stretch as functions of the angle. Each condition of
-    /// the state has at most one exit, at the first angle where it fails. A slide on the round cone has no such exit, since its force does not
-    /// respond linearly to the load.
+    /// All exits of a contact from a state at angles of the load from 0 to `most`, rad. `force` and `stretch` of the contact are given as functions
+    /// of the angle. Each condition of the state has at most one exit, at the first angle where it fails. A slide on the round cone has none in this
+    /// list, since its force does not respond linearly to the load.
     pub(crate) fn turning_exits(
         &self,
         state: &State,
@@ -101,8 +101,8 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone while the load turns: the first angle up to `most` at which `(μF_n)² - |F_t|²` becomes negative, or
-    /// F_n at the apex. `None` without such an angle.
+    /// The exit of a force from the round cone while the load turns. It is at the first angle up to `most`, rad, at which `(μF_n)² - |F_t|²` becomes
+    /// negative or, at the apex, F_n does. A force that only touches the cone gives [`TurningExit::Touches`]; `None` without any such angle.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -145,7 +145,7 @@ impl LocalLaw<'_> {
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // Near the apex the caller uses the angle at which the normal force vanishes instead.
+            // The margin is not positive just after the start, as near the apex. The caller then uses the angle at which the normal force vanishes.
             Start::Falls | Start::Stays => None,
         }
     }
@@ -160,7 +160,7 @@ impl LocalLaw<'_> {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
             let better = step - cone.round_margin(&at) / slope;
-            // A step is accepted only if it ends within this distance of the first angle, rad. The limit is well above the error of the first angle,
+            // A Newton step is accepted only if it ends within 1e-3 rad of the given angle. That limit is well above the error of the given angle,
             // which is the square root of the rounding error of squares.
             if slope < 0.0 && better > 0.0 && (better - angle).abs() <= 1e-3 {
                 step = better;
@@ -170,7 +170,7 @@ impl LocalLaw<'_> {
     }
 }
 
-/// The unit vector of the friction force, zero without friction.
+/// The unit vector of the friction force, and so the outward normal of the round cone's tangent facet; zero without friction.
 fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
     let friction = tangential(force);
     friction / friction.norm().max(f64::MIN_POSITIVE)

@@ -18,7 +18,7 @@ impl Twist<3> {
         self.parts_in(Space::Spatial)
     }
 
-    /// [`Self::parts`] for a twist of the plane or of space.
+    /// Translation of the body's point at the origin, m, and rotation, rad, of a twist of the plane or of space.
     pub(crate) fn parts_in(&self, space: Space) -> (SVector<f64, 3>, Rotation) {
         let (along, turning) = self.components().split_at(3);
         let rotation = match space {

@@ -126,8 +126,7 @@ impl<const C: usize> Contact<C> {
         pub fn on(mut self, body: impl Into<String>) { self.on = Some(body.into().into()); }
 
         /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
-        /// stiffness of the contact is then the stiffness of the body named by [`on`](Self::on), and the finger stiffness is the stiffness of the body
-        /// named here.
+        /// stiffness of the contact then belongs to the body named by [`on`](Self::on), its finger stiffness to the body named here.
         pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
         /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The lip presses with

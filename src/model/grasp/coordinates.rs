@@ -1,5 +1,5 @@
-//! Displacements of object, joints and bodies in the engine's coordinates, in the form in which answers store them. In these coordinates rotations
-//! are lengths, see the module `inside`.
+//! Displacements of object, joints and bodies in the engine's coordinates, in the form in which answers store them. In these coordinates every angle
+//! is multiplied by a reference length, see the module `inside`.
 
 use nalgebra::SVector;
 
@@ -42,7 +42,7 @@ impl Coordinates {
         coordinates
     }
 
-    /// Moves the list `more` out, so that its memory can be reused.
+    /// Moves out the list `more`, which holds the coordinates beyond the first six, so that its memory can be reused.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
         core::mem::take(&mut self.more)
     }

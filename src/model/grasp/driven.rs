@@ -11,7 +11,8 @@ use crate::numerics::{cleared_for, mapped};
 use crate::prelude::*;
 
 impl Engine {
-    /// Implements [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
+    /// A copy of this grasp with other commanded displacements of all contacts, m, in the contact frames; see
+    /// [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
     pub(crate) fn with_commands(&self, commands: &[SVector<f64, 3>]) -> Result<Self, Error> {
         self.check_commands(commands, "commands", Field::Command)?;
         let mut grasp = self.clone();
@@ -21,7 +22,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Implements [`Grasp::with_joint_commands`](crate::ask::Grasp::with_joint_commands).
+    /// A copy of this grasp with other commanded displacements of the joints (rad or m), then of the tendons (m); see
+    /// [`Grasp::with_joint_commands`](crate::ask::Grasp::with_joint_commands).
     pub(crate) fn with_joint_commands(&self, commands: &[f64]) -> Result<Self, Error> {
         self.check_joint_commands(commands, "joint commands")?;
         let mut grasp = self.clone();
@@ -31,7 +33,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Implements [`Grasp::with_joint_torques`](crate::ask::Grasp::with_joint_torques).
+    /// A copy of this grasp with these external torques on the joints: N m, or a force in N on a prismatic joint; see
+    /// [`Grasp::with_joint_torques`](crate::ask::Grasp::with_joint_torques).
     pub(crate) fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
         let what = "torques on joints";
         let expected = self.linkage().map_or(0, |linkage| linkage.joints.len());
@@ -70,7 +73,8 @@ impl Engine {
         grasp
     }
 
-    /// Implements [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
+    /// A copy of this grasp in which all that presses without a load is multiplied by `factor`: commands, constant forces and torques, tensions,
+    /// vacuums. See [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
     pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
@@ -84,8 +88,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Commands of all contact points. `rows` has one command per point, or one per contact other than a link. In the second case all points of a
-    /// soft fingertip get the command of the fingertip, and the point of a link with the index i gets `links(i)`.
+    /// Commands of all contact points, from a list `rows` with one command for each point, or one for each contact that is not a link. In the second
+    /// case all points of a soft fingertip get the command of the fingertip. The point of a link with the index i gets `links(i)`.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.
@@ -151,7 +155,7 @@ impl Engine {
         }
     }
 
-    /// Implements [`Grasp::joint_commands`](crate::ask::Grasp::joint_commands).
+    /// Commanded displacements of the joints (rad or m), then of the tendons (m); empty without a hand.
     pub(crate) fn joint_commands(&self) -> &[f64] {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
@@ -192,7 +196,7 @@ impl Engine {
     }
 
     /// Changes of the offsets of all contacts and drives, m, for given changes of the commands of contacts and of joints. An offset is the commanded
-    /// displacement that stretches a spring. `None` means that these commands do not change.
+    /// displacement that stretches a spring. `None` in place of a list means that these commands do not change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,

@@ -25,11 +25,11 @@ pub(crate) struct Engine {
     pub(super) sites: Vec<Site>,
     /// The contact points in `contacts`, grouped to contacts as users count them: all points of a soft fingertip are one contact.
     wholes: WholeContacts,
-    /// Centroid of the contact points, m. The engine refers moments and rotations to this point, so that a distant origin of the caller causes no
-    /// cancellation.
+    /// Centroid of the contact points on the object (the loaded body, if there are several), m. The engine refers moments and rotations to this
+    /// point, so that a distant origin of the caller causes no cancellation.
     pub(super) origin: SVector<f64, 3>,
-    /// Root mean square distance of the contact points from their centroid, m. The engine divides moment arms by this length, so that rotations and
-    /// translations have comparable size for any unit of the caller.
+    /// Root mean square distance of the object's contact points from their centroid, m; 1 for a single point. The engine divides moment arms by this
+    /// length, so that rotations and translations have comparable size for any unit of the caller.
     pub(super) length: f64,
     /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(super) linkage: Option<Box<Linkage>>,
@@ -43,14 +43,15 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// Implements [`Grasp::new`](crate::ask::Grasp::new).
+    /// Validates the contacts of a single object that are moved by no joints, and makes their grasp; see [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn new(contacts: Vec<Contact<3>>) -> Result<Self, Error> {
         refuse_sides(&contacts)?;
         let space = space_of(&contacts);
         Self::of(space, Size::of(space.of_the_object()), contacts, &|_| true)
     }
 
-    /// A grasp whose contacts are moved by joints. `size` is the number of all coordinates: of object, joints and other bodies.
+    /// A grasp whose contacts may be moved by joints and by bodies other than the object. `size` is the number of all coordinates: of object, joints
+    /// and other bodies.
     pub(super) fn by_hand(size: Size, contacts: Vec<Contact<3>>, linkage: Linkage) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
@@ -91,8 +92,8 @@ impl Engine {
         grasp
     }
 
-    /// Whether contacts may carry forces without a load from the caller. Causes are a command that presses, a constant force or torque, a vacuum, or
-    /// a constant load on a body.
+    /// Whether contacts may carry forces without a load from the caller. Causes are a command or an overlap that presses, a constant force or torque,
+    /// a vacuum, or a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force =
             self.linkage().is_some_and(|linkage| linkage.held_forces.iter().any(|force| *force != 0.0));
@@ -101,18 +102,17 @@ impl Engine {
         by_force || by_load || self.vacuum().is_some() || self.offsets().iter().any(|offset| offset[0] > 0.0)
     }
 
-    /// Implements [`Grasp::links`](crate::ask::Grasp::links).
+    /// End points of the rigid links of the hand, m, in the initial posture; only pictures use them.
     pub(crate) fn links(&self) -> &[[SVector<f64, 3>; 2]] {
         self.linkage().map_or(&[], |linkage| &linkage.bones)
     }
 
-    /// Implements [`Grasp::joint_centres`](crate::ask::Grasp::joint_centres).
+    /// A point on the axis of each revolute joint of the hand, m, in the initial posture; `None` for other joints. Only pictures use them.
     pub(crate) fn joint_centres(&self) -> &[Option<SVector<f64, 3>>] {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp with these contacts. The origin of the engine's coordinates is the centroid of the contacts with the indices for which `is_meant` is
-    /// true.
+    /// A grasp with these contacts. The origin of the engine's coordinates is the centroid of those contacts whose index satisfies `is_meant`.
     fn of(
         space: Space,
         size: Size,
@@ -153,12 +153,12 @@ impl Engine {
         self.size
     }
 
-    /// Implements [`Grasp::len`](crate::ask::Grasp::len).
+    /// Number of contact points; each point of a soft fingertip or of a link counts.
     pub(crate) fn len(&self) -> usize {
         self.contacts.len()
     }
 
-    /// Implements [`Grasp::contacts`](crate::ask::Grasp::contacts).
+    /// All contact points, with their commands in the contact frames; the points of a soft fingertip or of a link one by one.
     pub(crate) fn contacts(&self) -> &[Contact<3>] {
         &self.contacts
     }
@@ -168,12 +168,12 @@ impl Engine {
         &self.wholes
     }
 
-    /// Frame of one contact; see [`Grasp::frames`](crate::ask::Grasp::frames).
+    /// Contact frame of one contact point: its columns are the normal, the first tangent and, in space, the second tangent.
     pub(crate) fn frame(&self, contact: usize) -> &SMatrix<f64, 3, 3> {
         &self.sites[contact].frame
     }
 
-    /// Implements [`Grasp::with_friction`](crate::ask::Grasp::with_friction).
+    /// A copy of this grasp in which contact i has the static coefficient `friction(i, μ)` in place of μ. Kinetic coefficients scale in proportion.
     pub(crate) fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Result<Self, Error> {
         let mut contacts = self.contacts.clone();
         for (i, contact) in contacts.iter_mut().enumerate() {
@@ -191,7 +191,7 @@ impl Engine {
         self.with_data(contacts, &|_| [1.0; 2])
     }
 
-    /// Implements [`Grasp::label_of`](crate::ask::Grasp::label_of).
+    /// Name of a joint or tendon in pictures and messages: the user's name, or else its kind and number.
     pub(crate) fn label_of(&self, part: HandPart) -> String {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
@@ -231,8 +231,8 @@ impl Engine {
         }
     }
 
-    /// Drives (springs of joints and tendons) of an actuator, a joint or a tendon, with their indices in the list of contacts and drives. `actuator`
-    /// is an index from 0: joints first, then tendons.
+    /// The drives of one joint or tendon, with their indices in the list of all contacts and drives. A drive is the spring of a joint or tendon; a
+    /// joint or tendon that yields at a constant force has two. `actuator` counts from 0: joints first, then tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()

@@ -156,7 +156,7 @@ impl SoftFingertip<3> {
         let place = |from_rim: usize, ring: &Layer, i: usize| {
             let half_spacings = 2 * i + from_rim % 2;
             let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
-            // Sines and cosines below this size are rounding of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps. A
+            // Sines and cosines below 1e-15 are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps. A
             // ring of at most 4096 points has no other value below 3e-4.
             let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
             PatchPoint {
@@ -183,9 +183,9 @@ impl SoftFingertip<3> {
     }
 
     /// Moment about the normal at which the first points slide, N m, under the normal force `normal_force`, N (N in the formula), and no other load.
-    /// With the coefficient of friction μ, the [torsional stiffness](Self::torsional_stiffness) k_θ and the tangential stiffnesses k_1, k_2, it is `μ
-    /// N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first. On a ring with equal tangential stiffnesses all points slide at
-    /// once, and the moment equals [`Self::torsional_limit`].
+    /// It is `μ N k_θ / √((k_1 y_i)² + (k_2 x_i)²)` at the point (x_i, y_i) that slides first. Here μ is the coefficient of friction, k_θ the
+    /// [torsional stiffness](Self::torsional_stiffness), and k_1, k_2 are the tangential stiffnesses. On a ring with equal tangential stiffnesses all
+    /// points slide at once, and the moment equals [`Self::torsional_limit`].
     #[must_use]
     pub fn first_sliding(&self, contact: &Contact<3>, normal_force: f64) -> f64 {
         let k = contact.series_stiffness_of_axes();
@@ -234,12 +234,12 @@ impl SoftFingertip<2> {
 }
 
 impl SoftFingertip<3> {
-    /// The fingertip of [`SoftFingertip::pair`], with three components per vector as in the engine.
+    /// The two-point pad of [`SoftFingertip::pair`]; vectors have three components, as in the engine.
     pub(crate) fn pair_inside(width: f64) -> Result<Self, Error> {
         Self::of_layers(width, &[Layer { distance: 1.0, weight: 1.0 }])
     }
 
-    /// The fingertip of [`SoftFingertip::pad`], with three components per vector as in the engine.
+    /// The pad of [`SoftFingertip::pad`], divided into strips; vectors have three components, as in the engine.
     pub(crate) fn pad_inside(width: f64, strips: usize, pressure: Pressure) -> Result<Self, Error> {
         check(strips >= 1, "number of strips", strips as f64, "at least 1")?;
         let all = strips.saturating_mul(4);
@@ -247,7 +247,7 @@ impl SoftFingertip<3> {
         Self::of_layers(width, &pressure.layers(Space::Planar, strips))
     }
 
-    /// Implements [`SoftFingertip::contacts`] in the engine, for contacts of the plane or of space.
+    /// The point contacts that replace `contact`, as in [`SoftFingertip::contacts`]; vectors have three components, also in the plane.
     pub(crate) fn contacts_inside(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;
@@ -313,10 +313,10 @@ impl<const C: usize> SoftFingertip<C> {
         contact.series_stiffness_of_axes()[0] * least
     }
 
-    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N): `N ⟨r²⟩/2R` in space with the radius R,
-    /// `N ⟨x²⟩/b` in the plane with half the width b. In space this holds for a tilt towards a point on the rim. For a tilt between two such points
-    /// the first point opens later, by up to the factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about the two
-    /// tangents; under a tilt towards a corner a point opens earlier.
+    /// Moment about a tangent at which the first point opens, N m, under the normal force `normal_force` (N). It is `N ⟨r²⟩/2R` in space with the
+    /// radius R, `N ⟨x²⟩/b` in the plane with half the width b. In space this holds for a tilt towards a point on the rim. For a tilt between two
+    /// such points the first point opens later, by up to the factor 1/cos(π/points). For a rectangle it is the smaller of the moments for tilts about
+    /// the two tangents; under a tilt towards a corner a point opens earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());

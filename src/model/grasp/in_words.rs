@@ -38,7 +38,7 @@ impl Words {
         self.load_of(space.axes(), &load.into_inside().coordinates(space).as_slice()[..space.of_the_object()])
     }
 
-    /// [`Self::load`] from components, the first `axes` of which are the force.
+    /// A force (N) and a moment (N m) in words, from their components; the first `axes` components are the force.
     pub(crate) fn load_of(self, axes: usize, components: &[f64]) -> String {
         let largest = largest(components, &|x| x.abs());
         let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
@@ -70,7 +70,7 @@ impl Words {
         words.motion_text(&twist, Some((mean, largest(&moved, &|u| (u - mean).norm()))))
     }
 
-    /// [`Self::motion`] for one of several bodies, after the name of this body.
+    /// Words for a small motion of one of several bodies: the name of the body, then the sentence of [`Self::motion`].
     #[must_use]
     pub fn body_motion<const C: usize>(self, motion: &BodyMotion<C>) -> String {
         let (words, motion) = (self.in_space(self.space::<C>()), inside(motion));

@@ -1,5 +1,5 @@
-//! The engine's coordinates, called inside coordinates. Moments and rotations refer to the centroid of the contact points, and arms are measured in
-//! units of their root mean square distance from the centroid.
+//! The engine's coordinates, called inside coordinates. Moments and rotations of the object refer to the centroid of its contact points. Arms are
+//! measured in units of the root mean square distance of these points from the centroid. Joints and other bodies have reference lengths of their own.
 //!
 //! Wrenches and twists that the caller passes are converted to these coordinates, and answers are converted back. Neither a distant origin nor the
 //! user's unit of length thus costs digits.
@@ -22,7 +22,7 @@ impl Engine {
         Ok(self.inside_unchecked(wrench))
     }
 
-    /// [`Self::inside`] for a wrench whose components are known to be in range.
+    /// Converts a wrench to the engine's coordinates, as [`Self::inside`] does, but without checking its components.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<3>) -> Vector {
         match self.bodies() {
             Some(bodies) if bodies.is_shared() => self.combine_wrenches(bodies, &bodies.shared(wrench)),
@@ -30,12 +30,14 @@ impl Engine {
         }
     }
 
-    /// Converts a wrench that acts on the object alone, or on the body whose motion takes the object's coordinates, to the engine's coordinates.
+    /// Converts a wrench on the object, or on the body that has the object's coordinates, to the engine's coordinates: about the centroid of the
+    /// contacts, scaled.
     pub(crate) fn on_object(&self, wrench: &Wrench<3>) -> Vector {
         self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }
 
-    /// Rounding error of a wrench in the engine's coordinates: exact minus rounded moments. Not computed, and zero, if several bodies share the load.
+    /// Rounding error of a wrench in the engine's coordinates: exact less rounded moments about the centroid of the contacts. Zero if several bodies
+    /// share the load, since it is not computed then.
     pub(crate) fn inside_rounding_error(&self, wrench: &Wrench<3>) -> Vector {
         let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
         let axes = self.space.axes();
@@ -53,17 +55,18 @@ impl Engine {
         rest
     }
 
-    /// Centroid of the contact points, m.
+    /// Centroid of the object's contact points, m: the reference point of moments and rotations in the engine's coordinates.
     pub(crate) fn origin(&self) -> &SVector<f64, 3> {
         &self.origin
     }
 
-    /// Root mean square distance of the contact points from their centroid, m.
+    /// Root mean square distance of the object's contact points from their centroid, m: the engine's unit of length for arms.
     pub(crate) fn length(&self) -> f64 {
         self.length
     }
 
-    /// Converts a wrench from the engine's coordinates to the user's; if several bodies share the load, the sum of the wrenches on all of them.
+    /// Converts a wrench in the engine's coordinates to moments about the user's origin. If several bodies share the load, the result is the sum of
+    /// the wrenches on all of them.
     pub(crate) fn wrench_outside(&self, w: &Vector) -> Wrench<3> {
         let outside = self.times_length(w.clone());
         let on_object = Wrench::among(self.space, &self.space.moved_wrench(&self.origin, &outside));
@@ -75,17 +78,17 @@ impl Engine {
         }
     }
 
-    /// Converts all coordinates of a motion from the user's to the engine's coordinates.
+    /// Converts all coordinates of a motion from the user's units, about the user's origin, to the engine's, about the centroid of the contacts.
     pub(crate) fn inside_motion(&self, outside: &Vector) -> Vector {
         self.times_length(self.space.moved_twist(&-self.origin, outside))
     }
 
-    /// Converts a motion of the object from the engine's coordinates to the user's.
+    /// Converts a motion of the object from the engine's coordinates to a twist about the user's origin, in m and rad.
     pub(crate) fn outside(&self, q: &Vector) -> Twist<3> {
         Twist::among(self.space, &self.outside_coordinates(q))
     }
 
-    /// Converts a motion of object, joints and bodies from the engine's coordinates to the user's.
+    /// Converts a motion of object, joints and bodies from the engine's coordinates to the user's, in m and rad.
     pub(crate) fn motion_outside(&self, q: &Vector) -> Motion<3> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
@@ -93,8 +96,8 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// Converts all coordinates to the user's units, in the same order: of the object, of joints and other bodies, and of drives that yield at a
-    /// constant force, between their two springs.
+    /// Converts all coordinates to the user's units, in the same order. They belong to the object, the joints, the other bodies, and to the points
+    /// between the two springs that model a drive with a constant limit.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }

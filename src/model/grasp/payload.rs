@@ -86,7 +86,7 @@ impl<const C: usize> Payload<C> {
 }
 
 impl Payload<3> {
-    /// [`Payload::load`] in the plane or in space.
+    /// Load of the body on its grasp during this motion of the arm, in the plane or in space; vectors have three components.
     pub(crate) fn load_in(&self, space: Space, arm: &ArmMotion<3>) -> Result<Wrench<3>, Error> {
         arm.check()?;
         if !(self.mass >= 0.0 && is_moderate(self.mass)) {
@@ -168,7 +168,7 @@ impl<const C: usize> ArmMotion<C> {
         Self::still_in(Space::of::<C>())
     }
 
-    /// [`Self::still`] in the plane or in space.
+    /// An arm that stands still, in the plane or in space. Gravity is 9.81 m/s² down the last axis.
     pub(crate) fn still_in(space: Space) -> Self {
         let zeros = Vector3::zeros();
         let mut gravity = zeros;

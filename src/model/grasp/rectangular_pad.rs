@@ -60,8 +60,8 @@ impl SoftFingertip<3> {
         Ok(Self { radius: halves[0].hypot(halves[1]), points })
     }
 
-    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`, with the normal stiffness k_n and the
-    /// coordinates x along the first and y along the second tangent. Both are equal for rings and discs.
+    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Here k_n is the normal stiffness, and x
+    /// and y are the coordinates along the first and the second tangent. Both are equal for rings and discs.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
         [2, 1].each(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))

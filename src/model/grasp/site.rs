@@ -15,7 +15,8 @@ use crate::error::Error;
 /// One contact, or one drive (the spring of a joint or tendon), in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
-    /// Grasp map G_i of this site. A column holds the forces in all coordinates due to a unit force of the site along one axis of its frame.
+    /// Grasp map G_i of this site. A column holds the generalised forces in all coordinates due to a unit force of the site along one axis of its
+    /// frame.
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rounding_error: Map,
@@ -31,8 +32,8 @@ pub(crate) struct Site {
     /// Kinetic friction cone; `None` if it equals the static friction cone.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// Polygon that replaces the friction cone even where the settings ask for the round cone. It is used for drives, springs of joints and tendons,
-    /// that slip at a force limit.
+    /// Polygon that replaces the friction cone even where the settings ask for the round cone. Only drives (springs of joints and tendons) that slip
+    /// at a force limit have one.
     pub(crate) polygon: Option<Arc<Polygon>>,
 }
 
@@ -102,8 +103,8 @@ impl Site {
         }
     }
 
-    /// Adds to the grasp map the motion of the contact with joints and other bodies. `motions` holds pairs: the index of a coordinate, counted after
-    /// the object's coordinates, and the displacement of the contact per unit of it, along the coordinate axes. The displacements are divided by the
+    /// Adds to the grasp map how the contact moves with joints and other bodies. Each entry of `motions` has the index of a coordinate, counted after
+    /// the object's, and the displacement of the contact per unit of it. Displacements are along the coordinate axes, and are divided by the
     /// reference `lengths`. The contact force acts on the object with the factor `on_object`: 1, -1, or 0 if it acts on other bodies only.
     pub(super) fn move_with(
         &mut self,
@@ -177,7 +178,7 @@ impl Site {
         self.span_moved(offset, twist.norm())
     }
 
-    /// [`Self::span`], an upper bound of the terms of the stretch, from the norm of the motion in place of the motion.
+    /// Like [`Self::span`], the upper bound of the terms of the stretch, but computed from the norm of the motion alone.
     #[inline(always)]
     pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
         offset.norm() + self.size * twist

@@ -8,9 +8,11 @@ use nalgebra::SVector;
 pub(crate) enum Stiffness<const C: usize> {
     /// Springs of body and finger, given separately; `f64::INFINITY` means rigid.
     BodyAndFinger {
-        /// Springs between the core of the body (displacement u_c) and its surface (u_d), N/m.
+        /// Springs between the core of the body (displacement u_c) and its surface (u_d), N/m. The core is the body without the deformation at its
+        /// contacts.
         body: SVector<f64, C>,
-        /// Springs between the core of the finger (displacement u_f) and its surface (u_e), N/m.
+        /// Springs between the core of the finger (displacement u_f) and its surface (u_e), N/m. The core is the finger without the deformation at
+        /// its contact.
         finger: SVector<f64, C>,
     },
     /// The series stiffness of body and finger, N/m. How the deflection divides between body and finger is unknown, and so are the displacements of

@@ -80,7 +80,7 @@ impl Engine {
         cups.first().map(|cup| self.wholes()[cup.contact].label.clone())
     }
 
-    /// Indices of all contact points that belong to the whole contacts in `parts`.
+    /// Indices of all contact points of the contacts in `parts`, in which a suction cup or a soft fingertip counts as one contact.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         let mut points = Vec::new();
         for part in parts {

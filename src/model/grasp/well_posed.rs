@@ -25,8 +25,9 @@ impl<const C: usize> Contact<C> {
             t[1] = -n[0];
             if let Some(hint) = &self.tangent {
                 let side = hint.dot(&t);
-                // A given tangent whose component across the normal is below this fraction of its length counts as parallel to the normal. Rounding
-                // turns a tangent by some 1e-16, and must not choose the sign of t. A much larger bound would reject tangents with a clear direction.
+                // A given tangent counts as parallel to the normal if its component across the normal is below the fraction `SOLVED_ROUNDING` of its
+                // length. Rounding turns a tangent by some 1e-16, and must not choose the sign of t. A much larger bound would reject tangents with a
+                // clear direction.
                 if !side.is_finite() || side.abs() <= SOLVED_ROUNDING * hint.norm() {
                     return Err(fault(
                         Field::Tangent,

@@ -80,7 +80,7 @@ impl ContactPoints {
     }
 }
 
-/// The contacts of a grasp, each with its points; made once, when the grasp is validated.
+/// The contacts of a grasp as users count them, each with its points; made once, when the grasp is validated.
 #[derive(Debug, Clone)]
 pub(crate) struct WholeContacts(Arc<[ContactPoints]>);
 
@@ -108,7 +108,7 @@ impl WholeContacts {
         Self(all.into())
     }
 
-    /// The whole contact to which the contact point with this index belongs.
+    /// The contact, as users count them, to which the contact point with this index belongs: for example the soft fingertip with all of its points.
     pub(crate) fn at(&self, point: usize) -> &ContactPoints {
         &self.0[self.0.partition_point(|contact| contact.range.end <= point)]
     }

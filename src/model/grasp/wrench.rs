@@ -81,7 +81,7 @@ macro_rules! vector_like {
                 Self::of_all(all)
             }
 
-            /// Extracts the object's components from all coordinates of the engine.
+            /// The object's components, taken from a vector of all coordinates of the grasp: of the object, of joints and of other bodies.
             pub(crate) fn among(space: Space, coordinates: &Vector) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
                 for (k, &place) in space.components::<C>().iter().enumerate() {
@@ -204,7 +204,7 @@ impl<const C: usize> Wrench<C> {
         self.check_in(Space::of::<C>(), what)
     }
 
-    /// [`Self::check`] in the engine, for the plane or for space.
+    /// Returns an error for components that are not finite or too large, in the plane or in space; `what` names the wrench in the message.
     pub(crate) fn check_in(&self, space: Space, what: &'static str) -> Result<(), Error> {
         for (component, &place) in space.components::<C>().iter().enumerate() {
             let value = self.0[place];

@@ -6,7 +6,7 @@ use super::described::Robot;
 use crate::error::Error;
 use crate::grasp::{Contact, Finger, Hand, Joint, JointKind};
 
-/// A finger of the grasp: its independent joints, and the indices of its contacts.
+/// A finger of the grasp: its independent joints, i.e. those that mimic no other joint, and the indices of its contacts.
 pub(crate) struct JointGroup {
     joints: Vec<usize>,
     pub(crate) contacts: Vec<usize>,
@@ -61,7 +61,7 @@ impl Robot {
         Ok((link, self.placed_on(self.link(link)?, 0, contact)?))
     }
 
-    /// [`Self::on_link`] for the contact with this index, which errors name.
+    /// Converts a contact from the frame of its link to the frame of the object, as [`Self::on_link`] does. Errors name the contact by `index`.
     pub(crate) fn placed_on(
         &self,
         link: usize,
@@ -112,7 +112,7 @@ impl Robot {
         self.joints[joint].mimics.map_or((joint, 1.0), |mimics| (mimics.joint, mimics.factor))
     }
 
-    /// The joints of a finger, as parts of a hand.
+    /// The independent joints of a finger, converted to joints of a hand with axis, stiffness, command and limit.
     pub(crate) fn joints_in(&self, finger: &JointGroup) -> Vec<Joint<3>> {
         let joint = |&index: &usize| {
             let (point, axis) = self.axis_of(index);

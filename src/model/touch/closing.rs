@@ -12,8 +12,9 @@ use crate::numerics::{mapped, summed};
 
 /// A pad with a position and a closing direction.
 ///
-/// The contact's point is the centre of the pad in front of the part, m, and its normal is the closing direction. The contact also gives name,
-/// friction, stiffness and pressing force or command. If the pad has a [layer](Pad::of_layer), the layer determines the stiffness.
+/// The contact's point is the centre of the pad before it closes, in front of the part, m; its normal is the closing direction. The contact also
+/// gives name, friction, stiffness and pressing force or command. The stiffness of the pad's [layer](Pad::of_layer), if it has one, replaces the
+/// finger stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touch {
     pad: Pad,
@@ -45,7 +46,7 @@ impl Touch {
         self.on_for_contact(0, part)
     }
 
-    /// [`Self::on`] for the contact with this index, which errors name.
+    /// The contacts at which the pad touches the part, as for [`Self::on`]. Errors name the contact by `index`.
     pub(crate) fn on_for_contact(&self, index: usize, part: &Part) -> Result<Touched, Error> {
         let mut contact = self.contact.clone();
         if let Some([normal, tangential]) = self.pad.stiffness() {

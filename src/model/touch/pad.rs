@@ -8,8 +8,8 @@ use super::part::Part;
 use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
-/// A point of a surface becomes a point of the pad only if its outward unit normal has a component above this limit along the closing direction.
-/// Below the limit the surface is nearly parallel to the closing direction and does not press.
+/// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. Below it
+/// the surface is nearly parallel to the closing direction and does not press.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
@@ -175,7 +175,7 @@ impl Pad {
         Ok((Self { points, outline, profile, area, layer: None }, contact))
     }
 
-    /// The position of the pad's centre; `None` for a sampled surface, whose height at the centre is not known.
+    /// The centre of the pad in the pad's own frame, i.e. its origin; `None` for a sampled surface, whose height at the centre is not known.
     pub(super) fn middle(&self) -> Option<Vector3<f64>> {
         (self.outline != Outline::Sampled).then(Vector3::zeros)
     }

@@ -21,7 +21,7 @@ impl Touched {
         &self.contacts
     }
 
-    /// These contacts, by value.
+    /// The contacts at which the pad meets the part, moved out of this value.
     #[must_use]
     pub fn into_contacts(self) -> Vec<Contact<3>> {
         self.contacts

@@ -49,8 +49,8 @@ pub(super) fn chart(
     })
 }
 
-/// Charts of a repeated load: slips of contacts in each cycle from the base load on, and the loops of friction force against slip in the last cycle.
-/// As many cycles are drawn as the answer has, but at least 4 and at most 12. No charts for any other question.
+/// Charts of a repeated load. The first has the slips of contacts in each cycle, starting under the base load. The second has the loops of friction
+/// force against slip in the last cycle. As many cycles are drawn as the answer has, but at least 4 and at most 12. No charts for any other question.
 pub(super) fn cycles(
     setup: &Setup<3>,
     grasp: &Grasp<3>,

@@ -18,8 +18,7 @@ use crate::words::NO_WORDS;
 pub(super) struct ShownState {
     pub(super) label: String,
     pub(super) says: Vec<String>,
-    /// The grasp to draw, if it is not the grasp of the scene: a grasp with the needed squeeze, friction or other quantity, or with improved finger
-    /// places.
+    /// The grasp to draw, if it is not the grasp of the scene. It has, for example, the needed squeeze or friction, or improved finger places.
     pub(super) grasp: Option<Grasp<3>>,
     pub(super) what: PictureContent,
 }
@@ -139,8 +138,8 @@ fn shaken(shaken: Shaken<3>) -> ShownState {
     }
 }
 
-/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze, in equilibrium under the most demanding load of the
-/// question. If no value was found, the given grasp and the load alone.
+/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze. It is in equilibrium under the most demanding load
+/// of the question. If no value was found, the given grasp and the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),

@@ -10,8 +10,8 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 use crate::failure::Failure;
 use crate::scene_loads::first_base;
 
-/// The constant load that acts in addition to the force of the map: the load at rest of the scene's first question that has one, or zero. If
-/// questions have different loads at rest, a warning names the question whose load is taken.
+/// The constant load that acts in addition to the force of the map. It is the constant load (base load or load at the start) of the scene's first
+/// question that has one, else zero. If questions have different constant loads, a warning names the question whose load is taken.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let Some((number, base)) = first_base(setup) else { return Wrench::ZERO };
     if setup.questions.iter().filter_map(Question::base).any(|other| other != base) {
@@ -101,13 +101,13 @@ pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Re
     }
 }
 
-/// The caution if the grasp buckles, or motions are not small, under the base load already.
+/// The warning text if the grasp buckles, or rotations or slips are too large for the first-order model, under the base load alone.
 pub(crate) fn caution<const C: usize>(grasp: &Grasp<C>, base: &Wrench<C>) -> Option<String> {
     let says = grasp.solve(base).ok()?.equilibrium()?.caution(Words::default())?;
     Some(format!("CAUTION, at rest already {says}"))
 }
 
-/// Lines of text: the point of the force, the constant load, and the caution.
+/// Lines of text for the picture: the point of the force, the constant load, and the warning of [`caution`], if any.
 pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>, caution: Option<String>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
     let load = base.components();

@@ -19,7 +19,7 @@ pub(crate) enum LimitEnd {
     LetsGo,
     /// No contact resists the load any further.
     GivesWay,
-    /// The motions of the path cease to be small.
+    /// Rotations or slips of the path exceed the limits of the model, which holds for small motions.
     TooFar,
     /// The grasp buckles.
     Buckles,
@@ -72,8 +72,8 @@ pub(crate) struct LimitForce {
 /// Load paths are followed up to this multiple of the largest force at first slip. Larger forces would lie outside of the picture.
 pub(crate) const FOLLOWED_TO: f64 = 5.0;
 
-/// Allowed error of one integration step along which directions of sliding turn, relative to the largest force. It is invisible in a picture, and
-/// smaller steps would take most of the time.
+/// Allowed error of one integration step of a load path, relative to the largest contact force. Steps are needed where sliding directions turn. The
+/// error is invisible in a picture, and smaller steps would take most of the time.
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 
 /// Follows the load path from `base` to `base + most * direction`, and returns its end.

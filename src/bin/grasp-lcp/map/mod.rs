@@ -1,9 +1,9 @@
 //! Forces in every direction at first slip and at the end of the load path, with the weakest direction.
 //!
-//! First slip and the weakest direction are computed directly. The map also has a smaller force for uncertain friction, stiffness and clamping force.
-//! Under this force they may deviate by a number of standard deviations before a contact slides. In each direction the load path is followed from
-//! event to event, with slip memory, to the load at which equilibrium is lost. The answer distinguishes limit loads, beyond which no equilibrium
-//! exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
+//! First slip and the weakest direction are computed directly. The map also has a smaller force, which allows for uncertain friction, stiffness and
+//! clamping force. Under it these data may deviate by a number of standard deviations before a contact slides. In each direction the load path is
+//! followed from event to event, with slip memory, to the load at which equilibrium is lost. The answer distinguishes limit loads, beyond which no
+//! equilibrium exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
 
 mod ask;
 mod data_deviations;
@@ -23,8 +23,8 @@ use crate::loads::OptionVectors;
 pub(crate) use data_deviations::DataDeviations;
 pub(crate) use watch::MapProgress;
 
-/// Prints a table and draws the maps of a scene, for a force at a point. The load at rest of the scene's questions acts in addition. If `pictures` is
-/// `None`, prints the map as JSON.
+/// Prints a table and draws the maps of a scene, for a force at a point. The constant load (base load or load at the start) of the scene's questions
+/// acts in addition. If `pictures` is `None`, prints the map as JSON.
 pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,

@@ -17,7 +17,7 @@ use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// The grid of force directions in which load paths are followed: number of rings from a pole to the equator, and number of directions on each ring.
+/// The grid of force directions in which load paths are followed: number of rings from pole to equator, and number of directions on a ring.
 const PATH_GRID: (usize, usize) = (16, 42);
 /// Time limit of a sweep over load paths.
 const MOST_PATH_TIME: Duration = Duration::from_secs(120);

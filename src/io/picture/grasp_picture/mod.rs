@@ -269,7 +269,7 @@ impl<'a> Picture<'a> {
         }
         painting.arrow([at, at + force].each(|end| flat(place(end))), ink(what), 3.0, 1);
         if self.of.grasp.contacts()[tip.of.range.start].against.is_some() {
-            // The body on the other side feels the opposite force.
+            // The opposite force is drawn, too: the reaction on the body on the other side of the contact.
             painting.arrow([at, at - force].each(|end| flat(place(end))), ink(what), 1.5, 1);
         }
         for i in tip.of.range.clone().filter(|_| tip.of.is_soft()) {

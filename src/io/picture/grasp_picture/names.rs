@@ -15,8 +15,8 @@ use crate::picture::words::short;
 use crate::words::printable;
 
 impl Picture<'_> {
-    /// Writes all names, including the names of the load and of the motion by which the object is lost. The number of names that are not written is
-    /// stated below the picture: names for which no free position is left, and all names of fingertips if there are too many fingertips.
+    /// Writes all names, including the names of the load and of the motion by which the object is lost. A name is left out if no free position
+    /// remains. If there are too many fingertips, all their names are left out. The number of missing names is stated below the picture.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,

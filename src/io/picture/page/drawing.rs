@@ -43,8 +43,8 @@ struct LargestValues {
     displacement: f64,
 }
 
-/// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about the line of action. If
-/// this line is far away, the force is drawn at the centre, with the moment about the centre.
+/// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about this line. If the line
+/// is far away, the force is drawn at the centre, with the moment about the centre.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,

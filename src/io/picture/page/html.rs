@@ -79,7 +79,7 @@ pub(super) fn opened(title: &str) -> String {
     page
 }
 
-/// The colours of legend and table as variables of the style.
+/// CSS variables with the colours of legend and table.
 fn colours() -> String {
     let mut rule = String::from(":root {");
     let states = STATES.each(|state| (state, ink(state)));

@@ -1,4 +1,4 @@
-//! The motion by which a spatial object is lost: its lines displaced along this motion.
+//! A picture of the motion by which a spatial object is lost: the outlines of the object, displaced along this motion.
 
 use nalgebra::{Point3, Vector3};
 

@@ -10,7 +10,7 @@ use crate::picture::painting::{EyePoint, Painting};
 use crate::picture::palette::{BLACK, CONTOUR, FACE, Rgb};
 use nalgebra::Vector3;
 
-/// The strokes of these marks, projected onto paper, without names.
+/// Projects marks onto paper, and returns the strokes to be drawn; names are left out.
 pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     let mut painting = Painting::default();
     let shade = shades(eye, marks);

@@ -29,8 +29,8 @@ const TABLE_COLUMNS: [(&str, &str); 10] = [
     ("|u_c| (mm)", "displacement of the object at the contact"),
 ];
 
-/// Index of the moment of a pad in the list of a row's numbers. The list starts at the third column of the table. Tables without pads have no column
-/// for this moment.
+/// Index of a soft fingertip's moment in the list of a row's numbers. The list starts at the third column of the table. Tables without soft
+/// fingertips have no column for this moment.
 const MOMENT: usize = 2;
 
 /// Writes the sentences of each answer, or the reason why it has no equilibrium, at the top of the page.

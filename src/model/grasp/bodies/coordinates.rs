@@ -18,8 +18,8 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign with which the force of a contact acts on the body that has the coordinates of the object: 1 if the normal points into this body, -1 if
-    /// the body is on the other side, 0 if the contact does not touch it.
+    /// Sign with which the force of a contact acts on the body that has the coordinates of the object. It is 1 if the normal points into this body,
+    /// -1 if the body is on the other side of the contact, else 0.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
@@ -33,7 +33,8 @@ impl Engine {
         )
     }
 
-    /// Combines one wrench on each body, in the user's coordinates, into one vector of forces in the engine's coordinates (see the module `inside`).
+    /// Combines the wrenches on all bodies, in the user's coordinates, into one vector of generalised forces in the engine's coordinates. There the
+    /// moments on each body refer to the centroid of its contact points and are divided by a reference length.
     pub(crate) fn combine_wrenches(&self, bodies: &PlacedBodies, loads: &[Wrench<3>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
@@ -50,8 +51,8 @@ impl Engine {
         inside
     }
 
-    /// Moments about the origin of a contact's `force` at `point`, on each body, in the engine's coordinates; the components of forces are zero. If
-    /// `point` is the rounding error of a contact point, the result is the resulting error of the moments.
+    /// Moments of a contact's `force` (N) with the lever arm `point` (m) on each body, in the engine's coordinates; the components of forces are
+    /// zero. If `point` is the rounding error of a contact point, the result is the resulting error of the moments.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -81,9 +82,9 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. A load that is passed to the new grasp then
-    /// serves only as a factor f, the number of newtons in its first force component. Each body carries f times the sum of its constant load and its
-    /// share of `base`. `None` for a single object.
+    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. Of a load that is passed to the new grasp only
+    /// a factor f is used, the number of newtons in its first force component. Each body carries f times the sum of its constant load and its share
+    /// of `base`. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -91,7 +92,8 @@ impl Engine {
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
-    /// Implements [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
+    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load of a question. They act as given if that load
+    /// is `one`. See [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     pub(crate) fn growing_together(
         &self,
         one: &Wrench<3>,
@@ -137,7 +139,7 @@ impl Engine {
         mapped(&loaded, &|body| BodyLoad { body: bodies.names[*body].clone(), load: loads[*body] })
     }
 
-    /// Motion of each body in the user's coordinates, from a vector of all coordinates in the user's units.
+    /// Motion of each body in the user's coordinates. `outside` holds all coordinates of the grasp in the user's units, m and rad.
     pub(crate) fn body_motions(&self, outside: &Vector) -> Vec<BodyMotion<3>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let of = |(body, place): (usize, &BodyPlace)| {
@@ -159,7 +161,8 @@ impl Engine {
         indexed(&bodies.places, &of)
     }
 
-    /// Motion of each body, or of the single object, in the user's coordinates, from the engine's coordinates.
+    /// Motion of each body, or of the single object, in the user's coordinates. `inside` holds all coordinates in the engine's units, in which
+    /// rotations are lengths.
     pub(crate) fn each_moves(&self, inside: &Vector) -> Vec<BodyMotion<3>> {
         let outside = self.outside_coordinates(inside);
         if self.bodies().is_some() {
@@ -169,7 +172,7 @@ impl Engine {
         vec![BodyMotion { body: "the object".into(), twist, centre, reach }]
     }
 
-    /// For each coordinate of rotation of the bodies other than the object, the length with which the engine multiplies the angle, m.
+    /// For each coordinate of rotation of the bodies other than the object, the reference length, m, with which the engine multiplies the angle.
     pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };
         let mut lengths = Vec::new();

@@ -48,7 +48,7 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // In space half of the bearings of a slide act along each of the two directions normal to the slide, so that each direction gets the whole
+        // In space half of the bearings of a slide act along each of the two directions normal to the slide. Each direction thus gets the whole
         // stiffness.
         let is_slide = matches!(self.geometry, LinkGeometry::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
@@ -178,8 +178,8 @@ fn normals_to(space: Space, along: &SVector<f64, 3>) -> Vec<SVector<f64, 3>> {
     vec![one, along.cross(&one)]
 }
 
-/// Points at distance 1 from the origin, whose stiffness against moments is equal about all axes if each point has the same springs: two points in
-/// the plane, the corners of a tetrahedron in space.
+/// Points at distance 1 from the origin: two points in the plane, the corners of a tetrahedron in space. If each point has the same springs, their
+/// stiffness against moments is equal about all axes.
 fn corners(space: Space) -> Vec<SVector<f64, 3>> {
     if space == Space::Planar {
         return vec![-unit(0), unit(0)];

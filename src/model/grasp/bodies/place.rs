@@ -1,4 +1,4 @@
-//! Coordinates of each body, and the two sides of each contact.
+//! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
 
 use alloc::sync::Arc;
 
@@ -132,8 +132,8 @@ impl PlacedBodies {
         self.sign(contact, body) != 0.0
     }
 
-    /// Sign with which the force of a contact acts on a body: 1 if the normal points into the body, -1 if the body is on the other side, 0 if the
-    /// contact does not touch the body.
+    /// Sign with which the force of a contact acts on a body. It is 1 if the normal points into the body, -1 if the body is on the other side of the
+    /// contact, else 0.
     pub(crate) fn sign(&self, contact: usize, body: usize) -> f64 {
         match self.sides[contact] {
             (on, _) if on == body => 1.0,
@@ -142,8 +142,8 @@ impl PlacedBodies {
         }
     }
 
-    /// For each coordinate of the bodies other than the object: the displacement of the surface behind the contact relative to the surface into which
-    /// the normal points, per unit of the coordinate. The coordinates are counted from the first coordinate after the object's coordinates.
+    /// Relative motion at a contact due to the bodies other than the object, per unit of each of their coordinates. It is the displacement of the
+    /// surface behind the contact less that of the surface into which the normal points. Coordinates are counted after the object's.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -186,8 +186,8 @@ impl PlacedBodies {
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
 
-    /// The wrench on each body other than the object, with moments about the user's origin. `outside` holds the generalised forces in all
-    /// coordinates, in the user's units.
+    /// The wrench on each body except the body that has the object's coordinates, with moments about the user's origin. `outside` holds the
+    /// generalised forces in all coordinates, in the user's units.
     pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<3>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
             let first = place.first;

@@ -75,8 +75,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses a reference length for each coordinate after the object's: the power of two nearest to the largest displacement of a contact per unit
-    /// of this coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
+    /// Chooses a reference length for each coordinate after the object's. It is the power of two nearest to the largest displacement of a contact per
+    /// unit of the coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;
@@ -127,7 +127,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Adds the stiffness matrix K of a finger's joints: one drive, a spring along one axis, for each column l of the factorisation `K = Σ l lᵀ`.
+    /// Adds the stiffness matrix K of a finger's joints, factorised as `K = Σ l lᵀ`. Each column l becomes one drive, a spring along a single axis.
     /// `number` is the index of the finger, `first` the index of its first joint, and `count` the number of its joints.
     fn couple(
         &mut self,
@@ -215,8 +215,8 @@ impl Assembly {
         })
     }
 
-    /// A spring, in the engine's coordinates, that acts on joints with these moment arms. The second value is the power of two by which the arms were
-    /// divided.
+    /// The spring of a tendon, or of a joint stiffness matrix, with these moment arms at the joints, in the engine's coordinates. There its arms are
+    /// divided by the power of two closest to the largest arm, which is the second returned value.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {
@@ -253,11 +253,11 @@ impl Assembly {
             None => self.drives.push(drive),
             Some(Limit::Slips(_)) => self.drives.push(Drive { role: DriveLaw::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
-                // This drive becomes two springs in series, each twice as stiff, with a coordinate b between them. Neither spring can pull, which
-                // bounds the drive's force f. The upper spring, between b and the joint, carries upper bound - f; the lower spring, between the
-                // command and b, carries f - lower bound. Constant forces add the bounds: upper bound on the joint, lower bound - upper bound on b.
-                // The joint thus gets f, and b is in balance. If f reaches a bound, the spring that then has no force opens, as a contact does, and
-                // the drive yields at constant force.
+                // This drive becomes two springs in series, each twice as stiff, with an additional coordinate b at the point between them. Neither
+                // spring can pull, which bounds the drive's force f. The upper spring, between b and the joint, carries upper bound - f; the lower
+                // spring, between the command and b, carries f - lower bound. Constant forces add the bounds: upper bound on the joint, lower bound -
+                // upper bound on b. The joint thus gets f, and b is in balance. If f reaches a bound, one spring has no force and opens, as a contact
+                // does: the drive yields at constant force.
                 let mut between = Vector::zeros();
                 between[self.object() + self.used] = 1.0;
                 self.used += 1;

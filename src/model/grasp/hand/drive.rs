@@ -1,5 +1,5 @@
-//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement, with the torque or tension limit of
-//! its motor or clutch. A drive acts along a single axis. The springs of stiffness and compliance matrices are also drives, but without a command.
+//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement. A motor or clutch may limit its
+//! torque or tension. A drive acts along a single axis. The springs of stiffness and compliance matrices are also drives, but without a command.
 
 use nalgebra::SVector;
 
@@ -33,8 +33,8 @@ pub(crate) enum DriveLaw {
     /// The upper half of a drive that yields at an upper and a lower bound of its force, where its force stays constant. Two springs in series model
     /// such a drive. This half is a frictionless contact whose normal force is the upper bound minus the drive's force: it opens at the upper bound.
     UpperHalf,
-    /// The lower half of a drive that yields at an upper and a lower bound of its force: a frictionless contact whose normal force is the drive's
-    /// force minus the lower bound. It opens at the lower bound.
+    /// The lower half of a drive that yields at an upper and a lower bound of its force. It is a frictionless contact whose normal force is the
+    /// drive's force minus the lower bound: it opens at the lower bound.
     LowerHalf,
 }
 
@@ -132,8 +132,8 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of the drive's stiffness to the stiffness of its joint or tendon, in the drive's units. It is 2 for each of the two springs in series
-    /// that model a drive which yields at a constant force, else 1.
+    /// Ratio of this spring's stiffness to the stiffness of its joint or tendon, both along the drive, N/m. It is 2 for each of the two springs in
+    /// series that model a drive which yields at a constant force, else 1.
     fn halves(&self) -> f64 {
         if matches!(self.role, DriveLaw::UpperHalf | DriveLaw::LowerHalf) { 2.0 } else { 1.0 }
     }
@@ -142,8 +142,8 @@ impl Drive {
     /// the drive's contact frame.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
-        // In an unloaded drive, the spring of the upper half carries the upper bound, and the spring of the lower half carries the magnitude of the
-        // lower bound. The elastic force is `force` minus this preload.
+        // In an unloaded drive, the spring of the upper half carries the upper bound. The spring of the lower half carries the magnitude of the lower
+        // bound. The elastic force is `force` minus this preload.
         let elastic = match self.role {
             DriveLaw::UpperHalf => force[0] - self.bound,
             DriveLaw::LowerHalf => force[0] - self.rest * self.stiffness,
@@ -153,8 +153,8 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon: of the drive's stretch, in its contact frame,
-    /// and of the constant generalised forces on the coordinates.
+    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon. The first is of the drive's stretch, in its
+    /// contact frame, the second of the constant generalised forces on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -178,8 +178,8 @@ impl Drive {
         force / self.stiffness
     }
 
-    /// Whether the drive never pushes. This is so for the drive of a tendon that only pulls or, if its force has an upper bound, for the lower half
-    /// of this drive.
+    /// Whether the drive never pushes, as for a tendon that only pulls. If such a tendon has a largest tension, two springs model its drive, and the
+    /// lower half never pushes.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::LowerHalf && self.rest == 0.0)
     }

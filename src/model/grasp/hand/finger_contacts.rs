@@ -108,8 +108,8 @@ impl Assembly {
         }
     }
 
-    /// Joint commands under which the contacts press with the forces F of `Contact::pressed_with`: `K⁻¹ Σ Jᵀ F`, with the joint stiffness K and the
-    /// Jacobians J of the contacts.
+    /// Joint commands under which the contacts press with the forces F of `Contact::pressed_with`. They are `K⁻¹ Σ Jᵀ F`, with the joint stiffness K
+    /// and the Jacobians J of the contacts.
     pub(super) fn pressed(&self, fingers: &[Finger<3>]) -> Result<Vec<f64>, Error> {
         let mut torques = vec![0.0; self.joints.len()];
         for (motions, (_, force)) in self.motions.iter().zip(&self.presses) {

@@ -49,9 +49,9 @@ impl<const C: usize> Hand<C> {
         pub fn tendon(mut self, tendon: Tendon) { self.tendons.push(tendon); }
     }
 
-    /// Largest number of coordinates of a grasp by this hand. It counts the coordinates of the object, one per joint, one per joint or tendon with a
-    /// [`Limit::Saturates`], and one per contact axis of a finger with a compliance matrix. The slide of a contact with a constant force counts as a
-    /// joint.
+    /// Largest number of coordinates of a grasp by this hand. The object has 3 or 6, each joint one, and each joint or tendon with a
+    /// [`Limit::Saturates`] one more. A finger with a compliance matrix adds one per contact axis. The slide of a contact with a constant force
+    /// counts as a joint.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         self.coordinates_in(Space::of::<C>())
@@ -67,7 +67,7 @@ impl<const C: usize> Hand<C> {
         Space::of::<C>()
     }
 
-    /// [`Self::coordinates`] in the plane or in space.
+    /// Largest number of coordinates of a grasp by this hand, in the plane or in space; see [`Self::coordinates`].
     pub(super) fn coordinates_in(&self, space: Space) -> usize {
         let saturates = |limit: Option<Limit>| usize::from(matches!(limit, Some(Limit::Saturates(_))));
         let mut all = space.of_the_object() + self.joints();

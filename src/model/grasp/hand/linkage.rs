@@ -24,7 +24,7 @@ pub(crate) struct Linkage {
     pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives, in the order in which they follow the contacts in the list of sites.
+    /// Drives (springs of joints and tendons). In the engine's list of sites, i.e. contacts and drives, they follow the contacts in this order.
     pub(crate) drives: Vec<Drive>,
     /// Constant generalised forces on the coordinates: from joint torques, from tensions of tendons, and from contacts with a constant force.
     pub(crate) held_forces: Vector,

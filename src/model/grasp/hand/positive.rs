@@ -42,7 +42,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         if left.iter().any(|&j| share(j) < -NEGATIVE_REMAINDER) {
             return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
         }
-        // A remainder up to this fraction of the original diagonal entry counts as zero; rounding leaves about 1e-15.
+        // A remainder up to the fraction `LINEARLY_DEPENDENT` of the original diagonal entry counts as zero; rounding leaves about 1e-15.
         if share(pivot) <= LINEARLY_DEPENDENT {
             break;
         }
@@ -81,7 +81,8 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
         for j in 0..i {
             let difference = (matrix[(i, j)] - matrix[(j, i)]).abs();
             let size = (matrix[(i, i)].abs() * matrix[(j, j)].abs()).sqrt();
-            // Two mirrored entries count as unequal if their difference exceeds this fraction of the geometric mean of their diagonal entries.
+            // Two mirrored entries count as unequal if they differ by more than the fraction `NEGLIGIBLE` of the geometric mean of their diagonal
+            // entries.
             if difference > NEGLIGIBLE * size {
                 worst = worst.max(difference);
             }
