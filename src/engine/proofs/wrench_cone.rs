@@ -41,8 +41,9 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of the generator's normal force to its force. With
-    /// large friction this ratio is small, so that a normal force as large as the load takes a large multiple of the generator.
+    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of its normal force to its whole force. The work thus
+    /// refers to a unit normal force. With large friction the ratio is small, and a normal force as large as the load takes a large multiple of the
+    /// generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }

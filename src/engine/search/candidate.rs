@@ -89,7 +89,7 @@ pub(super) fn admit(
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation of up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a
+        // A violation of up to 1e-12 of its terms, times the amplification of rounding errors, is larger than rounding. But it is too small to be a
         // clear violation. The proposed states are refused, but this proves nothing.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
@@ -181,9 +181,9 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion in `motions`, for which the inequalities of all contact states hold after the object has
-/// moved by the sum of τ times the motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each
-/// comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion in `motions`: after the object has moved by `Σ τ_k · motion_k`, the inequalities of all
+/// contact states hold. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change
+/// of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

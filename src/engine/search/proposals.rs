@@ -14,8 +14,8 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether Lemke's method takes acceptable time on a dense matrix with `times` times as many rows as the kinematic form, the problem for gaps and
-/// slips. The work is estimated as the cube of the number of rows: about as many pivots as rows, each of which changes the whole matrix.
+/// Whether Lemke's method takes acceptable time on a dense matrix. It has `times` times as many rows as the kinematic form, the problem for gaps and
+/// slips. The work is the cube of the number of rows: about as many pivots as rows, each of which changes the whole matrix.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
@@ -68,7 +68,7 @@ pub(super) fn propose_dense(
     // problem need not be enumerated.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // The limit `affordable` of the number of pivots is passed to the solver if the caller set it, or if it is lower than the solver's default limit.
+    // The solver is given the limit `affordable` of the number of pivots in two cases: the caller set it, or it is below the solver's own limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {
