@@ -134,7 +134,7 @@ pub struct Equilibrium<const C: usize> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Whether a body turns, a joint turns, or a contact slips or opens by more than [small motions](crate::Settings::small_motions) allow, or the grasp
+    /// Whether a body or joint turns, or a contact slips or opens, by more than [small motions](crate::Settings::small_motions) allow, or the grasp
     /// buckles. [`Self::too_far`] then has the motion that is farthest beyond its limit, or says that it buckles.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {

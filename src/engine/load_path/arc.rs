@@ -223,7 +223,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// The change of twist and load factor from a solution of the bordered linear system, in which the twist is divided by the unit u of
+    /// The change of twist and load factor from a solution of the bordered linear system. In this system the twist is divided by the unit u of
     /// displacement.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
@@ -283,8 +283,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the square root of the
-        // number of terms.
+        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding. Rounding grows with the square root of the number
+        // of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
         // compared with the load at the start of the leg.
@@ -332,8 +332,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces,
-            // and is corrected again.
+            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
+            // then corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -383,10 +383,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round
-    /// cone. The forces are those of the equilibrium near `at` with friction forces on their cones, or of `at` itself if no such equilibrium is
-    /// found. Rates are per unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no
-    /// spring resists.
+    /// Forces, twist and their rates at the load factor `factor` of a path. On it contacts have the states `states` and slide on the round cone. The
+    /// forces are those of the equilibrium near `at` with friction forces on their cones, or of `at` itself if no such equilibrium is found. Rates
+    /// are per unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no spring resists.
     pub(super) fn tangent(
         &self,
         states: &[State],

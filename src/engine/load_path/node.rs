@@ -23,7 +23,7 @@ use crate::search::{
     on_the_solution_interval, polish, settle, solution_near, try_states,
 };
 
-/// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
+/// The rate problem at a node, i.e. the complementarity problem for the rates of forces and motion. `settled` is the outcome of the search for its
 /// solution.
 struct NodeRates<'g> {
     /// The load factor at which the rates of load and commands in `rates` are taken: the node's load factor or, while the load turns, a slightly
@@ -149,8 +149,8 @@ impl Node {
                 continue;
             };
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
-            // problem at 1e-12 rad beyond the node. An event's angle has an error of about 1e-12 rad, so that closer to the node the rate of a load
-            // that turns back might have the wrong sign.
+            // problem at 1e-12 rad beyond the node. An event's angle has an error of about 1e-12 rad. Closer to the node the rate of a load that
+            // turns back might have the wrong sign.
             let rates_beyond = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_beyond, found.states.clone()), CandidateOutcome::Holds(_))
@@ -161,8 +161,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // Otherwise the node is at the end of an arc, and its load factor has the error of the arc's steps. Rates there are as good as rates
-            // ahead.
+            // Otherwise the node may be the end of an arc, and its load factor has the error of the arc's steps. Rates at the node itself are then as
+            // good as rates slightly ahead.
             _ => at(factor),
         }
     }

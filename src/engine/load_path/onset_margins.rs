@@ -85,8 +85,8 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor of the onset with respect to one datum (such as a friction coefficient or stiffness), for each contact or
-    /// drive of [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
+    /// The derivative of the onset's load factor with respect to one datum (such as a friction coefficient), for each contact or drive of
+    /// [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {

@@ -178,7 +178,7 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of the program's load, the loads on bodies and the torques that hold joints, as a function of the load factor along the present
+    /// The sum of the program's load, the loads on bodies and the torques that hold joints. It is a function of the load factor along the present
     /// leg. Moments are about the centroid of the contacts.
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {

@@ -104,8 +104,8 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// For each contact and drive of a grasp the rate of the offset of its spring (command minus clearance), m per unit of the load factor. Returns
-    /// an error if the changes do not fit the grasp.
+    /// For each contact and drive of a grasp the rate of its spring's offset (command minus clearance), m per unit of the load factor. Returns an
+    /// error if the changes do not fit the grasp.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;

@@ -1,4 +1,4 @@
-//! Advances along an arc (a piece of the load path on which directions of sliding turn on the round cone), step by step to the next event.
+//! Advances step by step along an arc, a piece of the load path on which directions of sliding turn on the round cone, to the next event.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the point where one of
 //! these values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
@@ -162,10 +162,9 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then
-    /// tends to a limit that it never reaches (an asymptote). Rounding in the rate of a sliding contact's force is proportional to the rate at
-    /// which its friction turns towards its slip, and so is the tolerance for this force. Contacts that do not slide take up the rounding of all
-    /// others, so their tolerance is the largest.
+    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then tends
+    /// to a limit that it never reaches (an asymptote). The tolerance for a sliding contact's force is proportional to the rate at which its friction
+    /// turns towards its slip, as rounding is. Contacts that do not slide take up the rounding of all others, so their tolerance is the largest.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -221,8 +220,8 @@ impl<'g> PiecewiseFollower<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step covers at most half of the arclength after which a sliding contact loses its normal force, since near that point directions
-                // of friction may turn ever faster.
+                // A step covers at most half of the arclength after which a sliding contact loses its normal force. Near that point directions of
+                // friction may turn ever faster.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }

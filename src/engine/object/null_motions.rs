@@ -1,4 +1,4 @@
-//! Null vectors of the tangent stiffness T = BᵀA as a band matrix, and their mechanical meaning.
+//! Null vectors of the tangent stiffness T = BᵀA, stored as a band matrix, and their mechanical meaning.
 //!
 //! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps the scaled forces of the springs to a wrench on the object (see
 //! `linear_problem`).
