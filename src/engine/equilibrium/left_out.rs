@@ -9,8 +9,8 @@
 //! Loads are treated like contact forces, at their points of action. A load of which only the line is known adds nothing. In the plane that is exact
 //! if it acts at the point of its line nearest to the centroid of the contacts.
 //!
-//! The forces may also buckle the grasp in a motion along which the load does no work, as for a strut in line with its load. Therefore the second
-//! part is compared with the elastic part in every motion, too, for one object and for several bodies.
+//! The forces may also buckle the grasp in a motion that the load does not cause, as for a strut in line with its load. Therefore the second part is
+//! compared with the elastic part in every motion, too, for one object and for several bodies.
 
 use nalgebra::{SMatrix, SVector};
 

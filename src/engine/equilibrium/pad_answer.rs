@@ -205,7 +205,8 @@ impl Engine {
             sums[k][1] += x.abs();
         };
         for (i, contact) in (first..).zip(of) {
-            // The bearings of a link between bodies have frames of their own.
+            // The points of a link between bodies have contact frames of their own. Their forces are turned from coordinate axes into the frame of
+            // the first point.
             let force = match contact.contact.link {
                 Some(_) => frame.tr_mul(&contact.force_world),
                 None => contact.force,

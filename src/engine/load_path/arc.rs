@@ -116,8 +116,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
                     stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
                 } else {
-                    // The entries of each contact's grasp map are copied first, since reading an entry of the map of several bodies takes a
-                    // search.
+                    // The entries of each contact's grasp map are copied first. With several bodies only nonzero rows are stored, and reading an
+                    // entry takes a search.
                     let rows = [a, b].each(|map| {
                         ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
                     });
@@ -307,7 +307,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // In this direction the correction leaves the load factor fixed; a computed change of the load factor would be rounding.
+                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, and
+                    // a computed change would be rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;

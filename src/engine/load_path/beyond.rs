@@ -128,7 +128,8 @@ pub(super) fn beyond_end(
     settings: &Settings,
 ) -> Beyond<3> {
     let problem = segment.problem_at(end.factor);
-    // The static equilibrium problem beyond the end, at a load factor larger by `part` times [`way_beyond`].
+    // The static equilibrium problem beyond the end. The load factor is larger by `part` times [`way_beyond`], the change that builds up the whole
+    // load.
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
     let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -157,8 +158,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. Over a shorter distance the loads would hardly
-        // differ from the load at the end, and the proof could fail because of rounding.
+        // The proof covers all load factors from the end up to a hundredth of `way_beyond` (the change that builds up the whole load) beyond it. Over
+        // a shorter distance the loads would hardly differ from the load at the end, and the proof could fail because of rounding.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },

@@ -37,8 +37,8 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The straight step `end` from `point`. It is shortened if a contact has zero force (the apex of its cone) at its start, and a condition is
-    /// clearly violated at its end. `None` if the end of the shortened step is not found.
+    /// The straight step `end` from `point`. It is shortened if a contact has zero force (the apex of its cone) at its start, and its end clearly
+    /// violates a condition. `None` if the end of the shortened step is not found.
     pub(super) fn up_to_a_break(&self, point: &PathPoint, end: StepEnd) -> Option<StepEnd> {
         if !self.node.starts_at_apex || !end.watches.iter().any(ConditionValue::is_broken) {
             return Some(end);
@@ -70,7 +70,8 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition is just met (its value is zero) at the start of the step already, and violated right after the start.
+            // The condition's value is zero, up to rounding, at the start of the step already. It is set to zero there, and becomes negative right
+            // after the start.
             low.1 = 0.0;
         }
         // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.

@@ -105,7 +105,7 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle of legs is closed if loads and commands at its end differ from those at its beginning by at most this fraction of the largest.
+        // A cycle of legs is closed if it ends with its initial loads and commands. They may differ by this fraction of the largest along it.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }

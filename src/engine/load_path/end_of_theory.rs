@@ -35,8 +35,8 @@ pub(super) fn end_of_theory<const C: usize>(
     buckling.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest. If the points of action of the load at `end`
-/// are known, it is also checked at the end of each leg and at the point `end`. Along a load that turns it is checked in between, too.
+/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest. If the points of action of the load are
+/// known, it is also checked at the end of each leg and at the point `end`. Along a load that turns it is checked in between, too.
 fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     let is_known = |load: Wrench<C>| load.points_of_action().stiffness().is_some();

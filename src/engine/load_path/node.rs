@@ -202,7 +202,8 @@ impl Node {
     /// and a contact would slide on the round cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // On the round cone a contact slides along its friction force. If that force is zero, it has no direction.
+        // On the round cone a contact slides along its friction force. If all forces are zero up to rounding, sliding has no direction, and contacts
+        // that may open are opened.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -222,8 +223,8 @@ impl Node {
         if nothing && every_index(states.len(), &comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than the fraction `NEGLIGIBLE` count as equal. Of equal motions, the one in which contacts
-        // without force are open is taken, since the direction in which such contacts slide would be rounding.
+        // The motion with opened contacts is taken if it is shorter. Lengths that differ by less than the fraction `NEGLIGIBLE` count as equal. Of
+        // equal motions it is taken as well if a contact without force would slide, since the direction of this slide is rounding.
         let rubs =
             rates.round && any_index(states.len(), &|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };

@@ -60,8 +60,8 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // If a contact slides as soon as it touches, no margin vanishes at the onset. Instead a gap closes, and the load factor at which it
-        // closes has no such derivative.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset. Instead a gap closes, and the formulas of this file do not give
+        // the derivative of that load factor.
         let opens = |site: &usize| found.states[*site].is_open();
         if any_index(grasp.len(), &has_slipped) || leaving.iter().any(opens) {
             return None;

@@ -52,7 +52,8 @@ pub(super) struct PathPoint {
     /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
     /// proportional to these sizes.
     pub(super) sizes: [f64; 2],
-    /// As `sizes`, for the rates of forces and displacements: the largest among the terms whose sums are these rates.
+    /// Largest rate of force and of displacement among the terms whose sums are the rates of forces and displacements of this point. Rounding errors
+    /// of these rates are proportional to them.
     pub(super) rate_sizes: [f64; 2],
     /// While the load turns, forces, stretches and twist as harmonic functions of the load's angle. `None` if rates are constant, or if only the
     /// present rates are known.

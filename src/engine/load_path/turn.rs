@@ -221,7 +221,8 @@ impl Turn<3> {
     }
 }
 
-/// As [`Turn::inside`], for the harmonic function `load` of a turn that has been checked.
+/// The turning load `load`, which has been checked, in the engine's coordinates. The constant loads that act beside it are added, as in
+/// [`Turn::inside`].
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),

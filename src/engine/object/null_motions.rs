@@ -152,8 +152,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if the norm of the stretches that it causes is at most this fraction of the largest stretch of a spring under any
-        // unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
+        // A unit motion is free if it stretches springs hardly at all: the norm of the stretches is at most this fraction of the largest stretch of a
+        // spring under any unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;

@@ -68,7 +68,8 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
 }
 
 /// The proposed twist of the object for round friction cones. As a rule forces nearly balance, and friction limits nearly agree with the normal
-/// forces. `None` as for [`states_by_tresca`], and also if friction is not limited by round cones.
+/// forces. `None` in the cases of [`states_by_tresca`] (few coordinates, unresisted motions, infinite friction), and if friction is not limited by
+/// round cones.
 pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
     if !problem.round || !uses_band(problem.size()) {
         return None;
@@ -225,8 +226,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is shortened, at most eight times, while the energy of the file header still rises along the step at its
-                // end. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
+                // Line search: the step is shortened, at most eight times, while the energy to be minimised (head of this file) still rises at the
+                // end of the step. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;

@@ -82,8 +82,8 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // Violations of inequalities are relative to the sizes of terms before the shift. A shift is thus refused if it is so long that its
-            // rounding exceeds the tolerance.
+            // The solution has been shifted along motions that leave it undetermined. Violations are divided by the sizes of terms before the shift.
+            // A shift so long that its rounding exceeds the tolerance is thus refused.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }

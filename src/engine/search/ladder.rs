@@ -166,9 +166,9 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> A
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. With round cones it starts at points of the relaxation
-/// (`object/relaxing`, few contacts only), then at the elastic trial, and last at the twist from Tresca friction. On polygons it only starts at the
-/// elastic trial.
+/// Newton's method for the motion of the object, of which each contact force is a function. With round cones it starts first, if there are few
+/// contacts, at points of the relaxation (`object/relaxing`). Then it starts at the elastic trial, and last at the twist from Tresca friction. On
+/// polygons it only starts at the elastic trial.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -203,7 +203,7 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
 }
 
 /// Searches for a proof that a rate problem (for derivatives along a load path) has no solution at a limit load. The proof is a motion along which
-/// the load's rate does work, and which nothing resists once all contacts on the edge of their cones slide.
+/// the load's rate does work. Nothing resists it once all contacts on the edge of their cones slide.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))

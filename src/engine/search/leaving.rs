@@ -87,8 +87,8 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // If at most 24 contacts break a condition in the states of the similar grasp, pivots from these states take less time than pivots from the
-        // elastic trial.
+        // If at most 24 contacts break a condition in the states of the similar grasp, pivots start from these states. This takes less time than
+        // pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }

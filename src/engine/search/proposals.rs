@@ -63,9 +63,8 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and decides more searches than another run. Otherwise
-    // the search tries all contact states next. Each combination costs one linear system for the twist, so that bases of the complementarity
-    // problem need not be enumerated.
+    // The solver may do more than one run of Lemke's method, but it never enumerates bases: trying all contact states, next in the search, costs
+    // less. On the round cone one run is enough, since branch and bound comes next and decides more searches than another run.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The solver is given the limit `affordable` of the number of pivots in two cases: the caller set it, or it is below the solver's own limit.
@@ -75,7 +74,7 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // The number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray. It is larger if there are too
+        // The number of further covering vectors, one for each further run, after Lemke's method has ended on a ray. It is larger if there are too
         // many combinations of contact states to try them all next.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.
