@@ -154,7 +154,7 @@ impl StickingResponse<'_> {
     }
 
     /// The derivative of one contact's normal stretch with respect to the datum `by`, m per unit. `twist` is the twist, and `change` its derivative.
-    /// `None` as for the grasp map of [`Self::derivative`].
+    /// `None` if `by` is the point or normal of this contact, and the contact's grasp map has no derivative with respect to it.
     pub(crate) fn normal_stretch_derivative(
         &self,
         contact: usize,

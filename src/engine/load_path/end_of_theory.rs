@@ -19,7 +19,8 @@ impl<const C: usize> LoadPath<'_, C> {
         self.end_of_theory_before(self.end_of_small_motions())
     }
 
-    /// [`Self::end_of_theory`] if motions are small up to the point `far` of the path.
+    /// The point from which on the theory of small motions no longer applies: the beginning of buckling, or `far` if that comes first. `far` is the
+    /// point at which motions cease to be small.
     pub(crate) fn end_of_theory_before(&self, far: Option<&EndOfSmallMotions>) -> Option<EndOfSmallMotions> {
         end_of_theory(&*self.0, far)
     }

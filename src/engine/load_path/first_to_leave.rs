@@ -161,7 +161,7 @@ impl FirstToLeave {
 }
 
 /// Whether a contact clearly sticks: the value of every condition of sticking, positive inside the friction cone, is more than the fraction
-/// `NEGLIGIBLE` of the size of its terms. For an absent contact, the conditions of an open contact are tested instead.
+/// `NEGLIGIBLE` of the size of its terms. If the law keeps a contact open (`Law::Absent`), the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // A condition with a smaller value may be on the edge of the friction cone. Such a case is left to `StickingPath`.

@@ -161,8 +161,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // Otherwise the node may be the end of an arc, and its load factor has the error of the arc's steps. Rates at the node itself are then as
-            // good as rates slightly ahead.
+            // On the round cone the node may be the end of an arc, and its load factor has the error of the arc's steps. Rates at the node itself are
+            // then as good as rates slightly ahead.
             _ => at(factor),
         }
     }

@@ -1,4 +1,4 @@
-//! [`Path`]: a load program being followed, one type for both methods of following.
+//! [`Path`]: a load program being followed, from event to event or in numerical steps.
 
 use crate::numerics::IntoList;
 use core::fmt;

@@ -170,7 +170,7 @@ impl Program {
         offsets
     }
 
-    /// [`Self::offsets`], written into the caller's lists `base` and `change`.
+    /// Writes the lists of [`Self::offsets`] (offsets at the beginning of the leg, and their changes) into the caller's lists `base` and `change`.
     pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.offsets_under(from.iter().copied(), joints_from, base);

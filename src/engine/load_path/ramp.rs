@@ -112,7 +112,7 @@ impl Ramp<3> {
         Ok(changes)
     }
 
-    /// [`Self::offset_changes`], written into the caller's list `changes`.
+    /// Writes the rates of the offsets of springs, as [`Self::offset_changes`] returns them, into the caller's list `changes`.
     pub(super) fn offset_changes_into(
         &self,
         grasp: &Engine,

@@ -248,7 +248,7 @@ impl<'g> Segment<'g> {
         offsets
     }
 
-    /// [`Self::offsets`], written into the caller's list `offsets`.
+    /// Writes the offset of each contact and drive at a load factor into the caller's list `offsets`, see [`Self::offsets`].
     pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
         cleared_for(offsets, self.change.len());
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));

@@ -25,8 +25,8 @@ use crate::prelude::*;
 /// The sequence of twists of the relaxation (see the top of the file), from the equilibrium in which everything sticks.
 ///
 /// The iterator returns twists at which the object has nearly relaxed. At the first twist, the estimated remaining displacement is a hundredth of the
-/// displacement so far. With each further twist it is a hundred times smaller. The last twist comes after `RELAXING_STEPS` steps, or once the
-/// imbalance R of forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's
+/// displacement so far. With each further twist this fraction is a hundred times smaller. The last twist comes after `RELAXING_STEPS` steps, or once
+/// the imbalance R of forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's
 /// method finds no equilibrium from such a twist, the caller asks for the next twist.
 pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,

@@ -92,7 +92,8 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// [`Self::at`] with the size `norm` of the twist, m, which the caller has computed once for all contacts ([`Self::size_of_motion`]).
+    /// Stretch and force of a contact as for [`Self::at`]. The caller has computed the size `norm` of the twist, m, once for all contacts
+    /// ([`Self::size_of_motion`]).
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

@@ -235,7 +235,7 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // After a long step the fraction of the lost stiffness that the Newton matrix keeps is reduced, but not below this value.
+                // After a step of nearly full length the Newton matrix keeps less of the lost stiffness, but at least this fraction.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

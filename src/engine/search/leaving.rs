@@ -27,15 +27,15 @@ struct PivotStart {
 }
 
 impl PivotStart {
-    /// The start with these states; `None` if no forces balance the load in these states.
+    /// The start of Lemke's method in these contact states; `None` if no forces balance the load in these states.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let linear_problem = problem.linear_problem(&states);
         let at = linear_problem.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         Some(Self { states, linear_problem, at })
     }
 
-    /// This start with the contacts in `among` sticking; unchanged if they stick already. Otherwise the displacements per unit gap or slip of a
-    /// contact, `moved`, are no longer valid and are cleared. `None` if the tangent stiffness is then singular.
+    /// This start of Lemke's method with the contacts in `among` sticking; unchanged if they stick already. Otherwise the displacements per unit gap
+    /// or slip of a contact, `moved`, are no longer valid and are cleared. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {

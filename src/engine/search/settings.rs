@@ -44,8 +44,8 @@ pub struct Settings {
     /// larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
     pub step_error: f64,
     /// On a load path, the upper limit of the number of steps within one leg, a section of the load program. Steps are made along arcs, on which
-    /// contacts slide on the round cone; refused steps are included. The same number limits the jumps from static to kinetic friction (default 20
-    /// 000). A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
+    /// contacts slide on the round cone; refused steps are included. The same number (default 20 000) limits the jumps from static to kinetic
+    /// friction. A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
     /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
     /// of at most 1 the search stops at this load itself.

@@ -73,7 +73,7 @@ impl Map {
         }
     }
 
-    /// All columns as arrays, like [`Self::whole_column`].
+    /// All three columns as arrays of six numbers, with zeros beyond the last coordinate; `None` for more than six coordinates.
     #[inline]
     pub(crate) fn whole_columns(&self) -> Option<&[[f64; WHOLE]; 3]> {
         match &self.entries {
