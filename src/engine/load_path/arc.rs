@@ -37,7 +37,7 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The terms that do not come from sliding contacts; all points of one arc share them.
+    /// The terms of `T q' = b λ'` that do not come from sliding contacts; all points of one arc share them.
     pub(super) fixed: SharedTerms,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,

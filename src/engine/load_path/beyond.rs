@@ -230,8 +230,8 @@ fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> 
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`]. If that is nearly zero because there is no load yet, the
-/// unit is 1, the whole leg.
+/// The unit of distances beyond the end: the change of the load factor that builds up the whole load ([`whole_way`]). If that is nearly zero because
+/// there is no load yet, the unit is 1, the whole leg.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }

@@ -88,8 +88,8 @@ pub(super) enum Residual {
     Nothing,
 }
 
-/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian, or the reason why it proves nothing; `is_proof`
-/// decides whether a residual is a proof.
+/// The residual after some rounds of the augmented Lagrangian, or the reason why it proves nothing. It is the part of the load, scaled to length one,
+/// that contact forces do not balance. `is_proof` decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = AugmentedLagrangian::of(problem) else {
         return Residual::Nothing;
