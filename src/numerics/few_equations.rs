@@ -22,7 +22,7 @@ pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]>
                 pivot = i;
             }
         }
-        // This condition is false for NaN, too, so that equations with NaN have no solution.
+        // `large_enough` is false for NaN, too, so that equations with NaN have no solution.
         let size = equations[pivot][k].abs();
         let large_enough = size > PARTIAL_PIVOT * largest && size.is_finite();
         if !large_enough {

@@ -1,7 +1,7 @@
 //! Gram–Schmidt orthogonalisation with column pivoting, on a matrix stored row by row. Every column is orthogonalised twice against the finished
 //! columns, which keeps Q orthonormal to working precision.
 //!
-//! All functions are inlined with the number of columns d, so that the compiler knows the length of the loops where d is 3 or 6.
+//! All functions are inlined with the number of columns d, so that the compiler knows the length of loops for d = 3 and d = 6.
 
 use crate::numerics::Each;
 use core::ops::Range;
@@ -24,8 +24,8 @@ pub(super) fn factorise(
     let size = r.size();
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // For each column: its length, the length of its rounding errors, the length of its remainder after the projections so far, and its
-    // coefficients along the newest column of Q.
+    // For each column: its length, the length of its rounding errors, and the length of its remainder after the projections so far. Last comes its
+    // coefficient along the newest column of Q.
     let [mut full, mut noise, mut left, mut parts] = [(); 4].each(|()| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);

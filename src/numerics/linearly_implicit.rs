@@ -14,10 +14,10 @@ use super::dormand_prince::Stepped;
 use crate::numerics::IntoList;
 use crate::prelude::*;
 
-/// One step of length `length` of y' = f(y), with an error below `tolerance`. The variables y are changes since the start of the step, where
-/// f(0) is `first`; `rate` computes f(y), and `size` measures an error of y. For a length h, `damped` returns a function that solves `(1 - hJ) Δ
-/// = x` in place, with the Jacobian J of f, or `None` if this matrix is singular. The step is `None` for a singular matrix, where f is not
-/// defined, or if the error does not fall below the tolerance.
+/// One step of length `length` of y' = f(y), with an error below `tolerance`. The variables y are changes since the start of the step, where f(0) is
+/// `first`; `rate` computes f(y), and `size` measures an error of y. For a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in
+/// place, with the Jacobian J of f. It returns `None` if this matrix is singular. The step is `None` for a singular matrix, where f is not defined,
+/// or if the error does not fall below the tolerance.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],

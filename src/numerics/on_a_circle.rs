@@ -34,8 +34,7 @@ impl<const C: usize> Turning<C> {
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
     }
 
-    /// An angle from 0 to `most` at which N - |v|, with the number N and the vector v, has a local minimum that is negative by more than
-    /// rounding. `None` if there is no such angle.
+    /// An angle from 0 to `most` at which N - |v| has a local minimum that is negative by more than rounding. `None` if there is no such angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = ROUNDED_SUM * self.size();
         if self.value(0.0) < -rounding {

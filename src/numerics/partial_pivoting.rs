@@ -82,7 +82,7 @@ fn eliminate(
                 pivot = i;
             }
         }
-        // This condition is false for NaN, too, so that a matrix with NaN has no factors.
+        // `large_enough` is false for NaN, too, so that a matrix with NaN has no factors.
         let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
         if !large_enough {
             return None;

@@ -13,7 +13,7 @@ use super::tolerances::FEW_ROUNDINGS;
 use super::without_std::FloatFunctions;
 use crate::prelude::*;
 
-/// The singular value decomposition `M = U diag(values) Vᵀ` of a matrix M, from the largest value to the smallest, with as many values and right
+/// The singular value decomposition `M = U diag(values) Vᵀ` of a matrix M, from the largest value to the smallest. It has as many values and right
 /// vectors as M has columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Singular {

@@ -63,8 +63,8 @@ pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 /// outside.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
-/// In the search for the largest ball in a convex set, the polytope grows, and its distance from the origin should not decrease. A decrease up
-/// to this fraction of its size is accepted as rounding; a larger one ends the search.
+/// In the search for the largest ball in a convex set, the polytope grows, and its distance from the origin should not decrease. A decrease up to
+/// this fraction of the size of the set is accepted as rounding; a larger one ends the search.
 ///
 /// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;

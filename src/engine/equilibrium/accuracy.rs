@@ -17,8 +17,8 @@ use crate::serial::AsComputed;
 /// forces.
 ///
 /// The residuals of all conditions are evaluated in twice the working precision. Solving the linear problem with these residuals as right-hand side
-/// gives the errors. The condition number comes from varying all given numbers (points, frames, stiffnesses, friction, commands, load) at once, in a
-/// few patterns of signs (small-sample estimates, C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
+/// gives the errors. For the condition number all given numbers (points, frames, stiffnesses, friction, commands, load) are varied at once, in a few
+/// patterns of signs. This is a small-sample estimate (C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -32,9 +32,9 @@ pub struct Accuracy {
     /// resists are not included.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Condition number of the contact forces: a relative error ε of all given numbers (points, contact frames, stiffnesses, friction, commands,
-    /// load) causes errors of about `condition · ε` in the forces, relative to the largest force. Rounding of a normal to double precision alone
-    /// causes `condition · 1.1e-16`.
+    /// Condition number of the contact forces with respect to all given numbers: points, contact frames, stiffnesses, friction, commands and load. A
+    /// relative error ε of these numbers causes force errors of about `condition · ε`, relative to the largest force. Rounding of a normal to double
+    /// precision alone causes `condition · 1.1e-16`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub condition: f64,
 }

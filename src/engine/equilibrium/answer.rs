@@ -134,7 +134,7 @@ pub struct Equilibrium<const C: usize> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Whether a body turns, a joint turns, or a contact slips or opens by more than [small motions](crate::Settings::small_motions) allow, or the grasp
+    /// Whether a body or joint turns, or a contact slips or opens, by more than [small motions](crate::Settings::small_motions) allow, or the grasp
     /// buckles. [`Self::too_far`] then has the motion that is farthest beyond its limit, or says that it buckles.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
@@ -201,8 +201,8 @@ pub struct WorkDone {
     /// Number of complementary pairs of the largest complementarity problem that the search made.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
-    /// Complementary pairs that the kinematic form (the problem for gaps and slips) of all contacts would have had in addition, and why the search
-    /// left them out.
+    /// Complementary pairs that the search left out of the kinematic form (the complementarity problem for gaps and slips), and why. With them the
+    /// form would cover all gaps and facets of all contacts.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<OmittedPairs>,
     /// Combinations of contact states that were tried one by one.

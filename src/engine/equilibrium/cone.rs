@@ -47,7 +47,8 @@ impl Cone {
         if space == Space::Planar { Self::Planar } else { Self::Polygon(settings.cone) }
     }
 
-    /// Number of facets that a contact with this cone has in a complementarity problem: 2 in the plane, one tangent facet for a round cone.
+    /// Number of facets of this cone in a complementarity problem: 2 in the plane. A round cone counts as one facet, the plane tangent to it at the
+    /// friction force.
     pub(crate) fn facets(self) -> usize {
         match self {
             Self::Planar => 2,

@@ -1,8 +1,7 @@
 //! Contact states that working precision distinguishes from their neighbours.
 //!
-//! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, a slip or the margin to the
-//! edge of the friction cone, `μ F_n - |F_t|`, vanishes. Next to such a point the last digits of the numbers given for grasp and load determine the
-//! state.
+//! Neighbouring states are open and touching, sticking and sliding, or sliding in two directions. They meet where a gap, a force, a slip or the
+//! friction margin `μ F_n - |F_t|` vanishes. Next to such a point the last digits of the numbers given for grasp and load determine the state.
 
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
@@ -23,8 +22,8 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A gap, force, slip or margin (distance of a force to the edge of the friction cone) below ten times its estimated error may be zero in
-        // exact arithmetic.
+        // A gap, force, slip or margin may be exactly zero if it is below ten times its estimated error. A margin is the distance of a force to the
+        // edge of its cone.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);

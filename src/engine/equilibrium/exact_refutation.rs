@@ -1,10 +1,10 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain of a case is the work of the
-//! virtual forces along the commanded offsets of the contacts, minus the work of the load along the virtual motion. In each case the contact law is
-//! relaxed to a convex cone, with polygons around arcs of friction directions, and each generator of this cone is tested. The virtual work of a
-//! generator is divided by the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic
-//! trial state, in which every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
+//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain of a case is the work of virtual
+//! forces along the commanded offsets, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex cone,
+//! with polygons around arcs of friction directions. Each generator of this cone is tested. The virtual work of a generator is divided by the square
+//! root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which every contact
+//! sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -95,7 +95,7 @@ impl Exact {
     }
 }
 
-/// Corners of a polygon around the arc of the unit circle between two angles, with twice as many sides as in the proof that is checked.
+/// Corners of a polygon around the arc of the unit circle between two angles. It has twice as many sides as in the proof that is checked.
 fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let pieces = (1..16).find(|k| to - from <= FRAC_PI_8 * f64::from(*k)).unwrap_or(16);
     let half = 0.25 * (to - from) / f64::from(pieces);
@@ -141,8 +141,8 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether a virtual motion and virtual contact forces contradict, in exact arithmetic, the case in which each contact has one of the states that its
-/// label admits. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an energy.
+/// Whether a virtual motion and virtual contact forces contradict a case in exact arithmetic. In the case, the label of each contact lists the states
+/// that the contact may have. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],

@@ -16,8 +16,8 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// The change of the value `row·F` of a condition on the contact force F, under a force of 1 N along each coordinate axis at the given
-    /// point. Zero if the change is within rounding.
+    /// The gradient of a condition `row·F` on the contact force F with respect to a force on the object at the given point. Component k is the change
+    /// of `row·F` under 1 N along coordinate axis k. Zero if the gradient is within rounding.
     pub(crate) fn gradient_of(&self, row: &SVector<f64, 3>) -> SVector<f64, 3> {
         let gradient = self.of.tr_mul(row);
         if gradient.norm() > ZERO_SLACK * row.norm() * self.size { gradient } else { SVector::zeros() }
@@ -64,7 +64,7 @@ mod tests {
         Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
     }
 
-    /// The direction of a force of 2 N at `point` that leaves the least margin to the friction cone at the thumb, and that margin, N.
+    /// The direction of a force of 2 N at `point` that brings the thumb's force closest to the edge of its friction cone. Also the margin left, N.
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];

@@ -14,7 +14,8 @@ impl Engine {
     /// This grasp with commands of its links (joints between bodies) such that each link with a given tension has this tension without load. An
     /// error if the grasp cannot hold that tension. Called after a change of the grasp; without links with a given tension nothing changes.
     pub(crate) fn installed(self) -> Result<Self, Error> {
-        // If the squeeze was multiplied by zero, so was the given tension. A link without tension keeps the command that it has.
+        // A factor on the squeeze (all commands) multiplies given tensions as well. If it is zero, the tension is zero, and the link keeps its
+        // command.
         let wanted = |contact: &Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
@@ -38,8 +39,8 @@ impl Engine {
             // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension.
             // The fraction is so small that contacts hardly ever change state. If no contact does, the quotient is exact.
             let nudge = 1e-3;
-            // Column k: how much every missing tension (given tension less present tension) falls as the command of link k grows by `nudge`
-            // times the stretch of its spring.
+            // Column k is the decrease of every missing tension (given tension less present tension) if the command of link k grows. It grows by
+            // `nudge` times the stretch of its spring.
             let mut change = DMatrix::zeros(pressed.len(), pressed.len());
             for (k, (i, force)) in pressed.iter().enumerate() {
                 let mut pulled = commands.clone();

@@ -1,15 +1,16 @@
-//! The geometric stiffness, which the theory of small motions neglects. As the object turns, the arms of the forces under the base load turn with it.
+//! The geometric stiffness, which the theory of small motions neglects. As the object turns, the lever arms of the forces that act already turn with
+//! it.
 //!
 //! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
 //! the elastic part and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
 //! plane `Σ F·r θ²`. Fingers that press against each other make this part negative. The second part is compared with the work `W·q` of the load W
 //! along the motion. This work equals `q·Kq` with the secant stiffness K of the grasp.
 //!
-//! Loads are treated like contact forces, at their points of action. If only the line of a load is known, the load is taken to act at the point of
-//! its line nearest to the centroid of the contacts.
+//! Loads are treated like contact forces, at their points of action. A load of which only the line is known adds nothing. In the plane that is exact
+//! if it acts at the point of its line nearest to the centroid of the contacts.
 //!
-//! The forces may also be about to buckle the grasp in a motion that the load does not cause, such as a strut in line with its load. Therefore the
-//! second part is compared with the elastic part in every motion, too, for one object and for several bodies.
+//! The forces may also buckle the grasp in a motion that the load does not cause, as for a strut in line with its load. Therefore the second part is
+//! compared with the elastic part in every motion, too, for one object and for several bodies.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -23,12 +24,12 @@ use crate::prelude::*;
 use crate::words::LinkKind;
 
 impl Engine {
-    /// The geometric stiffness as a fraction of the resistance to the motion q from the equilibrium `rest` under the base load to the equilibrium
-    /// `there`, with the same commands: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. F are the contact forces in `rest`, and r their arms about the origin
-    /// of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change of the load.
+    /// The geometric stiffness as a fraction of the resistance to the motion q: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. The motion q leads from the
+    /// equilibrium `rest` under the base load to the equilibrium `there`, with the same commands. F are the contact forces in `rest`, and r their
+    /// arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change of the load.
     ///
-    /// The fraction is negative if the forces lower the resistance. The base load is taken to act at the point of its line nearest to the centroid.
-    /// `None` if the size of the fraction is at most a tenth, for several bodies, and if `ΔW·q` is not positive.
+    /// The fraction is negative if the forces lower the resistance. The base load itself is left out. `None` if the size of the fraction is at most a
+    /// tenth, or for several bodies, or if `ΔW·q` is not positive.
     pub(crate) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,
@@ -55,8 +56,8 @@ impl Engine {
     /// resist. This value is -1/t for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts
     /// stick, and K_g the geometric stiffness of the contact forces.
     ///
-    /// `None` if the size of the fraction is below a half, and if the grasp has so many coordinates that it is solved with band matrices. Struts
-    /// between two bodies are treated as if they were infinitely long.
+    /// `None` if the size of the fraction is below a half. `None` also for a grasp of so many coordinates that it is solved with band matrices.
+    /// Struts between two bodies are treated as if they were infinitely long.
     pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
         let stiffness =
@@ -113,7 +114,7 @@ impl Engine {
         let springs =
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
         let mut both = (tangent_stiffness(self.sites(), &springs), self.geometric_stiffness(forces, load));
-        // Free motions need not be found for a grasp that is stable in every motion.
+        // A grasp that is stable in every motion does not buckle, so its free motions (which no spring resists) need not be found.
         if self.is_stable(&both, times) {
             return None;
         }

@@ -57,9 +57,9 @@ pub enum Proof<const C: usize> {
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,
-        /// The safety factor of the proof against rounding, at least 1e4. If rounding hides an equilibrium from the proof, its forces and stretches
-        /// are larger than in the elastic trial, in which every contact sticks, by at least this factor. Both states are measured by the square root
-        /// of their elastic energy.
+        /// The safety factor of the proof against rounding, at least 1e4. The elastic trial is the state in which every contact sticks. An
+        /// equilibrium that rounding hides from the proof is larger than this state by at least this factor. Both are measured by the square root of
+        /// their elastic energy.
         escape: f64,
     },
 }

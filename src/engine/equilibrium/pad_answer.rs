@@ -35,8 +35,8 @@ pub struct PadAnswer<const C: usize> {
     /// is along the axes of the contact frame, the torsion first; in the plane it is positive from x to y.
     pub wrench: Wrench<C>,
     /// Unused friction of the fingertip, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. At the same normal
-    /// forces the pad can carry an additional force of this size in any direction along the surface, if each point takes a part equal to its own
-    /// margin. Zero if the pad slides everywhere or is open; infinite if friction is unlimited.
+    /// forces the pad can carry an additional tangential force of this size in any direction. Each point then takes a part equal to its own margin.
+    /// Zero if the pad slides everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
 }
@@ -195,7 +195,7 @@ impl Engine {
     }
 
     /// The resultant of the forces of a fingertip's points, and their moment about the point `about`. Both are along the axes of the contact frame of
-    /// point `first`. Sums that are rounding of their terms are zero.
+    /// point `first`. Sums that are only rounding errors of their terms are set to zero.
     fn wrench_of_pad(&self, of: &[ContactAnswer<3>], first: usize, about: &SVector<f64, 3>) -> Wrench<3> {
         let frame = &self.sites()[first].frame;
         let (space, axes) = (self.space(), self.space().axes());
@@ -205,7 +205,8 @@ impl Engine {
             sums[k][1] += x.abs();
         };
         for (i, contact) in (first..).zip(of) {
-            // The bearings of a link between bodies have frames of their own.
+            // The points of a link between bodies have contact frames of their own. Their forces are turned from coordinate axes into the frame of
+            // the first point.
             let force = match contact.contact.link {
                 Some(_) => frame.tr_mul(&contact.force_world),
                 None => contact.force,

@@ -1,8 +1,8 @@
 //! Exact derivatives of forces and motion with respect to one datum (a given number of the grasp or its load), while contacts keep their states.
 //!
 //! In known states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i, the grasp map G_i and the twist q.
-//! K_i depends on stiffness, friction and state. The derivative with respect to any datum z takes one more solve with the same factors (W is the
-//! load, and v_i = a_i - G_iᵀq the stretch):
+//! K_i depends on stiffness, friction and state. The derivative with respect to any datum z takes one more solve with the same factors. W is the
+//! load, and v_i = a_i - G_iᵀq the stretch:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
@@ -10,7 +10,7 @@
 //! stiffness    normal:   f = (e_n + μ p) F_n / k_n     tangential: f = e_a F_a/k_a minus its part across the facet
 //! ```
 //!
-//! Here p is the friction force of a sliding contact per unit of its limit μ F_n, and e_a the unit vector along axis a of the contact frame. The
+//! Here p is the friction force of a sliding contact divided by its limit μ F_n. e_a is the unit vector along axis a of the contact frame. The
 //! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the grasp map (see `geometry`) changes the
 //! stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
 
@@ -88,9 +88,8 @@ pub enum Parameter {
 }
 
 impl StickingResponse<'_> {
-    /// The derivatives of contact forces and twist of the equilibrium `state` with respect to one given number of the grasp or its load (the
-    /// datum `by`). `None` if the grasp has no such datum, or if after a small change of the datum no forces balance in the present contact
-    /// states.
+    /// The derivatives of contact forces and twist of the equilibrium `state` with respect to the datum `by`, one given number of grasp or load.
+    /// `None` if the grasp has no such datum, or if after a small change of the datum no forces balance in the present contact states.
     pub(crate) fn derivative(&self, state: &ForcesAndTwist, by: Parameter) -> Option<ForcesAndTwist> {
         let ForcesAndTwist { forces, twist } = state;
         let mut offsets = self.at_rest();
@@ -155,7 +154,7 @@ impl StickingResponse<'_> {
     }
 
     /// The derivative of one contact's normal stretch with respect to the datum `by`, m per unit. `twist` is the twist, and `change` its derivative.
-    /// `None` as for the grasp map of [`Self::derivative`].
+    /// `None` if `by` is the point or normal of this contact, and the contact's grasp map has no derivative with respect to it.
     pub(crate) fn normal_stretch_derivative(
         &self,
         contact: usize,

@@ -232,9 +232,8 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Relative imbalance of the forces and moments on the object. It is divided by the sum of the absolute values of its terms, plus
-    /// `spring_force`, the least force that the displacements could cause in a spring. Returns the larger of the ratios for force and for
-    /// moment.
+    /// Relative imbalance of the forces and moments on the object. It is divided by the sum of the absolute values of its terms, plus `spring_force`.
+    /// This is the least force that the displacements could cause in a spring. Returns the larger of the ratios for force and for moment.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);
@@ -260,7 +259,7 @@ impl Engine {
         // If no contact carries a force, the computed forces are rounding. Their size is proportional to the force that displacements could
         // cause in a spring.
         force_size += spring_force;
-        // Moments are compared with the sum of the sizes of all moments, plus the size of forces times the root mean square arm of the contacts.
+        // Moments are compared with the sum of the absolute values of all moments, plus the size of forces times the root mean square lever arm.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();

@@ -9,11 +9,11 @@ use crate::search::{self, Settings};
 
 /// A proof that no equilibrium exists on the round cone, which can be kept and checked.
 ///
-/// Contact states are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a
-/// virtual motion of the object and virtual contact forces that balance one another. In an equilibrium the total virtual work of this motion and
-/// these forces is positive, but under the states of the case no contact can contribute a positive part. [`Self::check`] recomputes both
-/// statements from the numbers given for grasp and load, in closed form for every contact, and checks that no case is missing. The check does
-/// not depend on the search that found the proof.
+/// Contact states are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a virtual
+/// motion of the object and virtual contact forces that balance one another. In an equilibrium the total virtual work of this motion and these forces
+/// is positive. But in the states of the case no contact can contribute positive work. [`Self::check`] recomputes both statements from the numbers
+/// given for grasp and load, in closed form for every contact, and checks that no case is missing. The check does not depend on the search that found
+/// the proof.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
     steps: Arc<[ProofStep]>,

@@ -7,22 +7,22 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load; without any force, by 1e-25 of the least force that a spring could have. Displacements of a contact are divided by the sum
-/// of the sizes of its own displacements. Products of force and displacement are divided by the product of both sizes. On a load path only the slip
-/// since the contact states were last determined is used, for example since the last event.
+/// contact force or load. If all forces are zero, they are divided by 1e-25 of the least force that the displacements could cause in a spring.
+/// Displacements of a contact are divided by the sum of the sizes of its own displacements. Products of force and displacement are divided by the
+/// product of both sizes. On a load path only the slip since the contact states were last determined is used, for example since the last event.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
     /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by a size of forces. This size is the sum of the sizes of all
-    /// terms, plus the least force that the displacements of a contact could cause in its spring. The imbalance of moments is divided by the sizes of
-    /// all moments, plus the size of forces times the root mean square distance of the contacts from their centroid. The residual is the larger of
+    /// terms, plus the least force that a contact's displacements could cause in its spring. The imbalance of moments is divided by the size of
+    /// moments: the sizes of all moments, plus the size of forces times the root mean square lever arm of the contacts. The residual is the larger of
     /// the two ratios. For a hand and for several bodies it also covers every joint and body.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
-    /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a, the body's displacement u_c, the gap g along the normal
-    /// and the slip s along the tangents.
+    /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a and the body's displacement u_c. The gap g is along the
+    /// normal, and the slip s along the tangents.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
     /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` divided by 1 + μ. On a polygonal cone the largest `h·F_t` over the facet normals h

@@ -36,8 +36,8 @@ pub(crate) struct ContactForces {
 }
 
 impl<'g> StickingResponse<'g> {
-    /// The linear response of the grasp while every contact and drive sticks, except those that their law keeps open, with the friction cone of the
-    /// settings.
+    /// The linear response of the grasp while every contact and drive sticks, except those that their law keeps open. The friction cone is that of
+    /// the settings.
     pub(crate) fn new(grasp: &'g Engine, settings: &Settings) -> Self {
         let problem = Self::at_rest_on(grasp, Cone::of(grasp.space(), settings));
         let states = problem.trial_states();
@@ -110,8 +110,8 @@ impl<'g> StickingResponse<'g> {
 
 impl Engine {
     /// The least margin of all contacts and drives under a load, as a fraction of the largest force. The margin is the distance, N, of a contact
-    /// force from the edge of its friction cone or from opening, computed as if every contact stuck; it is negative beyond the edge. `None` if the
-    /// load is invalid, if nothing resists it, or if all forces are zero.
+    /// force from the edge of its friction cone or from opening. It is computed as if every contact stuck, and is negative beyond the edge. `None` if
+    /// the load is invalid, if nothing resists it, or if all forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

@@ -18,7 +18,7 @@ use crate::search::{SearchSolution, SmallMotions};
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words, listed, printable};
 
-/// The motion that is farthest beyond [`SmallMotions`], a leak of a suction cup, or the loss of stability that a theory of small motions does not see.
+/// The reason why a theory of small motions says little: a motion beyond [`SmallMotions`], a leak of a suction cup, or buckling.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -73,7 +73,7 @@ pub enum TooFar {
 /// The sentence for a suction cup whose lip is open at some of its points.
 pub(crate) const AIR_FLOWS_IN: &str = "air flows in where the lip opens";
 
-/// Writes the name of the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
+/// Writes the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = match self {
@@ -180,8 +180,8 @@ impl<'s> MotionData<'s> {
 }
 
 impl Engine {
-    /// The root mean square distance of contact points from their centroid; for several bodies the largest such distance. Infinite if all points
-    /// coincide.
+    /// The root mean square distance of contact points from their centroid, m; with several bodies the largest value of any body. Infinite if all
+    /// points coincide.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());

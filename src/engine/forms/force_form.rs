@@ -1,7 +1,8 @@
 //! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist q of any sign.
 //!
-//! The twist is split into a positive and a negative part, since the unknowns of an LCP are not negative. A spring that both pushes and pulls (of a
-//! bonded contact, a contact kept closed, or along a tangent with infinite friction) needs no complementary pair: its force is linear in q.
+//! The twist is split into a positive and a negative part, since the unknowns of an LCP are not negative. A spring that both pushes and pulls needs
+//! no complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed, and along tangents with
+//! infinite friction.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -12,8 +13,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form of a problem. `None` if a number overflows. Also `None` for a rate problem (for derivatives along a load path) in which a contact
-/// is on the edge of its cone, since the matrix would then not be copositive.
+/// The force form of a problem. `None` if a number overflows. `None` also if a contact is on the edge of its cone in a rate problem (for derivatives
+/// along a load path). The matrix would then not be copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;

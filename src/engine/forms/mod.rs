@@ -1,9 +1,9 @@
 //! The two complementarity problems of a grasp, the meaning of their rows (complementary pairs), and the rows that a contact does not need.
 //!
 //! The symbols are those of the [crate page](crate#the-problem). The load W acts on the object, and q is its twist. Contact i has the grasp map G_i,
-//! so that u_c = G_iᵀq is the object's displacement at the contact. It has the normal n = e_n into the object, the tangents t, the stiffnesses k_n
-//! and K_t, the friction coefficient μ and the commanded displacement a_i. Its force F_i has the parts F_n and F_t; g is its gap and s its slip. K is
-//! the diagonal matrix of all stiffnesses, and G = [G_1 G_2 …]. The friction cone is a polygon with facet normals h_j and corners d_j
+//! so that u_c = G_iᵀq is the object's displacement at the contact. It has the normal n = e_n into the object and the tangents t. Its stiffnesses are
+//! k_n and K_t, its friction coefficient is μ, and its commanded displacement a_i. Its force F_i has the parts F_n and F_t; g is its gap and s its
+//! slip. K is the diagonal matrix of all stiffnesses, and G = [G_1 G_2 …]. The friction cone is a polygon with facet normals h_j and corners d_j
 //! ([`PolygonCone`](crate::PolygonCone)).
 //!
 //! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the elastic trial state every contact sticks. One linear

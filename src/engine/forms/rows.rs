@@ -25,8 +25,8 @@ pub enum Row {
         /// Index of the contact, from 0.
         contact: usize,
     },
-    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m), with the slip s and the
-    /// unknown size λ of the slip.
+    /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m). Here s is the slip, and λ
+    /// its unknown size.
     TangentialForce {
         /// Index of the contact, from 0.
         contact: usize,

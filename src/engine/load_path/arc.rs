@@ -37,7 +37,7 @@ pub(super) struct Arc<'s, 'g> {
     unit: f64,
     /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
     free_motions: Vec<(Vector, f64)>,
-    /// The terms that do not come from sliding contacts; all points of one arc share them.
+    /// The terms of `T q' = b λ'` that do not come from sliding contacts; all points of one arc share them.
     pub(super) fixed: SharedTerms,
     /// Whether a finger command, and so the offset of a contact, changes along the leg.
     pub(super) driven: bool,
@@ -116,8 +116,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
                     stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
                 } else {
-                    // The entries of each contact's grasp map are copied first, since reading an entry of the map of several bodies takes a
-                    // search.
+                    // The entries of each contact's grasp map are copied first. With several bodies only nonzero rows are stored, and reading an
+                    // entry takes a search.
                     let rows = [a, b].each(|map| {
                         ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
                     });
@@ -223,7 +223,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// The change of twist and load factor from a solution of the bordered linear system, in which the twist is divided by the unit u of
+    /// The change of twist and load factor from a solution of the bordered linear system. In this system the twist is divided by the unit u of
     /// displacement.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
@@ -283,8 +283,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding, which grows with the square root of the
-        // number of terms.
+        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding. Rounding grows with the square root of the number
+        // of terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
         // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
         // compared with the load at the start of the leg.
@@ -307,7 +307,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // In this direction the correction leaves the load factor fixed; a computed change of the load factor would be rounding.
+                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, and
+                    // a computed change would be rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -332,8 +333,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces,
-            // and is corrected again.
+            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
+            // then corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -383,10 +384,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces, twist and their rates at the load factor `factor` of a path on which contacts have the states `states` and slide on the round
-    /// cone. The forces are those of the equilibrium near `at` with friction forces on their cones, or of `at` itself if no such equilibrium is
-    /// found. Rates are per unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no
-    /// spring resists.
+    /// Forces, twist and their rates at the load factor `factor` of a path. On it contacts have the states `states` and slide on the round cone. The
+    /// forces are those of the equilibrium near `at` with friction forces on their cones, or of `at` itself if no such equilibrium is found. Rates
+    /// are per unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no spring resists.
     pub(super) fn tangent(
         &self,
         states: &[State],

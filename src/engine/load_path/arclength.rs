@@ -1,5 +1,5 @@
-//! The unit u of displacement in the arclength along an arc. Arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ,
-//! which grows by 1 over the whole leg of the load program.
+//! The unit u of displacement in the arclength along an arc. Arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
+//! Over the whole leg of the load program λ grows by 1.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -31,8 +31,8 @@ impl PiecewiseFollower<'_> {
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// Deflection, m, of the softest spring under the sum of the largest present force and the change of the load per unit of the load factor. The
-    /// largest change of a contact spring's offset (command minus clearance and slip) per unit of the load factor is added to the deflection.
+    /// A scale of displacement, m: the deflection of the softest spring under the largest present force plus the change of the load. The largest
+    /// change of a contact spring's offset (command minus clearance and slip) is added. Both changes are per unit of the load factor.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

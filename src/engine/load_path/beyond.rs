@@ -128,7 +128,8 @@ pub(super) fn beyond_end(
     settings: &Settings,
 ) -> Beyond<3> {
     let problem = segment.problem_at(end.factor);
-    // The static equilibrium problem beyond the end, at a load factor larger by `part` times [`way_beyond`].
+    // The static equilibrium problem beyond the end. The load factor is larger by `part` times [`way_beyond`], the change that builds up the whole
+    // load.
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&problem, rates));
     let separates = |v: &Vector| separates_from_here_on(&problem, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -157,8 +158,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all load factors from the end to the end plus 1e-2 times `way_beyond`. Over a shorter distance the loads would hardly
-        // differ from the load at the end, and the proof could fail because of rounding.
+        // The proof covers all load factors from the end up to a hundredth of `way_beyond` (the change that builds up the whole load) beyond it. Over
+        // a shorter distance the loads would hardly differ from the load at the end, and the proof could fail because of rounding.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -166,7 +167,7 @@ pub(super) fn beyond_end(
     }
 }
 
-/// Whether Farkas' lemma excludes every choice of slip rates and gap rates, so that `rates`, the problem for the rates of forces and motion, has no
+/// Whether Farkas' lemma excludes every choice of slip rates and gap rates. If so, `rates`, the problem for the rates of forces and motion, has no
 /// solution. The lemma is applied to the kinematic form of `rates`, an LCP in these slip rates and gap rates. This LCP is computed in floating point,
 /// and the proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the LCP search for the proof. Returns false if
 /// they would be too large.
@@ -188,15 +189,14 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search for an equilibrium at the distance `part` beyond the end of the path finds another equilibrium. Its forces differ from
-    // the forces at the end by more than the forces of a continued path.
+    // Whether the search at the distance `part` beyond the end of the path finds another equilibrium. An equilibrium is another one if its forces
+    // differ from those at the end by more than the forces of a continued path could.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances beyond the end, as changes of the load factor, are tried in turn, since at a short distance the search on the round cone may end
-    // undecided.
+    // Distances beyond the end, as changes of the load factor, are tried in turn. At a short distance the search on the round cone may end undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // At a larger distance beyond the end the search would exceed the allowed number of pivots of Lemke's method, too.
@@ -208,8 +208,8 @@ fn from_scratch<'g>(
                 // If the forces found are nearly the forces at the end of the path, the search is repeated at load factors nearer to the end.
                 // Only the forces of another equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // Forces that do not differ from those at the end may belong to the equilibrium of the path, which rounding lets exist a little
-                // beyond its end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
+                // Forces that do not differ from those at the end may belong to the path's own equilibrium. Because of rounding it may seem to exist
+                // a little beyond the end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -230,15 +230,15 @@ fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> 
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end, as a change of the load factor: [`whole_way`]. If that is nearly zero because there is no load yet, the
-/// unit is 1, the whole leg.
+/// The unit of distances beyond the end: the change of the load factor that builds up the whole load ([`whole_way`]). If that is nearly zero because
+/// there is no load yet, the unit is 1, the whole leg.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load at its present rate, or all present offsets of the contact springs
-/// at theirs: the smaller of the two. Zero if it is not finite.
+/// The change of the load factor that would build up the whole present load at its present rate. Or, if less, the change that would build up all
+/// present offsets of the contact springs at their rates. Zero if it is not finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -278,9 +278,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         for_each_condition(rates, &states, &next.forces, &next.twist, &mut |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // A condition that is positive at the end of the path is also taken as zero if, at its rate, it becomes zero within the fraction
-            // `NEGLIGIBLE` of `way`. `way` is the change of the load factor that builds up the whole load. The load factor at the end is known
-            // only to about this accuracy.
+            // A condition that is positive at the end of the path also counts as zero if it becomes zero within the fraction `NEGLIGIBLE` of `way`.
+            // `way` is the change of the load factor that builds up the whole load. The load factor at the end is known only to about this accuracy.
             let fleeting = rate < 0.0 && value <= NEGLIGIBLE * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

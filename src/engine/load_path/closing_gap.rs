@@ -1,9 +1,9 @@
 //! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes.
 //!
 //! If nothing resists the motion v with which the object leaves, forces stay constant along v: no spring is stretched further, and friction is
-//! exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the
-//! displacement δ v, at which the first gap closes. With the normal n_i of contact i into the object, its grasp map G_i and its gap gap_i, the
-//! minimum over all open contacts whose gap decreases along v is
+//! exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ
+//! v, at which the first gap closes. Contact i has the normal n_i into the object, the grasp map G_i and the gap gap_i. The minimum runs over all
+//! open contacts whose gap decreases along v:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
@@ -51,9 +51,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest resistance per unit of normal stretch, here scaled to the present normal force. The contact force is taken
-            // to reach this resistance if the directions of slip and friction differ by less than √(2·1e-10) rad. A normal velocity that is only
-            // rounding may reduce the resistance.
+            // `most` is the greatest power with which friction can oppose this velocity, scaled from a unit of normal stretch to the present normal
+            // force. The present friction is at this limit if its direction opposes the slip to within √(2·1e-10) rad. The last term allows for a
+            // normal velocity that is only rounding.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -192,8 +192,8 @@ impl<'g> PiecewiseFollower<'g> {
 
 impl<'g> JumpInProgress<'g> {
     /// Continues the jump after `loss`, a loss of equilibrium on the jump's present leg. If contacts begin to slide with lower kinetic friction,
-    /// starts a new leg along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes,
-    /// and returns false.
+    /// starts a new leg along which the friction force that they lose is removed. It then returns true. Otherwise moves the object until a gap
+    /// closes, and returns false.
     ///
     /// # Errors
     /// The loss `loss`, if no gap closes.

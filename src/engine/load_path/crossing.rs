@@ -1,8 +1,8 @@
-//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. Each step is shortened to end at the point of the
-//! path where a condition of a contact state is just met (its value is zero).
+//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. Each step is shortened to end at the point of the path
+//! where the value of a condition of a contact state becomes zero.
 //!
-//! To find this point, the last step is repeated from its start with other lengths, by Newton's method on the value of the condition, within a
-//! bracket. States of the path are never interpolated.
+//! To find this point, the last step is repeated from its start with other lengths. They come from Newton's method on the value of the condition,
+//! within a bracket. States of the path are never interpolated.
 
 use super::flow::{Flow, FlowStep, Rule, StepGoal};
 use super::piecewise_follower::PiecewiseFollower;
@@ -37,8 +37,8 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The straight step `end` from `point`, shortened if it begins with a contact at zero force (the apex of its cone) and clearly violates a
-    /// condition. `None` if the end of the shortened step is not found.
+    /// The straight step `end` from `point`. It is shortened if a contact has zero force (the apex of its cone) at its start, and its end clearly
+    /// violates a condition. `None` if the end of the shortened step is not found.
     pub(super) fn up_to_a_break(&self, point: &PathPoint, end: StepEnd) -> Option<StepEnd> {
         if !self.node.starts_at_apex || !end.watches.iter().any(ConditionValue::is_broken) {
             return Some(end);
@@ -48,7 +48,7 @@ impl PiecewiseFollower<'_> {
         self.locate(point, &start, end, condition)
     }
 
-    /// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between
+    /// The index of the condition that becomes zero first, among those violated at the end of a step. Conditions are interpolated linearly between
     /// the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
@@ -70,7 +70,8 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition is just met (its value is zero) at the start of the step already, and violated right after the start.
+            // The condition's value is zero, up to rounding, at the start of the step already. It is set to zero there, and becomes negative right
+            // after the start.
             low.1 = 0.0;
         }
         // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.

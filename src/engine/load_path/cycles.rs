@@ -105,7 +105,7 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle of legs is closed if its end differs from its beginning by at most this fraction of the largest load or command along it.
+        // A cycle of legs is closed if it ends with its initial loads and commands. They may differ by this fraction of the largest along it.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
@@ -147,7 +147,7 @@ impl<'g> Cycles<'g> {
         self.path.run.settings.most_steps = most_steps;
     }
 
-    /// The end of the path, unless all legs so far were completed; then `None`.
+    /// The end of the path if it ended within a leg; `None` if all legs so far were completed.
     pub(crate) fn end(&self) -> Option<&PathEnd<3>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }

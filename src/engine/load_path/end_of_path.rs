@@ -1,4 +1,4 @@
-//! Determines the kind of an end of a load path from the state at this end, at which no rates of forces and motion satisfy the contact laws.
+//! Determines the kind of an end of a load path from the state at this end. There no rates of forces and motion satisfy the contact laws.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -10,8 +10,8 @@ use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::{SearchCounts, SearchOutcome, Settings};
 
-/// The end of a path at which the search for rates of forces and motion, with the outcome `settled`, found no rates that satisfy the contact laws.
-/// Returns `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
+/// The end of a path. There the search for rates of forces and motion, with the outcome `settled`, found none that satisfy the contact laws. Returns
+/// `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
 ///
 /// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: no combination of states of the contacts on the edge of
 /// their cones admits rates. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium just beyond.

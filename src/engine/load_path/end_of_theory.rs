@@ -10,15 +10,17 @@ use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer
-    /// small, a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest and, if the
-    /// points of action of the load are known, at the end of each leg and of the path. Where it begins is then found to nine digits.
+    /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
+    /// a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest. If the points of
+    /// action of the load are known, it is also checked at the end of each leg and of the path. The point at which it begins is then found to nine
+    /// digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
     }
 
-    /// [`Self::end_of_theory`] if motions are small up to the point `far` of the path.
+    /// The point from which on the theory of small motions no longer applies: the beginning of buckling, or `far` if that comes first. `far` is the
+    /// point at which motions cease to be small.
     pub(crate) fn end_of_theory_before(&self, far: Option<&EndOfSmallMotions>) -> Option<EndOfSmallMotions> {
         end_of_theory(&*self.0, far)
     }
@@ -34,8 +36,8 @@ pub(super) fn end_of_theory<const C: usize>(
     buckling.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest and, if the points of action of the load at
-/// `end` are known, at the end of each leg, at the point `end`, and along a load that turns also between.
+/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest. If the points of action of the load are
+/// known, it is also checked at the end of each leg and at the point `end`. Along a load that turns it is checked in between, too.
 fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     let is_known = |load: Wrench<C>| load.points_of_action().stiffness().is_some();

@@ -11,8 +11,8 @@ use crate::numerics::{Each, Harmonic, mapped};
 use crate::serial::AsComputed;
 
 /// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions
-/// are affine in the load factor, and under a load that turns they are harmonics of its angle, so that every integral is exact. If contacts slide on
-/// the round cone, works are integrated along with the slips.
+/// are affine in the load factor; under a load that turns they are harmonics of its angle. Thus every integral is exact. If contacts slide on the
+/// round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -33,7 +33,7 @@ pub struct LegEnergy {
     pub dissipated: f64,
     /// Sum of the absolute values of all works, stored energies and heats of all pieces and contacts, J. Works of opposite signs cancel in the
     /// balance, so its rounding error is proportional to this sum. If directions of sliding turn on the round cone, the stored energies before and
-    /// after each step are summands, because their change is computed as a difference. Not serialised.
+    /// after each step are summands. Their change is computed as a difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
@@ -102,8 +102,8 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece of the path along which the load turns, so that forces and motions are harmonic functions of the load's
-    /// angle. `step` is the change of the load factor.
+    /// Adds the energies of a piece of the path along which the load turns. On it forces and motions are harmonic functions of the load's angle.
+    /// `step` is the change of the load factor.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

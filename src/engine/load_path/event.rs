@@ -38,8 +38,8 @@ pub struct Event<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Number of other combinations of states with which the contacts on the edge of their cones could continue. `Some(0)` means that the
-    /// continuation is unique. The matrix of the complementarity problem for the rates is then a P-matrix, or a trial of all states of few contacts
-    /// found no other solution. `None`, which is not serialised, if neither test gives the number, as at the apex of a round cone.
+    /// continuation is unique. Then either the matrix of the complementarity problem for the rates is a P-matrix, or all states of few contacts were
+    /// tried without another solution. `None`, which is not serialised, if neither test gives the number, as at the apex of a round cone.
     ///
     /// Of several continuations the path takes the first that exists in this order: nothing changes; sliding contacts keep sliding and contacts at an
     /// edge slide; everything sticks; the solution of Lemke's method. If several motions are possible with the same forces, the path takes a motion

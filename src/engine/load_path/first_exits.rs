@@ -8,7 +8,7 @@ use crate::prelude::*;
 /// closing gap.
 pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
-/// The first point along a piece of the path at which the present state of a contact ends, and the edges of cones that forces touch before this
+/// The first point along a piece of the path at which the present state of a contact ends. Also the edges of cones that forces touch before this
 /// point.
 pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if

@@ -161,7 +161,7 @@ impl FirstToLeave {
 }
 
 /// Whether a contact clearly sticks: the value of every condition of sticking, positive inside the friction cone, is more than the fraction
-/// `NEGLIGIBLE` of the size of its terms. For an absent contact, the conditions of an open contact are tested instead.
+/// `NEGLIGIBLE` of the size of its terms. If the law keeps a contact open (`Law::Absent`), the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
     // A condition with a smaller value may be on the edge of the friction cone. Such a case is left to `StickingPath`.
@@ -169,16 +169,16 @@ fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, the edge and the step at which it reaches it, and the contact's force as an
-/// affine function of the load factor.
+/// The contact that reaches the edge of its cone before all others, with this edge and the load factor at which it reaches it. `line` is the
+/// contact's force as an affine function of the load factor.
 struct FirstContact {
     contact: usize,
     exit: Exit,
     line: Line,
 }
 
-/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. Also `None` if a contact does not clearly
-/// stick under the base load, or if another force leaves its cone at nearly the same load factor.
+/// The contact whose force leaves its cone at the least load factor; `None` if no force leaves its cone. `None` also if a contact does not clearly
+/// stick under the base load, or if two forces leave at nearly the same load factor.
 fn first_exit(
     segment: &Segment<'_>,
     base: &ForcesAndTwist,
@@ -212,8 +212,8 @@ fn first_exit(
         }
     }
     first.filter(|FirstContact { exit, .. }| {
-        // The next exit of a force from its friction cone must come later than the first exit, by more than the fraction `NEGLIGIBLE` of the
-        // load factor of the first.
+        // The second exit of a force from its friction cone must come clearly after the first: by more than the fraction `NEGLIGIBLE` of the first
+        // load factor.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // Forces may grow by at most this factor up to the onset. If they would grow more, their computed rates may be only rounding.

@@ -1,16 +1,17 @@
 //! Steps along an arc, a piece of the load path on which contacts keep their states and directions of sliding turn. The lengths of steps are
 //! arclengths.
 //!
-//! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation whose right-hand side depends on the directions of
-//! sliding alone,
+//! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation. Its right-hand side depends on the directions of
+//! sliding alone:
 //!
 //! ```text
 //! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
 //! ```
 //!
-//! with the tangent stiffness T, the right-hand side b, and for each contact the tangent stiffness C, the rate a' of the offset of its springs and
-//! the grasp map G. Thus a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in all
-//! variables, and steps preserve it. A step removes friction forces a little from their cones. Newton's method transverse to the path puts them back.
+//! T is the tangent stiffness of the object, and b the right-hand side. Each contact has the tangent stiffness C, the rate a' of the offset of its
+//! springs, and the grasp map G. Thus a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in
+//! all variables, and steps preserve it. A step removes friction forces a little from their cones. Newton's method transverse to the path puts them
+//! back.
 
 use nalgebra::SVector;
 
@@ -173,9 +174,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there.
-    /// `None` if the integration, or the correction that puts friction forces back onto their cones, does not converge, or if the path has no
-    /// unique direction.
+    /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there. `None` if
+    /// the integration does not converge, or the correction that puts friction forces back onto their cones. `None` also if the path has no unique
+    /// direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
@@ -203,8 +204,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let direction = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // The integrated step may end farther than the distance `near` from its goal, while the correction of friction forces onto their cones
-        // still brings it inside.
+        // The integrated step may end farther than the distance `near` from its goal. The correction of friction forces onto their cones may still
+        // bring it inside.
         let arrived = if stays(factor) {
             None
         } else {
@@ -237,9 +238,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices, from 0 in the list of integrated variables, of the load factor and of the first of four works. The list has two friction
-    /// components for each sliding contact, then the twist, the load factor, the works of fingers, friction and load, and the sum of the works'
-    /// absolute values.
+    /// Indices, from 0 in the list of integrated variables, of the load factor and of the first of four works. The list begins with two friction
+    /// components for each sliding contact, then the twist and the load factor. Then come the works of fingers, friction and load, and the sum of
+    /// their absolute values.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]

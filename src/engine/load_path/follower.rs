@@ -106,8 +106,8 @@ pub(crate) trait Follower<'g>: Debug {
         0.0
     }
 
-    /// The index of a leg and the fraction of it from which on, up to the leg and fraction `until`, every contact with friction and a normal
-    /// force slides. `None` if there is no such fraction, or from a follower that does not store its past.
+    /// The place (leg and fraction of it) from which on every contact with friction and a normal force slides, up to the place `until`. `None` if
+    /// there is no such fraction, or from a follower that does not store its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }

@@ -39,7 +39,7 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Self::of(ProgramRun::new(grasp, start, settings)?, legs, begin)
     }
 
-    /// As [`Self::start`], for the load program `run`, which has no legs yet.
+    /// Starts the path of the load program `run`, which has no legs yet, along the legs `legs`; otherwise as [`Self::start`].
     pub(super) fn of(
         mut run: ProgramRun<'g>,
         legs: &[Leg<3>],

@@ -58,7 +58,7 @@ pub(crate) enum SlipEnd {
 }
 
 impl Engine {
-    /// Follows a load that grows along `ramp` up to the load factor `most`, starting at the onset of sliding, which must be at a load factor below
+    /// Follows a load that grows along `ramp` up to the load factor `most`. It starts at the onset of sliding, which must be at a load factor below
     /// `most`. `None` in all cases that are left to a `LoadPath`, see the head of this file.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {

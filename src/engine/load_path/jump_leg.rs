@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is added to the present
-//! external force, and a new leg removes both. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise
+//! external force. A new leg removes both. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise
 //! equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in
 //! which the object does not overshoot the new equilibrium.
 
@@ -228,8 +228,8 @@ impl<'g> PiecewiseFollower<'g> {
         let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the
-            // jump's leg is kept, as along an arc.
+            // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the jump's
+            // leg is kept: the place is stored as an arc step of length zero.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }

@@ -52,7 +52,7 @@ pub struct Leg<const C: usize> {
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
     pub(super) torques: LegGoal<Vec<f64>>,
-    /// The bodies whose own loads change along the leg, by name, each with the change of its load or with its load at the end of the leg.
+    /// The bodies whose own loads change along the leg, by name. Each comes with the change of its load, or with its load at the end of the leg.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
@@ -288,7 +288,8 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Moves `commands`, the commands (or torques) at the beginning and end of a leg, on to the next leg, whose goal for them is this goal.
+    /// Advances `commands` to the next leg: the commands (or torques) at the beginning and at the end of a leg. The next leg begins with the old end,
+    /// and ends at this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

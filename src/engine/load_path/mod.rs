@@ -50,7 +50,7 @@
 //!
 //! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`OnsetMargins`]). In known contact states the law of contact i is linear,
 //! `F_i = K_i (a_i - G_iᵀq)`. Here K_i depends on stiffness, friction and state, a_i is the offset of the contact's springs, G_i the grasp map and q
-//! the twist. The change of forces and twist due to a small change of a datum p (such as a stiffness or friction coefficient) takes one more solve:
+//! the twist. If a datum p (such as a stiffness or friction coefficient) changes a little, one more solve gives the change of forces and twist:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0

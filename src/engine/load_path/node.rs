@@ -23,7 +23,7 @@ use crate::search::{
     on_the_solution_interval, polish, settle, solution_near, try_states,
 };
 
-/// The rate problem at a node (the complementarity problem for the rates of forces and motion), and `settled`, the outcome of the search for its
+/// The rate problem at a node, i.e. the complementarity problem for the rates of forces and motion. `settled` is the outcome of the search for its
 /// solution.
 struct NodeRates<'g> {
     /// The load factor at which the rates of load and commands in `rates` are taken: the node's load factor or, while the load turns, a slightly
@@ -149,8 +149,8 @@ impl Node {
                 continue;
             };
             // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
-            // problem at 1e-12 rad beyond the node. An event's angle has an error of about 1e-12 rad, so that closer to the node the rate of a load
-            // that turns back might have the wrong sign.
+            // problem at 1e-12 rad beyond the node. An event's angle has an error of about 1e-12 rad. Closer to the node the rate of a load that
+            // turns back might have the wrong sign.
             let rates_beyond = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_beyond, found.states.clone()), CandidateOutcome::Holds(_))
@@ -161,8 +161,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // Otherwise the node is at the end of an arc, and its load factor has the error of the arc's steps. Rates there are as good as rates
-            // ahead.
+            // On the round cone the node may be the end of an arc, and its load factor has the error of the arc's steps. Rates at the node itself are
+            // then as good as rates slightly ahead.
             _ => at(factor),
         }
     }
@@ -202,7 +202,8 @@ impl Node {
     /// and a contact would slide on the round cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // On the round cone a contact slides along its friction force. If that force is zero, it has no direction.
+        // On the round cone a contact slides along its friction force. If all forces are zero up to rounding, sliding has no direction, and contacts
+        // that may open are opened.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && forces_are_rounding(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -222,8 +223,8 @@ impl Node {
         if nothing && every_index(states.len(), &comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // Motions whose lengths differ by less than the fraction `NEGLIGIBLE` count as equal. Of equal motions, the one in which contacts
-        // without force are open is taken, since the direction in which such contacts slide would be rounding.
+        // The motion with opened contacts is taken if it is shorter. Lengths that differ by less than the fraction `NEGLIGIBLE` count as equal. Of
+        // equal motions it is taken as well if a contact without force would slide, since the direction of this slide is rounding.
         let rubs =
             rates.round && any_index(states.len(), &|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };

@@ -60,8 +60,8 @@ impl<'g> OnsetMargins<'g> {
         let has_slipped = |i: usize| {
             found.states[i].is_sticking() && !response.law(i).is_frictionless() && slips[i].norm() != 0.0
         };
-        // If a contact slides as soon as it touches, no margin vanishes at the onset. Instead a gap closes, and the load factor at which it
-        // closes has no such derivative.
+        // If a contact slides as soon as it touches, no margin vanishes at the onset. Instead a gap closes, and the formulas of this file do not give
+        // the derivative of that load factor.
         let opens = |site: &usize| found.states[*site].is_open();
         if any_index(grasp.len(), &has_slipped) || leaving.iter().any(opens) {
             return None;
@@ -85,8 +85,8 @@ impl<'g> OnsetMargins<'g> {
         mapped(&self.margins, &|margin| margin.leaver)
     }
 
-    /// The derivative of the load factor of the onset with respect to one datum (such as a friction coefficient or stiffness), for each contact or
-    /// drive of [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
+    /// The derivative of the onset's load factor with respect to one datum (such as a friction coefficient), for each contact or drive of
+    /// [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {

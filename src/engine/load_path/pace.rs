@@ -79,11 +79,10 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether explicit steps are so short that implicit steps should be made. This requires that no more explicit steps are due
-    /// (`explicit_steps_left`), and that the arclength `rest` up to the end of the leg is more than fifty times `stable`, the longest stable
-    /// explicit step.
+    /// Whether explicit steps are so short that implicit steps should be made. Two conditions must hold. No more explicit steps are due
+    /// (`explicit_steps_left`). The arclength `rest` up to the end of the leg is more than fifty times `stable`, the longest stable explicit step.
     pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
-        // An implicit step takes as long as a few explicit steps, and may be as long as hundreds of explicit steps.
+        // An implicit step costs the computing time of a few explicit steps, but may cover the arclength of hundreds.
         self.explicit_steps_left == 0 && stable * 50.0 < rest
     }
 

@@ -1,4 +1,4 @@
-//! [`Path`]: a load program being followed, one type for both methods of following.
+//! [`Path`]: a load program being followed, from event to event or in numerical steps.
 
 use crate::numerics::IntoList;
 use core::fmt;
@@ -232,9 +232,9 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 impl<const C: usize> LoadPath<'_, C> {
     /// Sum of the estimated errors of all integration steps so far. Integration is necessary where directions of sliding turn on the round cone. The
     /// estimated error of each step is below [`Settings::step_error`], unless rounding prevents so small an error. Zero if nothing had to be
-    /// integrated, as in the plane and on polygonal friction cones. If events follow each other ever more closely, small gaps and margins (distances
-    /// of contact forces from the edge of their cone) are set to zero. The largest of them, relative to the terms from which it is computed, is added
-    /// to the sum.
+    /// integrated, as in the plane and on polygonal friction cones. A margin is the distance of a contact force from the edge of its cone. If events
+    /// follow each other ever more closely, small gaps and margins are set to zero. The largest of them, relative to the terms from which it is
+    /// computed, is added to the sum.
     ///
     /// The estimate for a step is the larger of two ratios: error of forces to largest force, and error of displacements to largest displacement. The
     /// true error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
@@ -243,15 +243,15 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.step_error()
     }
 
-    /// The first point, on the part of the path followed so far, at which a rotation, slip or opening exceeds its limit in
-    /// [`Settings::small_motions`], or a suction cup [leaks](crate::equilibrium::TooFar::Leaks). Beyond it the answers are computed for the
-    /// undeformed geometry and say little about the object. `None` if all motions are small.
+    /// The first point of the path so far at which a rotation, slip or opening exceeds its limit in [`Settings::small_motions`], or a suction cup
+    /// [leaks](crate::equilibrium::TooFar::Leaks). Beyond it the answers are computed for the undeformed geometry and say little about the object.
+    /// `None` if all motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
     }
 
-    /// The largest ratio of a rotation, slip or opening to its limit of small motions, at the ends of all pieces of the path so far.
+    /// The largest ratio of a rotation, slip or opening to its limit of small motions. Only the ends of the path's pieces so far are examined.
     pub(crate) fn farthest(&self) -> f64 {
         self.0.farthest()
     }

@@ -22,8 +22,8 @@ use crate::search::SearchSolution;
 /// motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
-    // Forces are rounding below the fraction `ROUNDED_SUM` of the force that the displacements cause in the softest spring, since about sixteen
-    // rounding errors may add up.
+    // Forces are rounding below the fraction `ROUNDED_SUM` of the force that the displacements cause in the softest spring. About sixteen rounding
+    // errors may add up.
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
@@ -137,7 +137,7 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact without force at the beginning of the piece was at the apex of its cone already, and has not come to it on this
+            // A sticking contact without force at the beginning of the piece was at the apex of its cone already. It has not come to it on this
             // piece. A contact that slides from the apex, still without force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {

@@ -2,12 +2,12 @@
 //! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of
 //! a leg on which all contacts keep their states; a node is the point between two pieces.
 //!
-//! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event: the first
-//! point at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of
-//! the load's angle, and the next event is a root of a trigonometric polynomial (see [`super::straight`], [`super::turning_load`]). If a contact
-//! slides on a round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event
-//! some contact forces are on an edge or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a
-//! complementarity problem for these contacts. Its solution determines the next piece; without a solution the path ends.
+//! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event: the first point
+//! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's
+//! angle. The next event is then a root of a trigonometric polynomial (see [`super::straight`], [`super::turning_load`]). If a contact slides on a
+//! round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contact forces
+//! are on an edge or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a complementarity problem
+//! for these contacts. Its solution determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -57,16 +57,16 @@ pub(crate) struct PiecewiseFollower<'g> {
     pub(super) pace: Pace,
     /// The load factor at which the path last treated a close sequence of events as one event; NaN if it has not done so on this leg.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc of this leg, NaN if none has ended yet, and the contacts whose slips ended there.
+    /// The load factor at which slips last ended on an arc of this leg, and the contacts whose slips ended there. NaN if none has ended yet.
     pub(super) stopped: (f64, Vec<usize>),
-    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which it last came to rest.
+    /// Number of times that the object has snapped over to another equilibrium on this leg. Also the load factor at which it last came to rest.
     pub(super) snapped: SnapCount,
     /// Sum of the estimated relative errors so far. They are the errors of integration steps along arcs, on which directions of sliding turn, and
     /// errors made by treating close events as one.
     pub(super) step_error: f64,
     /// An event to return before all others, if a contact slides at the start of the path: its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The static problem at the load of a jump (motion at constant load) that led to no equilibrium, with slips and friction at the end of the
+    /// The static problem at the load of a jump (motion at constant load) that led to no equilibrium. Slips and friction are those at the end of the
     /// jump. `None` if no jump has failed.
     pub(super) failed_jump: Option<Problem<'g>>,
     /// The point of the path at which a motion first exceeded its limit of small motions; `None` if no motion has exceeded its limit so far.

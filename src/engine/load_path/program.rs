@@ -170,7 +170,7 @@ impl Program {
         offsets
     }
 
-    /// [`Self::offsets`], written into the caller's lists `base` and `change`.
+    /// Writes the lists of [`Self::offsets`] (offsets at the beginning of the leg, and their changes) into the caller's lists `base` and `change`.
     pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.offsets_under(from.iter().copied(), joints_from, base);
@@ -178,7 +178,7 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of the program's load, the loads on bodies and the torques that hold joints, as a function of the load factor along the present
+    /// The sum of the program's load, the loads on bodies and the torques that hold joints. It is a function of the load factor along the present
     /// leg. Moments are about the centroid of the contacts.
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {

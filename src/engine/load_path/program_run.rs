@@ -41,8 +41,8 @@ impl<'g> ProgramRun<'g> {
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
-    /// The static problem, whose solution is the equilibrium under the load `load`, with the friction cone of the settings and these offsets of the
-    /// contacts' springs (commands minus clearances and slips).
+    /// The static problem, whose solution is the equilibrium under the load `load`. The friction cone is that of the settings. `offsets` are those of
+    /// the contacts' springs: commands minus clearances and slips.
     pub(super) fn problem(&self, offsets: Vec<SVector<f64, 3>>, load: &Vector) -> Problem<'g> {
         let round = self.settings.is_round(self.grasp.space());
         self.grasp.problem(self.polygon.clone(), round, offsets, &Load::from(load))

@@ -104,15 +104,15 @@ impl<const C: usize> Ramp<C> {
 }
 
 impl Ramp<3> {
-    /// For each contact and drive of a grasp the rate of the offset of its spring (command minus clearance), m per unit of the load factor. Returns
-    /// an error if the changes do not fit the grasp.
+    /// For each contact and drive of a grasp the rate of its spring's offset (command minus clearance), m per unit of the load factor. Returns an
+    /// error if the changes do not fit the grasp.
     pub(crate) fn offset_changes(&self, grasp: &Engine) -> Result<Vec<SVector<f64, 3>>, Error> {
         let mut changes = Vec::new();
         self.offset_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
-    /// [`Self::offset_changes`], written into the caller's list `changes`.
+    /// Writes the rates of the offsets of springs, as [`Self::offset_changes`] returns them, into the caller's list `changes`.
     pub(super) fn offset_changes_into(
         &self,
         grasp: &Engine,

@@ -37,7 +37,8 @@ struct SlidingContact {
     size: f64,
     /// The unit tangent d perpendicular to the friction force, towards which it can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
-    /// The derivative v of the rate of the contact force with respect to the angle φ of the friction force, N per radian and unit of arclength.
+    /// The derivative v of the rate of the contact force with respect to the angle φ of the friction force. Its unit is N per radian and unit of
+    /// arclength.
     change: SVector<f64, 3>,
     /// The wrench `G v` on the object for the contact force v = `change`, with the grasp map G.
     push: Vector,
@@ -63,8 +64,8 @@ pub(super) struct Relaxation<'f, 's, 'g> {
 /// The factors of the matrix 1 - hJ of an implicit step. Here h = `length` is the arclength of the step, and J is the matrix of [`Relaxation`].
 pub(super) struct ImplicitFactors {
     length: f64,
-    /// LU factors of the matrix `[T' | -b']` with one more row, transverse to the path. T' and b' are the tangent stiffness and the right-hand side
-    /// of the arc with terms of the implicit step, see the head of this file.
+    /// LU factors of the matrix `[T' | -b']` with one more row, transverse to the path. T' and b' are T and b of the arc plus terms of the implicit
+    /// step, see the head of this file.
     bordered: PathFactors,
     /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas at the head of this file, N: the size of its friction force
     /// minus a term of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.
@@ -89,8 +90,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
                 _ => SVector::zeros(),
             };
             let turned = |angle: f64| arc.tangent(contact, &(friction + across * (size * angle)));
-            // Angle, rad, by which the friction force is turned to both sides. A central difference then gives the derivative of the rate of the
-            // contact force with respect to this angle, correct to two thirds of the digits.
+            // Angle, rad, by which the friction force is turned to both sides. A central difference then gives the derivative of the contact force's
+            // rate with respect to this angle. Two thirds of its digits are correct.
             let small = 6e-6;
             let [[_, less], [_, more]] =
                 [-small, small].each(|angle| arc.rates(contact, &turned(angle), &direction));

@@ -31,8 +31,8 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// Forces, twist and gaps of the grasp at a load factor, with their rates. The rates are per unit of the load factor on a straight piece (a part of a
-/// leg with fixed contact states), and per unit of arclength along an arc (a piece on which directions of sliding turn).
+/// Forces, twist and gaps of the grasp at a load factor, with their rates. On a straight piece (a part of a leg with fixed contact states) the rates
+/// are per unit of the load factor. Along an arc (a piece on which directions of sliding turn) they are per unit of arclength.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
@@ -46,13 +46,14 @@ pub(super) struct PathPoint {
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
-    /// The terms of contacts that do not slide, on an arc, shared by all of its points.
+    /// On an arc, the terms of its equation `T q' = b λ'` from contacts that do not slide. All points of the arc share them.
     pub(super) fixed: SharedTerms,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
     /// proportional to these sizes.
     pub(super) sizes: [f64; 2],
-    /// As `sizes`, for the rates of forces and displacements: the largest among the terms whose sums are these rates.
+    /// Largest rate of force and of displacement among the terms whose sums are the rates of forces and displacements of this point. Rounding errors
+    /// of these rates are proportional to them.
     pub(super) rate_sizes: [f64; 2],
     /// While the load turns, forces, stretches and twist as harmonic functions of the load's angle. `None` if rates are constant, or if only the
     /// present rates are known.
@@ -71,8 +72,8 @@ impl PathPoint {
         ForcesAndTwist { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// A copy of this point in which all rates are multiplied by `part`. With `part`, the rate of the load factor per unit of arclength, it converts
-    /// rates per unit of the load factor to rates per unit of arclength.
+    /// A copy of this point in which all rates are multiplied by `part`. `part` is the rate of the load factor per unit of arclength. Rates per unit
+    /// of the load factor thus become rates per unit of arclength.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut point = self.clone();
         point.twist_rate *= part;
@@ -121,8 +122,8 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(linear_problem, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// The state `at` at the load factor `factor` of the arc on which `before` lies. Its rates `rate`, and the rate `factor_rate` of the load factor,
-    /// are per unit of arclength.
+    /// A further point of the arc on which `before` lies: the state `at` at the load factor `factor`. Its rates `rate`, and the rate `factor_rate` of
+    /// the load factor, are per unit of arclength.
     pub(super) fn point_on_arc(
         &self,
         before: &PathPoint,
@@ -145,9 +146,8 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor`, with its rates. The sizes of terms, to which rounding errors are proportional, are those of
-    /// the state `base` at the load factor `since`, plus those of the change from `since` to `factor`. The state itself may be a small
-    /// difference of these terms.
+    /// The state `at` at the load factor `factor`, with its rates. Rounding errors are proportional to the sizes of terms: those of the state `base`
+    /// at the load factor `since`, plus those of the change from `since` to `factor`. The state itself may be a small difference of these terms.
     pub(super) fn point_with_rates(
         &self,
         linear_problem: alloc::sync::Arc<LinearProblem>,
@@ -248,7 +248,7 @@ impl<'g> Segment<'g> {
         offsets
     }
 
-    /// [`Self::offsets`], written into the caller's list `offsets`.
+    /// Writes the offset of each contact and drive at a load factor into the caller's list `offsets`, see [`Self::offsets`].
     pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
         cleared_for(offsets, self.change.len());
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
@@ -272,8 +272,8 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Adds to the accumulated slip of a contact its slip at the load factor `factor`, the twist `twist` and the contact force `force`, and subtracts
-    /// it from the contact's offset. Contacts without tangential stiffness do not remember slip.
+    /// Computes the slip of a contact at the load factor `factor`, the twist `twist` and the contact force `force`. Adds it to the accumulated slip,
+    /// and subtracts it from the contact's offset. Contacts without tangential stiffness do not remember slip.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -315,7 +315,7 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The complementarity problem for the rates of forces and motion (rate problem) on this segment at a load factor, with the laws `laws` of the
+    /// The rate problem on this segment at a load factor: the complementarity problem for the rates of forces and motion. `laws` are the laws of the
     /// contacts.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.trajectory.rate_at(factor))

@@ -1,4 +1,4 @@
-//! Contact forces and twist as affine functions of the load factor and of the slips of sliding contacts, and the rates of load factor and slips.
+//! Contact forces and twist as affine functions of the load factor and of the slips of sliding contacts. Also the rates of load factor and slips.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,4 @@
-//! A step along a growing load whose unknowns are the load factor and the slips of sliding contacts (see `in_slips`), and the first event in the
-//! step.
+//! A step along a growing load, and the first event in the step. The unknowns are the load factor and the slips of sliding contacts (see `in_slips`).
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -54,7 +53,7 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to end where the first condition of the list (see [`GROWS`]) becomes zero, and the
+    /// The step `end` from the state and rates `from`, shortened to end where the first condition of the list (see [`GROWS`]) becomes zero. Also the
     /// index of that condition. Returns the whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end
     /// of the shortened step is not found.
     pub(super) fn up_to_an_event(
@@ -83,10 +82,9 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k` becomes zero, or another condition that becomes zero before it, with the index of the condition
-    /// that is zero. `None` if thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has
-    /// the values of condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close
-    /// enough.
+    /// The step that ends where condition `k`, or another condition before it, becomes zero. Also the index of the condition that is zero. `None` if
+    /// thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of condition `k`,
+    /// and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -98,8 +96,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the end of the step is nearer to the root of the condition than this fraction of the step, Heun's method is more accurate than
-            // repeating the step, since its error is of third order in the distance.
+            // If the end of the step is this close to the root of the condition, as a fraction of the step, Heun's method is used. Its error, of
+            // third order in the distance, is then smaller than that of a repeated step.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -217,7 +215,7 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The index of the condition, among those violated at the end of a step, that becomes zero first if conditions are interpolated linearly between the
+/// The index of the condition that becomes zero first, among those violated at the end of a step. Conditions are interpolated linearly between the
 /// ends of the step. `None` if no condition is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);

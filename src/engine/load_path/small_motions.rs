@@ -1,9 +1,9 @@
 //! The point of a load path where a motion exceeds its limit of small motions, and the point from which on all contacts slide.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end
-//! of the piece. While the load turns, they are harmonics of its angle, and the first point beyond a limit is a root of a trigonometric
-//! polynomial. Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the point
-//! within the piece or step.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg. Their largest value is then at an end of the
+//! piece. While the load turns, they are harmonics of its angle, and the first point beyond a limit is a root of a trigonometric polynomial.
+//! Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the point within the piece
+//! or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -77,8 +77,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The leg (index from 0) and the fraction of it from which on, up to the leg and fraction `until`, every contact with friction that presses
-    /// slides. It is the beginning of a stored piece of the path. `None` if such a contact sticks just before `until`.
+    /// The place (leg, from 0, and fraction of it) from which on every contact with friction that presses slides, up to the place `until`. It is the
+    /// beginning of a stored piece of the path. `None` if such a contact sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {

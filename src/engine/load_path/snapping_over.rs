@@ -134,7 +134,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// Number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor at which it last came to rest.
+/// Number of times that the object has snapped over to another equilibrium on a leg so far. Also the load factor at which it last came to rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,
@@ -173,9 +173,9 @@ impl MovingObject {
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the
-    /// path continues. `None` if the object does not come to rest within small motions. `None` also, without a trial, for other kinds of loss,
-    /// for suction cups, at the end of a leg, after a failed jump, and after [`MOST_SNAPS`] snaps.
+    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
+    /// continues. `None` if the object does not come to rest within small motions. It is not tried, and `None` returned, for other kinds of loss, for
+    /// suction cups and at the end of a leg. The same holds after a failed jump and after [`MOST_SNAPS`] snaps.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -190,8 +190,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         let Segment { grasp, change, trajectory, .. } = &self.segment;
         let (load, rate) = (trajectory.at(self.factor), trajectory.rate_at(self.factor));
-        // The largest force includes the load, and the force that the displacements would cause in the softest spring, since contacts may carry no
-        // force at all.
+        // The largest force includes the load, and the force that the displacements would cause in the softest spring. Contacts may carry no force at
+        // all.
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
@@ -215,8 +215,8 @@ impl<'g> PiecewiseFollower<'g> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
         let goal = self.segment.trajectory.at(beyond);
-        // Just before the end of a leg, the remaining change of the load would move the object by rounding only. The object therefore moves
-        // under the larger load.
+        // Just before the end of a leg, the remaining change of the load would move the object by rounding only. The object therefore moves under the
+        // load at `factor + step`, even beyond the end of the leg.
         let rests = self.rests_again(self.factor + step)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);
@@ -241,7 +241,7 @@ impl<'g> PiecewiseFollower<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// The state in which the object, moving from its present twist, comes to rest under the load at the load factor `beyond`, slightly larger
+    /// The state in which the object, moving from its present twist, comes to rest. The load is that at the load factor `beyond`, slightly larger
     /// than at the loss. `None` if the object does not come to rest.
     fn rests_again(&self, beyond: f64) -> Option<StateAfterSnap<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;

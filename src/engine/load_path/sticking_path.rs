@@ -25,8 +25,8 @@ pub(super) struct StickingPath<'a> {
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,
     pub(super) factor: f64,
-    /// Indices of contacts and drives whose force touched the edge of its cone without crossing it while the load turned, each with the angle of the
-    /// load, rad.
+    /// Contacts and drives, by index, whose force touched the edge of its cone without crossing it while the load turned. Each comes with the angle
+    /// of the load, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 

@@ -209,8 +209,8 @@ impl<'g> StoredPiece<'g> {
                 }
             }
         }
-        // If the object moves under a load that is constant up to rounding, a load factor cannot be located within the step, and every state of
-        // the step is valid.
+        // If the object moves under a load that is constant up to rounding, a load factor cannot be located within the step. Every state of the step
+        // is then valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
         // Fractions of the leg closer to each other than this have equal loads up to the rounding with which forces balance them.
         let near = to_the_start.min(to_the_end) <= 1e-15;

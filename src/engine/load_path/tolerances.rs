@@ -6,8 +6,8 @@
 
 use crate::contact::ZERO_SLACK;
 
-/// A turn of the load begins with the load before its leg if no component differs by more than this fraction of the largest component of the
-/// turn's first load.
+/// A turn of the load must begin with the load before its leg. Each component may differ by this fraction of the largest component of the turn's
+/// first load.
 ///
 /// If smaller, loads that people write with six digits are refused; if larger, loads jump where a leg begins.
 pub(super) const AS_WRITTEN: f64 = 1e-6;
@@ -25,7 +25,7 @@ pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 /// load beyond a later event.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
-/// An object that snaps over has come to rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
+/// An object that snaps over is at rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
 /// remaining imbalance is removed along an additional leg at constant commands.
 ///
 /// If smaller, slow motions take more steps; if larger, an object that still moves is taken as at rest.
@@ -39,16 +39,16 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 ///
 /// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
 /// leg, and forty more to the load at which the object is lost. Each snap takes as long to compute as a complete search for an equilibrium under a
-/// load, since the search for rates of forces and motion must fail first.
+/// load. Before it, a search for rates of forces and motion must fail.
 pub(super) const MOST_SNAPS: usize = 64;
 
-/// While an object snaps over, a step in time is accepted if the imbalance of forces after it differs from the imbalance expected from the
-/// dampers by up to this fraction of the imbalance before the step.
+/// While an object snaps over, a step in time is accepted if the imbalance of forces after it is nearly that expected from the dampers. The
+/// difference may be this fraction of the imbalance before the step.
 ///
 /// If smaller, there are more steps; if larger, a step passes over changes of contact states.
 pub(super) const AS_EXPECTED: f64 = 0.3;
 
-/// While an object snaps over, the upper limit of the ratio of the norm of the force imbalance after a step in time to that before.
+/// While an object snaps over, the norm of the force imbalance may grow at most by this factor in a step in time.
 ///
 /// If smaller, steps are many when the motion becomes faster; if larger, an implicit step goes back to an equilibrium that is not stable.
 pub(super) const FASTEST_GROWTH: f64 = 4.0;
@@ -59,8 +59,8 @@ pub(super) const FASTEST_GROWTH: f64 = 4.0;
 /// If smaller, steps are many when contacts chatter; if larger, the contacts overshoot.
 pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 
-/// Upper limit of the correction of an event's load factor by means of forces that are solved for at the event, as a fraction of this load factor. A
-/// larger correction means that the event itself is wrong.
+/// The load factor of an event is corrected with forces that are solved for at the event. The correction may be at most this fraction of the load
+/// factor. A larger correction means that the event itself is wrong.
 ///
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
@@ -84,8 +84,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// If a sliding contact's decreasing normal force is at most this fraction of the terms whose sum it is, it no longer determines the direction
-/// of friction. The error of that direction is the error of the steps divided by this fraction.
+/// A decreasing normal force of a sliding contact no longer determines the direction of friction if it is at most this fraction of its terms. The
+/// error of that direction is the error of the steps divided by this fraction.
 ///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.
@@ -96,14 +96,14 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 /// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
-/// A value that must stay positive along an arc, such as a gap, is taken as zero up to this fraction of the terms whose difference it is. The
-/// fraction is the sum of rounding, `ZERO_SLACK`, and of the error of steps along the arc, 1e-13.
+/// A value that must stay positive along an arc, such as a gap, is taken as zero up to this fraction of its terms. The fraction is the sum of
+/// rounding, `ZERO_SLACK`, and of the error of steps along the arc, 1e-13.
 ///
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// If the normal force of a sliding contact falls below this fraction of the largest contact force at the load at which the first contact slides,
-/// directions of friction turn fast. `in_slips` then gives no answer, and the grasp is followed as a load path.
+/// Directions of friction turn fast if the normal force of a sliding contact is small: below this fraction of the largest contact force at the first
+/// slip. `in_slips` then gives no answer, and the grasp is followed as a load path.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

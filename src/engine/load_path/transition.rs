@@ -40,11 +40,11 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of the rate problem `rates` (for the rates of forces and motion) that differ from `found` in rates of forces, or in twist
+/// Number of solutions other than `found` of `rates`, the problem for the rates of forces and motion. They differ in rates of forces, or in twist
 /// rates apart from free motions. Zero if the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all
 /// combinations of contact states are tried. `None` if there are too many combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
-    // With a contact at the apex of a round cone the number of solutions is not known, since it may differ from the number with a polygonal cone.
+    // With a contact at the apex of a round cone the number of solutions is not known. It may differ from the number with a polygonal cone.
     if rates.round {
         return None;
     }

@@ -160,7 +160,8 @@ impl Turn<2> {
         Self::of_forces(parts, |force| Wrench::<2>::force_at(force, point))
     }
 
-    /// A weight (N) whose centre is at `point` (m), while the object is tilted together with its grasp, in the sense from the x axis to the y axis.
+    /// A weight (N) whose centre is at `point` (m), while the object is tilted together with its grasp. It is tilted in the sense from the x axis to
+    /// the y axis.
     pub fn tilting(weight: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
         Self::force_at(weight, point).reversed()
     }
@@ -220,7 +221,8 @@ impl Turn<3> {
     }
 }
 
-/// As [`Turn::inside`], for the harmonic function `load` of a turn that has been checked.
+/// The turning load `load`, which has been checked, in the engine's coordinates. The constant loads that act beside it are added, as in
+/// [`Turn::inside`].
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
@@ -229,7 +231,7 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact whose force reaches the edge of its friction cone without crossing it, or a drive of a hand that reaches its force limit without
+/// A contact whose force reaches the edge of its friction cone without crossing it. Or a drive of a hand that reaches its force limit without
 /// exceeding it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -1,4 +1,4 @@
-//! Advances along an arc (a piece of the load path on which directions of sliding turn on the round cone), step by step to the next event.
+//! Advances step by step to the next event along an arc, a piece of the load path. On an arc directions of sliding turn on the round cone.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the point where one of
 //! these values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
@@ -35,7 +35,7 @@ impl<'g> PiecewiseFollower<'g> {
     /// Tries one step along the arc. The step ends early if an event comes first. If its error is too large, the step is refused: the path does
     /// not advance, and the next step is shorter. Returns whether the leg is complete. The error is the end of the path.
     pub(super) fn advance_along_arc(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
-        // An object that snaps over to another equilibrium may come to rest under the load at the end of the leg.
+        // An object that snaps over to another equilibrium may come to rest under the load at the end of the leg. The leg is then complete.
         if self.factor >= 1.0 {
             return Ok(true);
         }
@@ -99,8 +99,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.finish_step(run, &point, &end)
     }
 
-    /// The step `end` from `point`, shortened to end where the first violated condition of the list at the head of this file is just met. The
-    /// violated condition may hold again at the end of the step. `None` if the end of the shortened step is not found.
+    /// The step `end` from `point`, shortened to end where a condition of the list at the head of this file first becomes zero. A condition that is
+    /// violated only within the step, and holds again at its end, is found, too. `None` if the end of the shortened step is not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -162,10 +162,9 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then
-    /// tends to a limit that it never reaches (an asymptote). Rounding in the rate of a sliding contact's force is proportional to the rate at
-    /// which its friction turns towards its slip, and so is the tolerance for this force. Contacts that do not slide take up the rounding of all
-    /// others, so their tolerance is the largest.
+    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then tends
+    /// to a limit that it never reaches (an asymptote). The tolerance for a sliding contact's force is proportional to the rate at which its friction
+    /// turns towards its slip, as rounding is. Contacts that do not slide take up the rounding of all others, so their tolerance is the largest.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -221,8 +220,8 @@ impl<'g> PiecewiseFollower<'g> {
                 && line.rate[0] < -ZERO_SLACK * line.rate_size
                 && !ActiveSet::is_weightless(&line.force, line.force_size)
             {
-                // A step covers at most half of the arclength after which a sliding contact loses its normal force, since near that point directions
-                // of friction may turn ever faster.
+                // A step covers at most half of the arclength after which a sliding contact loses its normal force. Near that point directions of
+                // friction may turn ever faster.
                 way = way.min(0.5 * line.force[0] / -line.rate[0]);
             }
         }

@@ -1,4 +1,4 @@
-//! The state of a load path under a load that turns, by three linear solves, one each for the constant, cosine and sine terms of the load. As
+//! The state of a load path under a load that turns. It takes three linear solves, one each for the constant, cosine and sine terms of the load. As
 //! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
 
 use alloc::sync::Arc;
@@ -18,8 +18,7 @@ impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
-        // A rate of the load below this fraction of its fastest rate is taken as zero, because rounding of the angle causes a rate of about this
-        // size.
+        // A rate of the load below this fraction of its fastest rate is taken as zero. Rounding of the angle causes a rate of about this size.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 

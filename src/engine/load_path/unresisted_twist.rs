@@ -7,9 +7,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, changed so that the object moves at the twist rate `pushed` along all motions that leave forces in
-    /// balance. `pushed` comes from the solution of the rate problem, in which contacts that touch without force may push; if it is `None`,
-    /// `rate` is returned unchanged.
+    /// The rates `rate` of forces and twist, changed along all motions that leave forces in balance. Along these the object moves at the twist rate
+    /// `pushed`. `pushed` comes from the solution of the rate problem, in which contacts that touch without force may push; if it is `None`, `rate`
+    /// is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,

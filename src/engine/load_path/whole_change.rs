@@ -87,7 +87,7 @@ impl<const C: usize> WholeChange<C> {
         self.verb_in(Words::default())
     }
 
-    /// As [`Self::verb`], in the words `words` for the plane or for space.
+    /// The verb of [`Self::verb`]; numbers in it have the precision of `words`.
     #[must_use]
     pub fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());

@@ -26,8 +26,8 @@ use crate::prelude::*;
 
 /// Whether the tangent stiffness is factorised as a band matrix, which is done from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
-    // With fewer coordinates orthogonal factors take no longer, and determine the rank. Measured: with orthogonal factors instead of a band
-    // matrix, four bodies in space take a third less time, but nine bricks in the plane more than twice as much.
+    // With fewer coordinates orthogonal factors take no longer, and determine the rank. Measured with orthogonal factors in place of a band matrix:
+    // four bodies in space take a third less time, but nine bricks in the plane more than twice as much.
     coordinates.count() >= 36
 }
 
@@ -48,8 +48,8 @@ pub(crate) struct BandedTangent {
 /// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// For each contact in turn, the positions (in the order in which the stiffness matrix is a narrow band) of the coordinates with entries in
-    /// its grasp map.
+    /// For each contact in turn, the coordinates with entries in its grasp map. Each is given by its position in the order in which the stiffness
+    /// matrix is a narrow band.
     coordinates: Vec<usize>,
     /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
@@ -155,8 +155,8 @@ impl BandedTangent {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates, in the order in which the stiffness matrix is a narrow band, if the springs of a contact push with the
-    /// scaled `forces` and no other load acts.
+    /// Displacements of the coordinates if the springs of a contact push with the scaled `forces` and no other load acts. They are in the order in
+    /// which the stiffness matrix is a narrow band.
     pub(super) fn displacements_under(&self, contact: usize, forces: &[f64]) -> Vec<f64> {
         let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
@@ -181,9 +181,9 @@ impl BandedTangent {
         sum
     }
 
-    /// Factor by which relative rounding errors grow in a solution. It is the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces, with
-    /// the tangent stiffness T = BᵀA, the matrix A of stretches and B of push directions. Four steps of the power method estimate the norm, and
-    /// the estimate is doubled. The result is exactly 1 if no contact slides.
+    /// Factor by which relative rounding errors grow in a solution. It is the norm of the oblique projection `A T⁻¹ Bᵀ` of spring forces. A is the
+    /// matrix of stretches, B that of push directions, and T = BᵀA the tangent stiffness. Four steps of the power method estimate the norm, and the
+    /// estimate is doubled. The result is exactly 1 if no contact slides.
     pub(super) fn growth(&self) -> f64 {
         let Some(pushes) = &self.pushes else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();

@@ -80,8 +80,8 @@ impl LinearProblem {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves the friction forces of sliding contacts onto their cones and writes the residual e_r of each spring r (see the top of the file) to
-    /// `e`. Returns the imbalance `ρ = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
+    /// Moves the friction forces of sliding contacts onto their cones. Writes the residual e_r of each spring r (see the top of the file) to `e`.
+    /// Returns the imbalance `ρ = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
     fn residual_of(
         &self,
         problem: &Problem,

@@ -31,7 +31,7 @@ impl Engine {
         Ok(self.load_unchecked(load))
     }
 
-    /// [`Self::load_alone`] without the check that the components of `load` are finite and at most 1e50, which the caller has made.
+    /// The sum of all loads, as for [`Self::load_alone`]. The caller has checked that the components of `load` are finite and at most 1e50.
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {

@@ -77,10 +77,10 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from the twist `twist`. It ends when the imbalance is at most the fraction `settled` of the sum of the norms of contact
-/// forces and load and of `beside`, N. The imbalance `settled * beside` is thus accepted even if all forces are zero, because it may be
-/// rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list `contacts`
-/// is overwritten: it finally holds the responses at the returned twist. Every contact starts open.
+/// Newton's method from the twist `twist`. It ends when the imbalance is at most the fraction `settled` of a sum: the norms of contact forces and
+/// load, plus `beside`, N. The imbalance `settled * beside` is thus accepted even if all forces are zero, because it may be rounding. Returns the
+/// twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list `contacts` is overwritten: it finally
+/// holds the responses at the returned twist. Every contact starts open.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
 /// shorter step reduces it enough, the whole step is taken.

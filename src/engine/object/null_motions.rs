@@ -1,4 +1,4 @@
-//! Null vectors of the tangent stiffness T = BᵀA as a band matrix, and their mechanical meaning.
+//! Null vectors of the tangent stiffness T = BᵀA, stored as a band matrix, and their mechanical meaning.
 //!
 //! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps the scaled forces of the springs to a wrench on the object (see
 //! `linear_problem`).
@@ -29,7 +29,7 @@ pub(super) struct NullMotions {
     pub(super) neutral: Vec<Vector>,
     /// Left null vectors z of the tangent stiffness T along which no spring pushes: B z = 0 with the matrix B of push directions. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,
-    /// Left null vectors z of the tangent stiffness T along which springs push, each with its vector B z ≠ 0 for the matrix B of push
+    /// Left null vectors z of the tangent stiffness T along which springs push. Each comes with its vector B z ≠ 0 for the matrix B of push
     /// directions. The vectors B z have an entry for each spring and are orthonormal.
     without_response: Vec<(Vector, Vec<f64>)>,
 }
@@ -152,8 +152,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if the norm of the stretches that it causes is at most this fraction of the largest stretch of any spring under
-        // a unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
+        // A unit motion is free if it stretches springs hardly at all: the norm of the stretches is at most this fraction of the largest stretch of a
+        // spring under any unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;

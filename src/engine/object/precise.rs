@@ -98,8 +98,8 @@ impl PreciseTwist {
     }
 }
 
-/// The stretch `v - g·q` of a spring with offset v in twice the working precision, from the column g of a grasp map and the twist q. The scalar
-/// product has the first N components of `g` and `q`.
+/// The stretch `v - g·q` of a spring with offset v, in twice the working precision. g is the spring's column of a grasp map, and q the twist. The
+/// scalar product has the first N components of `g` and `q`.
 #[inline(always)]
 fn less_products<const N: usize>(
     mut v: DoubleDouble,

@@ -43,7 +43,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rounding_error: Vector,
-    /// Flag: true if a contact with infinite friction is treated like a contact with a very large coefficient, which has facets of a friction cone
+    /// Flag: true if a contact with infinite friction is treated as if its coefficient were very large. Such a contact has facets of a friction cone
     /// and may slide.
     pub(crate) infinite_friction_has_edges: bool,
     /// Flag: true if the round cone limits friction forces in space, so that the polygon only serves to propose contact states. If false, the polygon

@@ -24,9 +24,9 @@ use crate::prelude::*;
 
 /// The sequence of twists of the relaxation (see the top of the file), from the equilibrium in which everything sticks.
 ///
-/// The iterator returns twists at which the object has nearly relaxed. At the first twist, the estimated remaining displacement is a hundredth
-/// of the displacement so far, at the next a hundredth of that, and so on. The last twist comes after `RELAXING_STEPS` steps, or once the
-/// imbalance R of forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's
+/// The iterator returns twists at which the object has nearly relaxed. At the first twist, the estimated remaining displacement is a hundredth of the
+/// displacement so far. With each further twist this fraction is a hundred times smaller. The last twist comes after `RELAXING_STEPS` steps, or once
+/// the imbalance R of forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's
 /// method finds no equilibrium from such a twist, the caller asks for the next twist.
 pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
@@ -35,7 +35,7 @@ pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     stuck: Vector,
     twist: Vector,
     last: Option<Vector>,
-    /// Factor, at least 1, by which the last step was longer than `T⁻¹R`, the displacement that the imbalance R causes in the stuck grasp of
+    /// Factor, at least 1, by which the last step was longer than `T⁻¹R`. This is the displacement that the imbalance R causes in the stuck grasp of
     /// stiffness T.
     step_factor: f64,
     steps: usize,
@@ -56,8 +56,7 @@ impl<'p, 'a> SpringDashpotRelaxation<'p, 'a> {
         of.factors.is_regular().then_some(of)
     }
 
-    /// The distance of `twist` from the present twist of the relaxation, divided by the distance of the present twist from the twist at which
-    /// everything sticks.
+    /// The distance of `twist` from the present twist of the relaxation, divided by the distance that the object has moved since everything stuck.
     pub(crate) fn relative_distance_from(&self, twist: &Vector) -> f64 {
         (twist - &self.twist).norm() / (&self.twist - &self.stuck).norm()
     }

@@ -73,8 +73,8 @@ impl Problem<'_> {
         largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
 
-    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m, with its offset a_i, its grasp map G_i and the twist q. The
-    /// rounding error of this stretch is proportional to the bound.
+    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m. a_i is its offset, G_i its grasp map, and q the twist. The rounding
+    /// error of this stretch is proportional to the bound.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.offsets[contact], twist)
@@ -92,7 +92,8 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// [`Self::at`] with the size `norm` of the twist, m, which the caller has computed once for all contacts ([`Self::size_of_motion`]).
+    /// Stretch and force of a contact as for [`Self::at`]. The caller has computed the size `norm` of the twist, m, once for all contacts
+    /// ([`Self::size_of_motion`]).
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,
@@ -105,7 +106,7 @@ impl Problem<'_> {
         SpringState { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
-    /// The norm of the imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W, and the sum of the norms |F_i|,
+    /// The norm of the imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W. Also the sum of the norms |F_i|,
     /// without the norm of the load.
     pub(crate) fn imbalance(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let Imbalance { left, size } = Imbalance::of(self.sites, forces, &self.wrench, 0.0);

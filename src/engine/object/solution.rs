@@ -1,7 +1,7 @@
 //! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). With the offsets a_i,
-//! the grasp maps G_i, the twist q and the load W, each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
+//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets,
+//! G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
 //! working precision, and the linear problem is solved for them again (iterative refinement):
 //!
 //! ```text

@@ -1,6 +1,5 @@
-//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact, the derivative of the contact force F_i
-//! with respect to the contact's stretch in its present state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the
-//! imbalance R is
+//! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact: the derivative of the contact force F_i with
+//! respect to the stretch, in the present state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the imbalance R is
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
@@ -97,7 +96,8 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: &(dyn Fn(usize) -> Spri
 /// Adds the term `G_i C_i G_iᵀ` of one contact to the tangent stiffness of the object.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
-    // The grasp map of a contact has no entries for joints of other fingers, and the grasp map of a drive only for the joints on which it acts.
+    // Only columns of coordinates with entries in the grasp map are visited. A contact has none for joints of other fingers, a drive only those of
+    // its own joints.
     for columns in site.support.ranges() {
         for j in columns {
             let column = t.column_slice_mut(j);
@@ -109,9 +109,9 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     }
 }
 
-/// Corrects the forces and twist of `state` by at most three Newton steps, which end when the norm of the imbalance is at most the fraction
-/// `part` of the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None`
-/// if the imbalance is still larger after these steps.
+/// Corrects the forces and twist of `state` by at most three Newton steps. They end when the norm of the imbalance is at most the fraction `part` of
+/// the sum of the norms of contact forces and load. Returns the sum over the steps of the largest change of a contact force, N; `None` if the
+/// imbalance is still larger after these steps.
 pub(crate) fn balance(
     sites: &[Site],
     springs: &[SpringTangent],

@@ -2,8 +2,8 @@
 //!
 //! All tolerances are pure numbers: fractions of the forces, work or terms that are compared.
 
-/// The work of a load along a unit motion along which no spring pushes is taken as zero up to this fraction of the load's norm. Loads that were
-/// computed to balance carry rounding of about 1e-16.
+/// The work of a load along a unit motion that no spring opposes is taken as zero up to this fraction of the load's norm. Loads that were computed to
+/// balance carry rounding of about 1e-16.
 ///
 /// If smaller, a load that springs balance seems to move the object without resistance. If larger, a load that does move it without resistance is
 /// taken as balanced.

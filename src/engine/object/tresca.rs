@@ -1,9 +1,9 @@
 //! Approximate states of many contacts by Tresca friction: each contact has a given largest friction force, its limit, independent of its normal
 //! force.
 //!
-//! If the friction limits r_i do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The
-//! stretch is `a_i - G_iᵀq`, with the offset a_i, the grasp map G_i and the twist q of the object. Forces balance the load W at the twist that
-//! minimises an energy:
+//! If friction limits do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The stretch is
+//! `a_i - G_iᵀq`, with the offset a_i, the grasp map G_i and the twist q of the object. Forces balance the load W at the twist that minimises an
+//! energy:
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      at the q for which  Σ φ_i(a_i - G_iᵀq) - W·q  is least
@@ -68,7 +68,8 @@ pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
 }
 
 /// The proposed twist of the object for round friction cones. As a rule forces nearly balance, and friction limits nearly agree with the normal
-/// forces. `None` as for [`states_by_tresca`], and also if friction is not limited by round cones.
+/// forces. `None` in the cases of [`states_by_tresca`] (few coordinates, unresisted motions, infinite friction), and if friction is not limited by
+/// round cones.
 pub(crate) fn twist_by_tresca(problem: &Problem<'_>) -> Option<Vector> {
     if !problem.round || !uses_band(problem.size()) {
         return None;
@@ -225,8 +226,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is shortened, at most eight times, while the energy of the file header still rises along the step at its
-                // end. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
+                // Line search: the step is shortened, at most eight times, while the energy to be minimised (head of this file) still rises at the
+                // end of the step. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;
@@ -234,7 +235,7 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // After a long step the fraction of the lost stiffness that the Newton matrix keeps is reduced, but not below this value.
+                // After a step of nearly full length the Newton matrix keeps less of the lost stiffness, but at least this fraction.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

@@ -7,8 +7,9 @@ use super::problem::Problem;
 use crate::contact::State;
 
 impl Problem<'_> {
-    /// The factorised linear problem in which every contact sticks, except absent contacts, which stay open. In the static problem it depends on
-    /// contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later loads and commands.
+    /// The factorised linear problem in which every contact sticks, except contacts that their law keeps open (`Law::Absent`). In the static problem
+    /// it depends on contacts and drives alone, not on load or commands. A grasp with at most 256 contacts and drives keeps it for later loads and
+    /// commands.
     pub(crate) fn trial(&self) -> Arc<LinearProblem> {
         let make = || LinearProblem::new(self, &self.trial_states());
         match self.trial {

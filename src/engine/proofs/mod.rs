@@ -1,5 +1,5 @@
-//! Proofs that a grasp has no equilibrium under a load. Each proof rests on virtual motions of the object along which the positive work of the
-//! load exceeds the negative work that contact forces can do.
+//! Proofs that a grasp has no equilibrium under a load. Each proof rests on virtual motions of the object: along them the load does more positive
+//! work than contact forces can do negative work.
 //!
 //! The proofs do not solve for the forces of all combinations of contact states; the search for such solutions is in `search`.
 //!

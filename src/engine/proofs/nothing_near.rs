@@ -26,16 +26,16 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// The largest radius ρ for which it is proved that no equilibrium exists at any motion `q* + δ` of the object with δ within the radius; q* is the
-/// argument `at`. The argument `motion` is the virtual motion v of the proof. Within the radius, δ moves the centroid of the contacts by at most ρ,
-/// and turns the object by at most ρ divided by the engine's unit of length. It moves each further coordinate by at most ρ. Infinite if no
+/// argument `at`. The argument `motion` is the virtual motion v of the proof. Within the radius, δ moves the centroid of the contacts by at most ρ.
+/// It turns the object by at most ρ divided by the engine's unit of length, and moves each further coordinate by at most ρ. Infinite if no
 /// equilibrium exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open, and by how much the derivative with respect to ρ of the bound h
-    // on the contacts' negative work increases there.
+    // For each contact that may open: the radius ρ at which it may first open. From there on the bound h on negative work grows faster with ρ; the
+    // second number is the increase of dh/dρ.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);

@@ -31,9 +31,8 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof without searching. Returns a factor: if rounding has hidden an equilibrium from the proof, this equilibrium is larger than the
-/// elastic trial state by at least this factor (both measured in √J). `None` if the steps omit a case, or contradict a case by less than the factor
-/// [`ESCAPE`].
+/// Checks a proof without searching. Returns a factor: an equilibrium that rounding has hidden from the proof is larger than the elastic trial state
+/// by at least this factor. Both are measured in √J. `None` if the steps omit a case, or contradict a case by less than the factor [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -64,11 +63,11 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the least factor by which an equilibrium
-/// that rounding hides is larger than the elastic trial state, as [`check`] does; `None` without a proof. In a rate problem (for derivatives
-/// along a load path) let every contact that may slide or open do so. With the tangent stiffness C_i and the grasp map G_i of contact i, the
-/// matrix Σ G_i C_i G_iᵀ may then have a left null vector. This is a virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one
-/// another. In any other contact state, the contacts do no more negative work along y.
+/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the least factor by which an equilibrium that
+/// rounding hides is larger than the elastic trial state, as [`check`] does; `None` without a proof. In a rate problem (for derivatives along a load
+/// path) let every contact that may slide or open do so. With tangent stiffnesses C_i and grasp maps G_i, the matrix Σ G_i C_i G_iᵀ may then have a
+/// left null vector. This is a virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the
+/// contacts do no more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion =

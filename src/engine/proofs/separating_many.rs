@@ -88,8 +88,8 @@ pub(super) enum Residual {
     Nothing,
 }
 
-/// The residual of the load, scaled to length one, after some rounds of the augmented Lagrangian, or the reason why it proves nothing; `is_proof`
-/// decides whether a residual is a proof.
+/// The residual after some rounds of the augmented Lagrangian, or the reason why it proves nothing. It is the part of the load, scaled to length one,
+/// that contact forces do not balance. `is_proof` decides whether a residual is a proof.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = AugmentedLagrangian::of(problem) else {
         return Residual::Nothing;
@@ -99,8 +99,8 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow, which remove rounding from the
     // separating motion, since users see it.
     while more < 6 && clearer < 4 {
-        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Until a proof is found this is 1e-3 / ρ with
-        // the penalty ρ, afterwards the least value.
+        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Before a proof is found this is 1e-3 / ρ with the
+        // penalty ρ, to save Newton steps. Afterwards it is the least value, to remove rounding.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };

@@ -1,7 +1,7 @@
 //! Tolerances of the proofs that no equilibrium exists: when a contradiction is accepted, and which values are taken as rounding errors.
 
-/// A proof of no equilibrium is accepted if an equilibrium that rounding could hide from it must have forces at least this many times as large
-/// as load and commands.
+/// A proof of no equilibrium is accepted if rounding could hide only an equilibrium with enormous forces: at least this multiple of load and
+/// commands.
 ///
 /// If smaller, proofs are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;

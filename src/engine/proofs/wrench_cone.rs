@@ -41,8 +41,9 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of the generator's normal force to its force. With
-    /// large friction this ratio is small, so that a normal force as large as the load takes a large multiple of the generator.
+    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of its normal force to its whole force. The work thus
+    /// refers to a unit normal force. With large friction the ratio is small, and a normal force as large as the load takes a large multiple of the
+    /// generator.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -127,8 +128,8 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The residual of the load after the nearest admissible contact forces, as a unit motion; `None` unless it clearly separates the load from
-    /// all admissible forces.
+    /// The part of the load that the nearest admissible contact forces leave unbalanced, as a unit motion. `None` unless this motion clearly
+    /// separates the load from all admissible forces.
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -137,7 +138,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion from any source separates the load from all admissible contact forces, clearly beyond rounding.
+    /// Whether a motion, however it was found, separates the load from all admissible contact forces, clearly beyond rounding.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));

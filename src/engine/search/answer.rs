@@ -21,8 +21,8 @@ pub enum FoundBy {
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial state.
     KinematicForm,
     /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts from
-    /// points of an artificial viscous motion, which leads from the elastic trial state towards a nearby equilibrium. If several equilibria exist,
-    /// Newton's method then finds this equilibrium. In all other cases it starts at the elastic trial state.
+    /// points of an artificial viscous motion. This motion leads from the elastic trial state towards a nearby equilibrium. If several equilibria
+    /// exist, Newton's method then finds this equilibrium. In all other cases it starts at the elastic trial state.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its pivots start from zero forces.
     ForceForm,
@@ -50,7 +50,7 @@ pub enum Doubt {
     /// Contact states were found, but moment arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist
     /// cannot be computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, failed numerically or would need too large a matrix, and there are too many contacts to try every
+    /// Lemke's method reached its limit of pivots, failed numerically or would need too large a matrix. There are also too many contacts to try every
     /// combination of states.
     OutOfPivots,
     /// On a load path: one leg (a section of the load program) needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps or jumps.
@@ -69,8 +69,8 @@ pub(crate) struct SearchSolution {
     /// Sizes of force, N, and of displacement, m, to which rounding errors are proportional. On a load path the solution is a sum of changes along
     /// the path, and these are the sizes of the summed terms. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
-    /// On the round cone, the largest difference, N, between a contact force and its value in the solution on polygonal cones from which Newton's
-    /// method started. `None` if Newton's method did not start from such a solution.
+    /// On the round cone, the largest difference, N, of a contact force from the solution on polygonal cones with which Newton's method started.
+    /// `None` if Newton's method did not start from such a solution.
     pub(crate) from_polygon: Option<f64>,
 }
 

@@ -82,14 +82,14 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // Violations of inequalities are relative to the sizes of terms before the shift. A shift is thus refused if it is so long that its
-            // rounding exceeds the tolerance.
+            // The solution has been shifted along motions that leave it undetermined. Violations are divided by the sizes of terms before the shift.
+            // A shift so long that its rounding exceeds the tolerance is thus refused.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation of up to 1e-12 of the terms (times the amplification of rounding errors) is larger than rounding, but too small to be a
+        // A violation of up to 1e-12 of its terms, times the amplification of rounding errors, is larger than rounding. But it is too small to be a
         // clear violation. The proposed states are refused, but this proves nothing.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
@@ -181,9 +181,9 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion in `motions`, for which the inequalities of all contact states hold after the object has
-/// moved by the sum of τ times the motions. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each
-/// comes with its change of forces.
+/// The coefficients τ of least norm, one for each motion in `motions`: after the object has moved by `Σ τ_k · motion_k`, the inequalities of all
+/// contact states hold. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change
+/// of forces.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],

@@ -44,7 +44,7 @@ pub(crate) fn search(problem: &Problem, first_only: bool) -> Enumerated {
     search_among(problem, first_only, &|_| true)
 }
 
-/// [`search`] restricted to the combinations for which `may_hold` is true.
+/// Tries combinations of contact states as [`search`] does, but only those for which `may_hold` is true.
 pub(crate) fn search_among(
     problem: &Problem,
     first_only: bool,

@@ -59,8 +59,8 @@ pub(super) const LADDER: [Rung; 9] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // With many contacts or coordinates, the search for a separating motion costs less than any sequence of Lemke pivots, and ends early if
-        // no such motion exists.
+        // With many contacts or coordinates, the search for a separating motion costs less than any sequence of Lemke pivots. It ends early if no
+        // such motion exists.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -89,8 +89,8 @@ pub(super) const LADDER: [Rung; 9] = [
     },
 ];
 
-/// Tries the elastic trial, in which everything sticks, and then the methods of the ladder in order, until an equilibrium, or a proof that none
-/// exists, is found. Otherwise the result is undecided.
+/// Tries the elastic trial, in which everything sticks, and then the methods of the ladder in order. It ends with the first equilibrium, or the first
+/// proof that none exists. Otherwise the result is undecided.
 pub(crate) fn settle(problem: &Problem, settings: &Settings) -> (SearchOutcome, SearchCounts) {
     let effort = SearchCounts { facets: problem.polygon.normals.len(), ..SearchCounts::default() };
     let mut log = SearchLog { effort, doubt: Doubt::RayWithoutProof, is_infeasible: false };
@@ -166,9 +166,9 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> A
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. With round cones and few contacts it starts at points of
-/// the relaxation (`object/relaxing`), then at the elastic trial, and last at the twist from Tresca friction. On polygons it only starts at the
-/// elastic trial.
+/// Newton's method for the motion of the object, of which each contact force is a function. With round cones it starts first, if there are few
+/// contacts, at points of the relaxation (`object/relaxing`). Then it starts at the elastic trial, and last at the twist from Tresca friction. On
+/// polygons it only starts at the elastic trial.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -186,9 +186,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium near which the relaxation ends, an artificial viscous motion of the object that starts at the elastic trial
-/// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried, and the
-/// distant equilibrium is returned only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
+/// The equilibrium near which the relaxation ends, an artificial viscous motion of the object that starts at the elastic trial (`object/relaxing`).
+/// Newton's method starts from points of this motion. If its result is far from its start, the next point is tried. The distant equilibrium is
+/// returned only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -202,8 +202,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     another
 }
 
-/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution at a limit load. If all contacts on the edge of their
-/// cones slide, nothing resists a motion along which the rate of the load does work.
+/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution at a limit load. The proof is a motion along which
+/// the load's rate does work. Nothing resists it once all contacts on the edge of their cones slide.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
@@ -223,9 +223,9 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> 
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that break a condition in the elastic trial, then on
-/// the matrix of all contacts if that takes acceptable time. The form in which contacts with infinite friction have facets of a friction cone is
-/// tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that break a condition in the elastic trial. If that
+/// fails, it pivots on the matrix of all contacts, provided that this takes acceptable time. The form in which contacts with infinite friction have
+/// facets of a friction cone is tried last.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut SearchLog| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut SearchLog| {

@@ -2,8 +2,8 @@
 //! of contacts that touched before anything moved. Of all admissible positions the nearest to q₀ is chosen.
 //!
 //! Forces do not depend on the motions that no spring resists (free motions), the columns of a matrix V. Any position `q = q₀ + V z` is a solution as
-//! long as gaps and slips keep their signs. These are conditions `c + g·z >= 0` on the coefficients z, with the value c of a gap or slip at q₀ and
-//! its change g per unit of z. The position q with the least |z| is unique. It depends neither on the method that found the states nor on the frame.
+//! long as gaps and slips keep their signs. These are conditions `c + g·z >= 0` on the coefficients z. c is the value of a gap or slip at q₀, and g
+//! its change per unit of z. The position q with the least |z| is unique. It depends neither on the method that found the states nor on the frame.
 
 use nalgebra::SVector;
 
@@ -54,8 +54,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     found
 }
 
-/// The shortest motion that no spring resists and that closes, in the sense of least squares, the gaps of open contacts which touched before anything
-/// moved.
+/// The shortest motion that no spring resists and that closes certain gaps in the sense of least squares. They are the gaps of open contacts that
+/// touched before anything moved.
 fn to_what_touches(problem: &Problem, found: &SearchSolution, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];

@@ -27,15 +27,15 @@ struct PivotStart {
 }
 
 impl PivotStart {
-    /// The start with these states; `None` if no forces balance the load in these states.
+    /// The start of Lemke's method in these contact states; `None` if no forces balance the load in these states.
     fn of(problem: &Problem, states: Vec<State>) -> Option<Self> {
         let linear_problem = problem.linear_problem(&states);
         let at = linear_problem.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
         Some(Self { states, linear_problem, at })
     }
 
-    /// This start with the contacts in `among` sticking; unchanged if they stick already. Otherwise the displacements per unit gap or slip of a
-    /// contact, `moved`, are no longer valid and are cleared. `None` if the tangent stiffness is then singular.
+    /// This start of Lemke's method with the contacts in `among` sticking; unchanged if they stick already. Otherwise the displacements per unit gap
+    /// or slip of a contact, `moved`, are no longer valid and are cleared. `None` if the tangent stiffness is then singular.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -57,8 +57,8 @@ pub(super) fn propose_of_the_leaving(
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.trial_states, &scene.state);
-    // From this number of contacts that leave the elastic trial on, states from Tresca friction are computed first, since the cost of a run of
-    // Lemke's method grows with the cube of the number of contacts that pivot.
+    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. The cost of a run of Lemke's method
+    // grows with the cube of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = PivotStart::of(problem, near)
@@ -87,7 +87,8 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // With at most 24 such contacts, pivots from the states of the similar grasp take less time than pivots from the elastic trial.
+        // If at most 24 contacts break a condition in the states of the similar grasp, pivots start from these states. This takes less time than
+        // pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
     }

@@ -52,7 +52,8 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<ForcesAndTwis
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &|i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = ForcesAndTwist { forces, twist: Vector::zeros() };
-    // The refinement of this solution ends at an imbalance of this fraction of the forces, from which Newton's method may start.
+    // The solution is refined by Newton steps until the imbalance is at most this fraction of the forces. This is accurate enough for a start of
+    // Newton's method on round cones.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
 }

@@ -14,8 +14,8 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether Lemke's method takes acceptable time on a dense matrix with `times` times as many rows as the kinematic form, the problem for gaps and
-/// slips. The work is estimated as the cube of the number of rows: about as many pivots as rows, each of which changes the whole matrix.
+/// Whether Lemke's method takes acceptable time on a dense matrix. It has `times` times as many rows as the kinematic form, the problem for gaps and
+/// slips. The work is the cube of the number of rows: about as many pivots as rows, each of which changes the whole matrix.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
@@ -63,19 +63,18 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone one run of Lemke's method is enough: branch and bound comes next, and decides more searches than another run. Otherwise
-    // the search tries all contact states next. Each combination costs one linear system for the twist, so that bases of the complementarity
-    // problem need not be enumerated.
+    // The solver may do more than one run of Lemke's method, but it never enumerates bases: trying all contact states, next in the search, costs
+    // less. On the round cone one run is enough, since branch and bound comes next and decides more searches than another run.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // The limit `affordable` of the number of pivots is passed to the solver if the caller set it, or if it is lower than the solver's default limit.
+    // The solver is given the limit `affordable` of the number of pivots in two cases: the caller set it, or it is below the solver's own limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // The number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray. It is larger if there are too
+        // The number of further covering vectors, one for each further run, after Lemke's method has ended on a ray. It is larger if there are too
         // many combinations of contact states to try them all next.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.

@@ -22,7 +22,7 @@ pub enum RungResult {
     Proved,
 }
 
-/// One search for an equilibrium that did not end with the elastic trial, with the result of each method (rung) of the ladder, tried by itself.
+/// One search for an equilibrium that did not end with the elastic trial. Each method (rung) of the ladder was tried by itself.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
     /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.

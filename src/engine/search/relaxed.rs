@@ -117,8 +117,8 @@ impl BalanceEquation {
         }
     }
 
-    /// For each generator, with stretch e and force f, the scalar product of the vector `y` with `e + P (f - e)`, where P is the projector of
-    /// the equation and `projected` is P y.
+    /// For each generator, with stretch e and force f, the scalar product of the vector `y` with `e + P (f - e)`. P is the projector of the equation,
+    /// and `projected` is P y.
     fn works_of_generators<'r>(
         y: &'r [f64],
         projected: &'r [f64],
@@ -134,8 +134,8 @@ impl BalanceEquation {
         })
     }
 
-    /// Moves `nearest` to the point nearest to the target f⁰ (forces of the elastic trial) in the cone that the generators of `hulls`, one
-    /// convex hull for each contact, span. Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ proves that the case has no
+    /// The generators of `hulls`, one convex hull for each contact, span a cone. Moves `nearest` to the point of this cone nearest to the target f⁰
+    /// (forces of the elastic trial). Returns [`Relaxed::Contradicted`] if the distance of this point from f⁰ proves that the case has no
     /// equilibrium, otherwise the stretches and forces at this point.
     pub(super) fn relax(
         &self,
@@ -206,8 +206,8 @@ impl BalanceEquation {
         Relaxed::Met(stretches, forces)
     }
 
-    /// The difference between the target f⁰ (forces of the elastic trial) and the nearest point of the cone that the contact states of a case allow.
-    /// It proves that no equilibrium has these states: a virtual motion of the object, and virtual contact forces that balance one another.
+    /// The proof that no equilibrium has the contact states of a case: a virtual motion, and virtual contact forces that balance one another. They
+    /// follow from the difference between the target f⁰ (forces of the elastic trial) and the nearest point of the case's cone.
     pub(super) fn contradiction(
         &self,
         trial: &LinearProblem,
@@ -228,7 +228,8 @@ impl BalanceEquation {
         (motion, forces.list())
     }
 
-    /// The norm, in energy units, of the difference of two forces at a contact, divided by the norm of all contact forces of the elastic trial.
+    /// The norm of the difference of two forces at a contact, divided by the norm of all contact forces of the elastic trial. Both are in energy
+    /// units.
     pub(super) fn part(&self, contact: usize, difference: &SVector<f64, 3>) -> f64 {
         let root = &self.roots[contact];
         let square: f64 = (0..3)

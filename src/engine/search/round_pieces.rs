@@ -72,8 +72,8 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);
-            // A twist longer than this multiple of the initial twist and offsets is refused, since hardly a digit of the contacts' stretches is
-            // then correct. Near a jamming angle the twist may grow so much although another method finds an equilibrium close by.
+            // A twist longer than this multiple of the initial twist and offsets is refused, since hardly a digit of the contacts' stretches is then
+            // correct. Near a jamming angle the twist may become that long, and another method may still find an equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }

@@ -43,9 +43,9 @@ pub struct Settings {
     /// default is 1e-9. Step lengths scale with the eighth root of this limit: 1e-13 takes about three times as many steps. If rounding allows only a
     /// larger error, [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) returns that error. Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, the upper limit of the number of steps along arcs (on which contacts slide on the round cone) within one leg, a section of the
-    /// load program; refused steps are included. The same number limits the jumps from static to kinetic friction (default 20 000). A path that needs
-    /// more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
+    /// On a load path, the upper limit of the number of steps within one leg, a section of the load program. Steps are made along arcs, on which
+    /// contacts slide on the round cone; refused steps are included. The same number (default 20 000) limits the jumps from static to kinetic
+    /// friction. A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
     /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
     /// of at most 1 the search stops at this load itself.
@@ -98,8 +98,8 @@ impl Settings {
         /// With 1e-13 nearly all digits are correct; below 1e-14 rounding prevents steps.
         pub fn with_step_error(mut self, step_error: f64) { self.step_error = step_error; }
 
-        /// These settings with another upper limit of the number of steps along sliding arcs, and of jumps from static to kinetic friction, within
-        /// one leg (section) of a load path.
+        /// These settings with another upper limit of the number of steps along arcs within one leg (section) of a load path. The same number limits
+        /// the jumps from static to kinetic friction.
         pub fn with_most_steps(mut self, most_steps: usize) { self.most_steps = most_steps; }
 
         /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no

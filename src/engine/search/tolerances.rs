@@ -1,7 +1,7 @@
 //! Limits that several methods of the search for an equilibrium share: numbers of contacts, covering vectors and multiplications.
 
-/// Number of further covering vectors, and so of further runs, after Lemke's method has ended on a ray, if all combinations of contact states
-/// are tried next. Each run costs as much as the first.
+/// Number of further covering vectors, one for each further run, after Lemke's method has ended on a ray. This number is used if all combinations of
+/// contact states are tried next. Each run costs as much as the first.
 ///
 /// If smaller, equilibria that a second run finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;

@@ -6,9 +6,9 @@ use crate::contact::{Mode, State};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// Starting from the contact states `states` with the solution `trial`, opens contacts that pull and closes open contacts that penetrate, until
-/// no contact pulls or penetrates. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus
-/// a finger far from the object does not change the equilibrium.
+/// Starts from the contact states `states` with the solution `trial`. Opens contacts that pull and closes open contacts that penetrate, until no
+/// contact pulls or penetrates. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus a
+/// finger far from the object does not change the equilibrium.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,

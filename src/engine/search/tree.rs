@@ -104,7 +104,7 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case only, since it takes as long as a few cases.
         let every = 4;
-        // If the forces differ from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding.
+        // If forces deviate from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding.
         // Newton's method then starts from this case, too.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {

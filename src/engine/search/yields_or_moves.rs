@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{PolygonCone, PolygonFit, planar, spatial};
 
-/// Counts for the tests: numbers of random rate problems (`asked`), of problems for which the proof succeeds (`proved`), and of problems with an
-/// equilibrium in some combination of contact states (`held`).
+/// Counts of random rate problems in the tests: all of them (`asked`), those for which the proof succeeds (`proved`), and those with an equilibrium
+/// in some combination of contact states (`held`).
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,

@@ -51,7 +51,7 @@ impl List {
         }
     }
 
-    /// Like [`Self::fixed`], mutable. Numbers beyond the end of the list must stay zero.
+    /// The list as a mutable array of N numbers; `None` as for [`Self::fixed`]. Numbers beyond the end of the list must stay zero.
     #[inline]
     pub(super) fn fixed_mut<const N: usize>(&mut self) -> Option<&mut [f64; N]> {
         match self {

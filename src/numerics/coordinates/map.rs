@@ -73,7 +73,7 @@ impl Map {
         }
     }
 
-    /// All columns as arrays, like [`Self::whole_column`].
+    /// All three columns as arrays of six numbers, with zeros beyond the last coordinate; `None` for more than six coordinates.
     #[inline]
     pub(crate) fn whole_columns(&self) -> Option<&[[f64; WHOLE]; 3]> {
         match &self.entries {
@@ -113,7 +113,8 @@ impl Map {
         }
     }
 
-    /// The product `G K` of this map G and the matrix K in `by`, added column by column in nalgebra's order, so that the bits agree.
+    /// The product `G K` of this map G and the matrix K in `by`. Terms are added column by column as in nalgebra, so that the result equals
+    /// nalgebra's bit for bit.
     #[inline]
     pub(crate) fn times(&self, by: &SMatrix<f64, 3, 3>) -> Self {
         let mut product = Self::zeros(self.size);

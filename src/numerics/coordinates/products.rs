@@ -70,7 +70,7 @@ pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
     }
 }
 
-/// [`add_combined`] for N columns of N numbers, with loops of fixed length.
+/// Adds the product of a matrix of N columns of N numbers and the vector `times` to `to`, with loops of fixed length.
 #[inline]
 pub(super) fn add_fixed<const N: usize>(columns: &[f64], times: &[f64; N], to: &mut [f64; N]) {
     let (columns, _) = columns.as_chunks::<N>();

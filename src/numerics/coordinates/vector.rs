@@ -84,7 +84,7 @@ impl Vector {
         self.0.fixed()
     }
 
-    /// [`Self::array`], mutable. Numbers beyond the last component must stay zero.
+    /// The components as a mutable array of six numbers; `None` for more than six components. Numbers beyond the last component must stay zero.
     #[inline]
     pub(crate) fn array_mut(&mut self) -> Option<&mut [f64; WHOLE]> {
         self.0.fixed_mut()

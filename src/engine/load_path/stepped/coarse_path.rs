@@ -19,8 +19,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 #[derive(Debug, Clone)]
 pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
-    /// The second path is sometimes restarted near the first. `lost` is the sum, over all restarts, of the distance between both paths just
-    /// before the restart, each divided by the largest contact force of its step.
+    /// The second path is sometimes restarted near the first. `lost` is a sum over all restarts: the distance between both paths just before the
+    /// restart, divided by the largest contact force of the step.
     lost: f64,
     /// Estimated error of the first path: the largest value so far of the distance between both paths, divided by the largest contact force of
     /// the step, plus `lost`.
@@ -49,8 +49,8 @@ impl CoarsePath {
         // be exceeded at each change of contact states, and errors would be added up although they decay.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method, and the
-        // second path moves to `at_once`. With a larger fraction, errors would be added up although they decay.
+        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
+        // path then moves to `at_once`. With a larger fraction, errors would be added up although they decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

@@ -120,7 +120,7 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance of forces below the rounding of spring forces, taken as 1e-15 of the forces that the
+    // Newton's method cannot reduce the imbalance of forces below the rounding of spring forces. It is taken as 1e-15 of the forces that the
     // displacements would cause in the springs. Since `newton` multiplies the size given here by [`SOLVED_ROUNDING`], the factor here is 1e-3.
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();

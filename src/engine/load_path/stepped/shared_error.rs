@@ -1,12 +1,12 @@
-//! Errors of contact forces that a step made at once shares with the same step made in two halves, so that the difference between the two does
-//! not reveal them.
+//! Errors of contact forces that a step made at once shares with the same step made in two halves. The difference between the two does not reveal
+//! them.
 //!
 //! Along a step of length h the twist deviates from a straight line by up to `off`, a change of the twist. Let a contact have the grasp map G,
 //! springs of stiffness K (k_n along the normal), the stretch v and the coefficient of friction μ. Over the step the rate of its spring force, times
-//! h, changes by `K v'' h² = 8 K Gᵀ off`. Let the contact slide along the unit vector p. At the beginning, middle or end of the step the motion
-//! drives its force out of the cone at the rate `a = (p·K v_t' - μ k_n v_n') h` per step. Farther on by the fraction s of the step, this rate is
-//! a + c s, with `c = a' h` < 0. The contact stops where the rate is zero. In the computed step the stretch changes along a straight line in each
-//! half. The contact then stops at the point itself, or slides on through the half. This causes an error of the contact force:
+//! h, changes by `K v'' h² = 8 K Gᵀ off`. Let the contact slide along the unit vector p. A point P is the beginning, middle or end of the step. At P
+//! the motion drives the force out of the cone at the rate `a = (p·K v_t' - μ k_n v_n') h` per step. At the fraction s of the step beyond P this rate
+//! is a + c s, with `c = a' h` < 0. The contact stops where the rate is zero. In the computed step the stretch changes along a straight line in each
+//! half. There the contact stops at P, or slides on through the whole half. This causes an error of the contact force:
 //!
 //! ```text
 //! stop at s = a / |c|,     error of the force a² / 2|c|,
@@ -14,10 +14,10 @@
 //! ```
 //!
 //! The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the
-//! distance by which a sticking contact may have been outside its cone within the step, and for the error of the force of an opening or closing
-//! contact.
+//! distance by which a sticking contact's force may have been outside its cone within the step. It also holds for the error of the force of an
+//! opening or closing contact.
 //!
-//! If a contact begins to slide, the derivative of the twist with respect to the load factor jumps, and the twist deviates by up to `2 off`. The
+//! If a contact begins to slide, the derivative of the twist with respect to the load factor jumps. The twist then deviates by up to `2 off`. The
 //! component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as if
 //! the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
 
@@ -28,8 +28,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves, as far as the difference from the step made at
-    /// once does not show it. `at` are the states at the beginning, middle and end of the step.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers errors that the difference from the step
+    /// made at once does not show. `at` are the states at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }
@@ -42,7 +42,7 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // In the middle of each half step the twist deviates from a straight line by a quarter of the deviation in the middle of the whole step.
+        // In the middle of each half step the twist deviates from a straight line by a quarter of its deviation in the whole step's middle.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
@@ -50,8 +50,8 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If the derivative of the twist with respect to the load factor jumps in a half of the step, the twist deviates from a straight
-            // line by up to twice the deviation in the middle of the step. A friction force turns no farther than the direction of slip.
+            // The derivative of the twist with respect to the load factor may jump in a half of the step. The twist then deviates from a straight
+            // line by up to twice its deviation in the middle. A friction force turns no farther than the direction of slip.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -61,8 +61,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The state of the contact stores the fraction of the half step during which the contact slid, as the factor by which slip
-                // softens the springs. It is exact if the normal force is constant. During the fraction `stuck` before, the contact stuck.
+                // The contact slid during a fraction of the half step. Its state stores this fraction, as the factor by which slip softens the
+                // springs. It is exact if the normal force is constant. During the fraction `stuck` before, the contact stuck.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }

@@ -28,15 +28,14 @@ impl SteppedState {
         run.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The contact forces of this state, and the complementarity problem for the rates of forces and motion in this state. A contact force is
-    /// taken as on the edge of its cone if its distance from the edge is at most 1e-9 of the largest force. The last steps of a path cannot
-    /// resolve smaller distances.
+    /// The contact forces of this state, and the complementarity problem for the rates of forces and motion in this state. A contact force counts as
+    /// on the edge of its cone if it is at most 1e-9 of the largest force away from it. The last steps of a path cannot resolve smaller distances.
     pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
         let segment = run.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // Two forces are taken as zero below this fraction of the largest force: the distance of a contact force from the edge of its cone, and
-        // the force that would close a gap. The last steps are 1e-12 of a leg. With a smaller fraction, a contact whose force is brought to the
-        // edge by such a step would still be taken as inside its cone, and the limit load would not be recognised.
+        // Two forces are taken as zero below this fraction of the largest force: the distance of a contact force from the edge of its cone, and the
+        // force that would close a gap. The last steps are 1e-12 of a leg. With a smaller fraction, a force that such a step brings to the edge would
+        // still be taken as inside its cone. The limit load would then not be recognised.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

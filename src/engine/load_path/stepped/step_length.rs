@@ -19,7 +19,7 @@ use crate::search::Doubt;
 struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
     largest: f64,
-    /// The largest error of a contact force that the step at once and its two halves may have in common, divided by the largest contact force.
+    /// The largest error of a contact force that the step at once may share with its two halves, divided by the largest contact force.
     shared_error: f64,
     /// The largest change of a contact force, N, that the object's motion in the step would cause if all contacts stuck.
     force_change: f64,
@@ -78,9 +78,9 @@ impl<'g> SteppedFollower<'g> {
         // contact forces that the object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction
         // decay while the third measure grows to one.
         let even = 0.5 * self.error * length.max(relative_change).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows with the sum of the
-        // relative changes of forces along the path, `self.relative_force_changes` before this step and `relative_change` in it, up to twice the
-        // allowed error. The error of the path is about a third of this difference.
+        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows, up to twice the allowed
+        // error, with the sum of the relative changes of forces along the path. They are `self.relative_force_changes` before this step and
+        // `relative_change` in it. The error of the path is about a third of this difference.
         let budget = self.error * (self.relative_force_changes + relative_change).min(2.0);
         // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;
@@ -92,8 +92,8 @@ impl<'g> SteppedFollower<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // Errors that a step made at once and its two halves have in common may be a tenth of the allowed error, because a contact makes such an
-        // error only a few times on a leg.
+        // Errors that a step made at once shares with its two halves may be a tenth of the allowed error. A contact makes such an error only a few
+        // times on a leg.
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 
@@ -110,9 +110,8 @@ impl<'g> SteppedFollower<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // A step is a jump if its middle is off the straight line between its ends by more than a quarter of its length (both measured by the
-        // forces that they would cause in sticking springs). The motion must also be large: in sticking springs it would cause more than a
-        // twentieth of the largest force.
+        // Motions are measured by the forces that they would cause in sticking springs. A step is a jump if its middle is off the straight line
+        // between its ends by more than a quarter of its motion. The motion must also be large: more than a twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }
