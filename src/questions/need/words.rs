@@ -111,8 +111,7 @@ impl Needed {
                 write!(f, "TAKES {much}, up to which motions are small, and holds")?;
             }
             Some(end) if is_least => {
-                let most = self.short(words, end.sufficient, &end.presses);
-                write!(f, "NEEDS {much}, at most {most}, so that {aim}")?;
+                write!(f, "NEEDS {much}, at most {}, so that {aim}", self.at_most(words, end))?;
             }
             None if is_least => write!(f, "NEEDS {much} so that {aim}")?,
             Some(end) => {
@@ -148,8 +147,7 @@ impl Needed {
     ) -> fmt::Result {
         let (words, aim) = (Words::of(f), self.aim());
         if self.quantity.is_least() {
-            let most =
-                until.map(|end| format!(", at most {}", self.short(words, end.sufficient, &end.presses)));
+            let most = until.map(|end| format!(", at most {}", self.at_most(words, end)));
             let least = self.amount_text(words, roughly(to, true), &[]);
             write!(f, "NEEDS none{}: {aim} down to {least}", most.unwrap_or_default())?;
         } else if let Some(end) = until {
@@ -291,6 +289,13 @@ impl Needed {
             }
             Some(end) => self.range(words, end.sufficient, near.0),
         }
+    }
+
+    /// The largest amount that does as text: "8.3 N, less than is given".
+    fn at_most(&self, words: Words, end: &FarEnd) -> String {
+        let is_multiple = matches!(self.quantity, Quantity::Squeeze | Quantity::Force);
+        let beside = if is_multiple && end.sufficient < 1.0 { ", less than is given" } else { "" };
+        self.short(words, end.sufficient, &end.presses) + beside
     }
 
     /// Writes the far end of the amounts with which nothing slides, unless the amounts with which the object is held end before it.
