@@ -7,8 +7,8 @@ use super::lanes::Packed;
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// The answers to all questions for the grasps of the block, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, true if the present [`Method`](super::method::Method) computes the contact forces of the grasp in this lane. Answers of other
-    /// lanes are not stored.
+    /// For each lane (entry of a vector, which belongs to one grasp), true if the present [`Method`](super::method::Method) computes the contact
+    /// forces of this grasp. Answers of other lanes are not stored.
     is_method_of_lane: X::Each<bool>,
     question: usize,
     questions: usize,

@@ -157,8 +157,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        // A batch part of 256 blocks is so large that handing it to a thread costs little. It is small enough for every core to get a share of a
-        // batch of ten thousand grasps.
+        // A part of 256 blocks, of 4 or 8 grasps each, is so large that handing it to a thread costs little. It is small enough to share a batch of
+        // ten thousand grasps among several cores.
         each_taken(self.0.parts(questions, 256, answers), &kernel.many);
     }
 }

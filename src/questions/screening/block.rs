@@ -23,8 +23,8 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
 }
 
 /// The data of several grasps with the same number of contacts, one grasp in each lane of a vector. Each row of `numbers` has one entry per contact;
-/// the three numbers of [`TermSizes`] follow. The number of contacts is known only at run time, so that kernels are compiled once for the plane and
-/// once for space.
+/// the three numbers of [`TermSizes`] follow. The number of contacts is a run-time value, so that the functions of screening are compiled once for
+/// the plane and once for space, not for each number.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
@@ -45,8 +45,8 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of the terms of contact forces; the rounding of these forces is proportional to them. They are zero if forces are
-/// found by [`Method::Motions`](super::method::Method::Motions).
+/// Bounds on the sums of the absolute values of the terms that add up to a contact force. The rounding error of the force is proportional to such a
+/// sum. The bounds are zero if forces are found by [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TermSizes<X: Packed> {
     /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.

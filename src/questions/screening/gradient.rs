@@ -31,8 +31,8 @@ use crate::numerics::Vectors;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
-    /// The contact whose margin is differentiated, if it leaves its cone at first slip. Otherwise, and for `None`, it is the first contact that
-    /// leaves its cone.
+    /// The contact whose margin is differentiated; for `None` the first contact that leaves its cone. If the given contact does not leave its cone at
+    /// first slip, the derivatives are NaN.
     pub(super) contact: Option<usize>,
 }
 

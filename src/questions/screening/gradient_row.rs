@@ -114,8 +114,9 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if const { C == 2 } && self.method == Method::Edges {
-            // If one contact of a pair has no friction, commands cause no contact forces, and the forces P of the second solution (see `gradient`)
-            // must be zero. Such a pair is marked by a normal compliance of zero. It serves only to compute the motion of the object.
+            // If one contact of a pair has no friction, statics alone determines the contact forces. Commands then cause none, and the derivatives
+            // with respect to them are zero. Such a pair is marked by a normal compliance of zero. Its forces P (see `gradient`) serve only to
+            // compute the motion of the object.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

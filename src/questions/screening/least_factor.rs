@@ -78,8 +78,8 @@ impl<X: Packed> Margin<X> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // If the line of forces passes inside or outside the cone by less than this, rounding determines whether it crosses the cone. The answer is
-        // then unclear.
+        // If the line of forces passes inside or outside the cone by less than `needed`, N, rounding determines whether it crosses the cone. The
+        // answer is then unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);

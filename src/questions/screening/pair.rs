@@ -94,7 +94,7 @@ pub(super) struct Pair<X: Packed> {
     /// The stretch of the line through both contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|: `Σ p_i·C_i
     /// p_i⊥`.
     sheared: X,
-    /// The stretch of this line due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
+    /// The stretch of the line through both contacts due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
     sizes: TermSizes<X>,
 }

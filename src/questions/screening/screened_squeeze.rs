@@ -27,7 +27,8 @@ pub enum SqueezeVerdict {
     /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have an
     /// answer. The reasons are:
     ///
-    /// * A factor would have fewer than six digits, because commands hardly change a margin or the line of forces only grazes a cone.
+    /// * A factor would have fewer than six digits, because commands hardly change a margin, or because a contact force that changes with the factor
+    ///   only grazes its cone.
     /// * The least factor for one contact and the largest for another differ by no more than rounding.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
