@@ -29,8 +29,8 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         Self { answers, is_method_of_lane, question, questions, each }
     }
 
-    /// The memory for the answer of the grasp in a `lane`. `None` if the forces of this grasp are found by another method, or if the lane is
-    /// unused because the last block is not full.
+    /// The memory for the answer of the grasp in this `lane`, i.e. at this index of the vectors. `None` if the forces of this grasp are found by
+    /// another method, or if the lane is unused because the last block is not full.
     #[inline(always)]
     pub(super) fn slot(&mut self, lane: usize) -> Option<&mut [T]> {
         let first = (lane * self.questions + self.question) * self.each;

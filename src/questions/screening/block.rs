@@ -51,9 +51,9 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
 pub(super) struct TermSizes<X: Packed> {
     /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.
     pub(super) commands: X,
-    /// Bound on the sum of the absolute values of the terms that are due to a load with a moment of 1 N m about one axis, N.
+    /// Bound on the sum of the absolute values of the terms of a contact force that are due to a load with a moment of 1 N m about one axis, N.
     pub(super) moment: X,
-    /// Bound on the sum of the absolute values of the terms that are due to a load with a force of 1 N, N.
+    /// Bound on the sum of the absolute values of the terms of a contact force that are due to a load with a force of 1 N, N.
     pub(super) force: X,
 }
 

@@ -27,7 +27,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// The question of screening for the derivatives, with respect to all data, of the load factor at first slip under this pull.
+/// The question of screening for the derivatives, with respect to all data, of the load factor at first slip under this growing load (`pull`).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,

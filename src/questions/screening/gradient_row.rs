@@ -51,9 +51,10 @@ const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
-    /// The contact forces F at first slip, and the forces P of the second solution; see [`super::gradient`].
+    /// The contact forces F at first slip, and the forces P of the second solution, whose commands are the derivatives of the margin; see
+    /// [`super::gradient`].
     pub(super) forces: [&'a AnyForces<C, X>; 2],
-    /// The motion (u, ω) of the object at first slip, and (v, ω̄) in the second solution; see [`super::gradient`].
+    /// The displacement and rotation of the object: (u, ω) at first slip, and (v, ω̄) in the second solution; see [`super::gradient`].
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }

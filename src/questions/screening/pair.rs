@@ -83,11 +83,11 @@ pub(super) struct Pair<X: Packed> {
     midpoint: [X; 2],
     /// Components of the vector `p_i` from contact i to the other contact, along the normal of contact i.
     n: [X; 2],
-    /// Components of `p_i` along the tangent of contact i.
+    /// Components of the vector `p_i` from contact i to the other contact, along the tangent of contact i.
     t: [X; 2],
-    /// Components of `C_i p_i` along the normal of contact i, with the compliance C_i of contact i.
+    /// Components of `C_i p_i` along the normal of contact i, with the compliance C_i of contact i and the vector p_i to the other contact.
     u: [X; 2],
-    /// Components of `C_i p_i` along the tangent of contact i.
+    /// Components of `C_i p_i` along the tangent of contact i, with the compliance C_i of contact i and the vector p_i to the other contact.
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
