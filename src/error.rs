@@ -154,7 +154,7 @@ pub enum Error {
         /// The fault, and the requirement, in words.
         fault: &'static str,
     },
-    /// An argument of a method, or a number of a question, is out of range; numbers of a contact, a wrench or a hand have errors of their own.
+    /// An argument of a method, or a number of a question, is out of range. Numbers of a contact, a wrench or a hand have errors of their own.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {
         /// The number, such as "angle of the turn".
@@ -200,7 +200,7 @@ pub enum Error {
         /// The load before the leg.
         before: Vec<f64>,
     },
-    /// A first slip is sought, but neither the load nor a command changes along the ramp; or the load that is to grow in proportion is zero.
+    /// A first slip is sought, but neither the load nor a command changes along the ramp. Or the load that is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
     /// The legs (sections) of a load cycle do not return to the load or the commands with which the cycle begins.

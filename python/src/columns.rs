@@ -180,7 +180,8 @@ impl<const C: usize> Pads<C> {
 /// The offsets of the points of a pad along the tangents, m, and their shares of the springs.
 type PadPoints = (Vec<Vec<f64>>, Vec<f64>);
 
-/// The points of each pad (soft fingertip) of a JSON list with an entry for each contact, in the plane or in space; one point for an entry `null`.
+/// The points of each pad (soft fingertip) of a JSON list, in the plane or in space. The list has an entry for each contact; `null` is a single
+/// point.
 #[pyfunction]
 pub(crate) fn points_of_pads(soft: &str, axes: usize) -> PyResult<Vec<PadPoints>> {
     if axes == 2 { pad_points::<2>(soft) } else { pad_points::<3>(soft) }

@@ -22,8 +22,8 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts in order: number of Gauss–Seidel sweeps, and the initial parameter τ of the central path. τ is given as a multiple of the mean
-/// energy ‖r_i‖² / ρ_i of a contact, where r_i is the force of contact i after the sweeps. ρ_i converts its velocity to a force.
+/// The starts in order: number of Gauss–Seidel sweeps, and the initial parameter τ of the central path. This τ is a multiple of the mean energy
+/// ‖r_i‖² / ρ_i of a contact. Here r_i is the force of contact i after the sweeps, and ρ_i converts its velocity to a force.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.

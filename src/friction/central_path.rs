@@ -132,8 +132,8 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// The residual r' − P(r' − ρ û') of a contact's smoothed law (symbols at the top of the file), and the derivatives of this residual with respect to
-/// the contact's force and velocity.
+/// The residual r' − P(r' − ρ û') of a contact's smoothed law (symbols at the top of the file), and its derivatives with respect to the contact's
+/// force and velocity.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,

@@ -11,8 +11,8 @@
 //! ```
 //!
 //! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, its limit. It slides, keeps 4 N, and the rubber foot takes
-//! over the difference. If both feet had the coefficients of plastic, the box would be held if and only if the softer foot is at most `μ_k/μ_s` times
-//! as stiff as the other. With equal stiffness both slide at once, and the box is lost.
+//! over the difference. If both feet had the coefficients of plastic, the box would be held exactly if the softer foot is at most `μ_k/μ_s` times as
+//! stiff as the other. With equal stiffness both slide at once, and the box is lost.
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json --base 0,-20 --force 14,0
@@ -53,7 +53,7 @@
 //! * **Alternating stick and slip.** Contacts that slide together may push each other back: each jump of one contact lets another contact stick. The
 //!   less friction falls, the smaller and more numerous these jumps are, up to [`Settings::most_steps`](crate::Settings::most_steps) per leg.
 //! * **Soft fingertips** slide point after point, and each point hands its lost force to the others. The load at which they are lost converges with
-//!   the number of points: with r = μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty hold 1.2 % more.
+//!   the number of points. For μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty 1.2 % more.
 //! * **Speed and age.** Both coefficients are constants. Friction that grows with the time at rest, or falls with the speed, is not included.
 //!
 //! # Skin and rubber: friction that falls with force

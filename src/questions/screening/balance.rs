@@ -98,9 +98,9 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios: the
-    /// largest force component over the sum of the magnitudes of all forces, and the largest moment component over a bound on the sum of the
-    /// magnitudes of all moments.
+    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios. One
+    /// is the largest force component over the sum of the magnitudes of all forces. The other is the largest moment component over a bound on the sum
+    /// of the magnitudes of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,

@@ -106,9 +106,9 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
-    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`].
-    /// Each answer equals the answer of [`Fingers::least_squeeze`] bit for bit.
+    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread. On all cores:
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers are ordered as in [`Self::onsets_into`]. Each answer equals
+    /// the answer of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }

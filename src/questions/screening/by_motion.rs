@@ -1,4 +1,4 @@
-//! Contact forces while every contact sticks, computed from the motion of the object: for a pair in space, and for all grasps of three and more
+//! Contact forces while every contact sticks, computed from the motion of the object. This is the method for pairs in space, and for three and more
 //! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
 //!
 //! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, with the stiffness

@@ -28,8 +28,8 @@ impl<X: Packed> StickingCone<X> {
 }
 
 impl<X: Packed> StickingCone<X> {
-    /// The scaled friction force `β F_t` of a contact, N. Here β is 1 for a contact with friction, and 0 for a contact whose friction force does not
-    /// limit sticking (its friction is zero or infinite, or it is bonded).
+    /// The scaled friction force `β F_t` of a contact, N. Here β is 1 for a contact with friction. It is 0 for a contact that is bonded or has zero
+    /// or infinite friction, since its friction force does not limit sticking.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
         let mut t = force.tangential;

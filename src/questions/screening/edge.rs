@@ -98,7 +98,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
     }
 
     /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. The springs are solved once more with
-    /// these commands; by reciprocity, the resulting contact forces are the derivatives of the margin with respect to the commands.
+    /// these commands. By reciprocity, the resulting contact forces are the derivatives of the margin with respect to the commands.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

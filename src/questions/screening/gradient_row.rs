@@ -10,10 +10,10 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. First come four numbers: the load factor, or the code of the verdict; the sum of 2^i over the
-/// contacts i that leave their cones; the index, from 0, of the contact whose margin is differentiated; and a flag, positive if the load factor has a
-/// kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands, stiffness and friction follow,
-/// each contact by contact. The derivatives with respect to the load come last.
+/// The layout of a gradient as a row of numbers. Number 0 is the load factor, or the code of the verdict. Number 1 is the sum of 2^i over the
+/// contacts i that leave their cones. Number 2 is the index, from 0, of the contact whose margin is differentiated. Number 3 is positive if the load
+/// factor has a kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands, stiffness and
+/// friction follow, each contact by contact. The derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {

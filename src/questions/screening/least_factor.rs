@@ -1,10 +1,10 @@
 //! The least factor of the commands with which all contacts of a grasp stick under each load of a list.
 //!
-//! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`: F is due to the load and the clearances, F' to the
+//! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
 //! commands. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin `n - |t|` is concave in s. Therefore it is not negative in an
-//! interval of factors s, perhaps empty: from the factor at which the force enters the cone to the factor at which it leaves. The answer is the least
-//! s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of s; in space both ends
-//! are roots of one quadratic equation, see [`Crossing`].
+//! interval of factors s, which may be empty. The force enters the cone at the lower end and leaves it at the upper end. The answer is the least s >=
+//! 0 that lies in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of s; in space both ends are
+//! roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};

@@ -28,7 +28,7 @@ use crate::numerics::{Each, Vectors};
 ///
 /// A contact without friction has an infinite tangential compliance. The condition that fixes the force λ along the line through both contacts then
 /// becomes `F_t = 0` at this contact; all other terms vanish. Two such contacts hold no load. A pair also holds no load if the normal of a contact
-/// without friction is along the line through both, since the object then turns about the other contact. In these two cases the compliances are NaN.
+/// without friction is along the line through both. The object then turns about the other contact. In these two cases the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     let block = grasp.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());

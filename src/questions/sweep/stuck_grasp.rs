@@ -36,8 +36,8 @@ struct AddedLoad<'a> {
     factor: f64,
 }
 
-/// A grasp in which no contact slides under the base load, with contact forces for each source (commands, components of the load), and the failures
-/// of contacts that errors of the data may cause under the base load.
+/// A grasp in which no contact slides under the base load. It has the contact forces for each source (commands, components of the load). It also has
+/// the failures of contacts that errors of the data may cause under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,
@@ -67,9 +67,9 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
-    /// Computes the interactions of the errors of data, and the possible failures of contacts to stick, both under the base load. `source_forces` has
-    /// the contact forces, and their changes due to errors of the data, for each source: first for commands together with constant loads, then for
-    /// each component of the load.
+    /// Computes the interactions of the errors of data, and the possible failures of contacts to stick, both under the base load. `source_forces`
+    /// has, for each source, the contact forces and their changes due to errors of the data. The first source is commands together with constant
+    /// loads; then comes each component of the load.
     pub(super) fn new(
         off: PerturbedGrasp,
         edges: Vec<Edges>,
