@@ -35,7 +35,7 @@ pub(crate) struct GivenColumns<'py> {
     clearance: Option<PyReadonlyArray2<'py, f64>>,
     #[pyo3(item("kinetic_friction"), default)]
     kinetic: Option<PyReadonlyArray2<'py, f64>>,
-    /// The pad of each contact in JSON, as in scenes; `null` for a point.
+    /// The pad (soft fingertip) of each contact in JSON, as in scenes; `null` for a single point.
     #[pyo3(item, default)]
     soft: Option<String>,
     /// Code of each contact, shape (n,): 0 unilateral, 1 kept closed, 2 bonded.

@@ -43,7 +43,7 @@ pub(crate) struct Rows<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Rows<'a, C> {
-    /// Rows with their base loads and directions.
+    /// Grasps, one a row, with their base loads and load directions.
     ///
     /// # Errors
     /// Pads that are malformed.

@@ -124,7 +124,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // The line search gives up below this fraction of a Newton step: so short a step is not worth the factorisation of its matrix.
+            // The line search gives up below a hundredth of a Newton step (`shortest`): so short a step is not worth the factorisation of its matrix.
             let patience =
                 IterationLimits { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (point, made) = descend(&equations, &self.order, r.clone(), patience);
