@@ -13,7 +13,8 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
-/// The end of the message of [`Error::Part`]: the names of the `allowed` parts, or the words that no part has a load, command or force of its own.
+/// The end of the message of [`Error::Part`]: the names of the `allowed` parts. Without such parts it says that no part has a load, command or force
+/// of its own.
 fn one_of(allowed: &str) -> String {
     match allowed {
         "" => "and no other part has: what presses by overlap is the squeeze, and a `mass` presses as given"

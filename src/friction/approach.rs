@@ -133,8 +133,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if its residual is a small fraction of the residual at its start, or is at the level of the rounding errors
-            // of its terms.
+            // A round has converged if its residual is a thousandth of the residual at its start, or is at the level of the rounding of its terms.
             if point.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * point.terms) {
                 r = point.r;
                 // A converged round reduces the weight of the proximal term, which holds the forces near the anchor; a failed round increases

@@ -17,7 +17,7 @@ pub enum ContactMode {
 
 /// Residuals of Coulomb's law for the forces r and the velocities u = W r + q of all contacts (see the [module](super)), without units.
 ///
-/// Each contact is measured on its own scale: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q.
+/// Each contact is measured on its own scale. Forces are relative to its own force, velocities relative to the largest terms of its rows of W r + q.
 /// A contact with a small force must thus satisfy the law as strictly as the others. The residuals do not depend on the units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]

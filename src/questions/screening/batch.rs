@@ -113,9 +113,9 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data of grasp and load, on one
-    /// thread. [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered
-    /// as in [`Self::onsets_into`]. Each gradient equals the gradient of [`Fingers::onset_gradients`] bit for bit.
+    /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data, on one thread.
+    /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
+    /// [`Self::onsets_into`]. Each gradient equals the gradient of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);

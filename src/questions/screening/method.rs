@@ -82,7 +82,7 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = grasp.springs();
-    // A bound of the final contact forces if the contact forces P, which balance the load before edge forces are added, have size one: `1 + |N| |A⁻¹|
+    // Contact forces P of size one balance the load before edge forces are added. A bound of the final contact forces is then `1 + |N| |A⁻¹|
     // |Nᵀ| C`, by absolute values. N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
     for k in 0..N {

@@ -71,10 +71,11 @@ impl<const C: usize> ScreenedGradients<C> {
 /// The derivatives of the load factor at first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
 /// screening has no load factor.
 ///
-/// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex: the least of the
-/// contacts' load factors has a kink. The derivatives given here are then derivatives of the load factor at which the margin of [`Self::contact`]
-/// vanishes. For the derivatives of each of these contacts see [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). If the data
-/// change, the derivative of the load factor at first slip is the least of the derivatives for these contacts.
+/// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex. The least of the
+/// contacts' load factors then has a kink. The derivatives given here are then derivatives of the load factor at which the margin of
+/// [`Self::contact`] vanishes. For the derivatives of each of these contacts see
+/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). If the data change, the derivative of the load factor at first slip is
+/// the least of the derivatives for these contacts.
 ///
 /// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN. With other data there may be no
 /// equilibrium. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps,

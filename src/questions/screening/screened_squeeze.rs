@@ -58,8 +58,8 @@ impl ScreenedSqueeze {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the index of the load under which it is at this edge, both from 0. If there are
-    /// several such contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
+    /// The contact at the edge of its cone with this factor, and the load under which it is there, as indices from 0. If there are several such
+    /// contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

@@ -153,7 +153,7 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state after `times` further cycles that repeat: in each of them gaps, slips and motion change by their difference from `from`, the state
+    /// This state after `times` further cycles that repeat. In each of them gaps, slips and motion change by their difference from `from`, the state
     /// one cycle before. Forces do not change.
     pub(super) fn after_repeats(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();

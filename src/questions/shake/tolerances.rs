@@ -3,7 +3,7 @@
 //!
 //! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under this force.
 
-/// A cycle repeats itself if forces and gaps at its end differ from those at its beginning by at most this number, as they do because of rounding.
+/// A cycle repeats itself if forces and gaps at its end differ from those at its beginning by at most this number, which allows for rounding.
 ///
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift is taken as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;

@@ -85,7 +85,7 @@ impl<const C: usize> From<Loads<C>> for LoadFields<C> {
 }
 
 impl<const C: usize> Loads<C> {
-    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`; together with `any_force`, `load` may be
+    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`. Together with `any_force`, `load` may be
     /// given as the constant load.
     ///
     /// # Errors

@@ -92,8 +92,8 @@ struct LeastForce {
 }
 
 impl LeastForce {
-    /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. A round cone is
-    /// approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
+    /// Finds the least force that takes this contact to the edge of its cone. The force is kept if it is less than the least force so far. A round
+    /// cone is approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
     fn lowered_to(
         &mut self,
         site: usize,

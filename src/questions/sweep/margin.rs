@@ -5,8 +5,8 @@
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Here μ is the coefficient of friction, σ the standard deviation of its logarithm, and h the unit vector of the facet. z has the errors of the
-//! data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
+//! Here μ is the coefficient of friction, σ the standard deviation of its logarithm, and h the unit vector of the facet. The vector z has the errors
+//! of the data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
 //! errors. The [interaction](super::interaction) of several data is computed at the point of failure and added as a constant force.
 //!
 //! The reliability β is the length of the shortest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant

@@ -37,7 +37,8 @@ impl FacetMargin {
             _ => (0.0, 1.0),
         };
         let mut product = 1.0;
-        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ, with n and A as at the top of this file; b is the row of A that belongs to friction.
+        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ. Here n and A are as at the top of this file, and b is the row of A that belongs to
+        // friction.
         let (mut squares, mut mixed, mut of_friction) = (0.0, 0.0, 0.0);
         for ((coefficients, z), g) in self.parts.iter().zip(&self.linearised_at).zip(&self.gradient) {
             let [normal, other] =
