@@ -13,7 +13,8 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
-/// The end of the message of [`Error::Part`]: the names of the `allowed` parts, or the words that no part has a load, command or force of its own.
+/// The end of the message of [`Error::Part`]: the names of the `allowed` parts. Without such parts it says that no part has a load, command or force
+/// of its own.
 fn one_of(allowed: &str) -> String {
     match allowed {
         "" => "and no other part has: what presses by overlap is the squeeze, and a `mass` presses as given"
@@ -154,7 +155,7 @@ pub enum Error {
         /// The fault, and the requirement, in words.
         fault: &'static str,
     },
-    /// An argument of a method, or a number of a question, is out of range; numbers of a contact, a wrench or a hand have errors of their own.
+    /// An argument of a method, or a number of a question, is out of range. Numbers of a contact, a wrench or a hand have errors of their own.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {
         /// The number, such as "angle of the turn".
@@ -200,7 +201,7 @@ pub enum Error {
         /// The load before the leg.
         before: Vec<f64>,
     },
-    /// A first slip is sought, but neither the load nor a command changes along the ramp; or the load that is to grow in proportion is zero.
+    /// A first slip is sought, but neither the load nor a command changes along the ramp. Or the load that is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
     /// The legs (sections) of a load cycle do not return to the load or the commands with which the cycle begins.

@@ -133,8 +133,8 @@
 //! | the program | `cli`, `cli-full` |
 //!
 //! In a control loop [`screening::Fingers`] suffices: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch) allocate nothing,
-//! and the number of their operations does not depend on the data. Floating-point functions come from `libm`, whose last digits differ from std's. If
-//! a load has several equilibria, another equilibrium may therefore be returned.
+//! and the number of their operations is bounded for a given number of contacts. Floating-point functions come from `libm`, whose last digits differ
+//! from std's. If a load has several equilibria, another equilibrium may therefore be returned.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

@@ -18,7 +18,7 @@ use crate::stored_grasp::StoredGrasp;
 /// An answer returned to Python.
 #[derive(IntoPyObject)]
 pub(crate) enum Reply {
-    /// A value of the crate, from a grasp without joints.
+    /// An answer kept as a Rust value, from a grasp without joints.
     Unwritten(LazyAnswer),
     /// JSON of the scene format, for hands with joints and for several bodies.
     Written(String),
@@ -94,7 +94,7 @@ pub(crate) fn json(answer: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(answer).map_err(wrong)
 }
 
-/// The outcome of an onset, as a word of the scene format.
+/// The outcome of the search for the load at first slip, as a word of the scene format.
 fn word<const C: usize>(onset: &Onset<C>) -> &'static str {
     match onset {
         Onset::At(_) => "at",

@@ -35,7 +35,7 @@ pub(crate) struct GivenColumns<'py> {
     clearance: Option<PyReadonlyArray2<'py, f64>>,
     #[pyo3(item("kinetic_friction"), default)]
     kinetic: Option<PyReadonlyArray2<'py, f64>>,
-    /// The pad of each contact in JSON, as in scenes; `null` for a point.
+    /// The pad (soft fingertip) of each contact in JSON, as in scenes; `null` for a single point.
     #[pyo3(item, default)]
     soft: Option<String>,
     /// Code of each contact, shape (n,): 0 unilateral, 1 kept closed, 2 bonded.
@@ -104,7 +104,7 @@ impl Columns<'_> {
         self.points.shape()[1]
     }
 
-    /// The pads of all contacts; `None` for a point.
+    /// The pads (soft fingertips) of all contacts; `None` for a contact that is a single point.
     ///
     /// # Errors
     /// A text that is no list of pads; a pad that is out of range, or belongs to the other space.
@@ -114,7 +114,8 @@ impl Columns<'_> {
         Ok(Pads(pads))
     }
 
-    /// Appends the points of all contacts of a row to a list. A malformed contact is appended as one point, which the grasp then refuses.
+    /// Appends the points of all contacts of the grasp in a row to a list. A malformed contact is appended as one point, which the grasp then
+    /// refuses.
     pub(crate) fn fill<const C: usize>(&self, pads: &Pads<C>, row: usize, points: &mut Vec<Contact<C>>) {
         for (i, pad) in pads.0.iter().enumerate() {
             let contact = self.contact(row, i);
@@ -166,7 +167,7 @@ impl Columns<'_> {
     }
 }
 
-/// The pad of each contact, or a point.
+/// For each contact its pad (soft fingertip), or `None` for a single point.
 pub(crate) struct Pads<const C: usize>(Vec<Option<SoftFingertip<C>>>);
 
 impl<const C: usize> Pads<C> {
@@ -179,7 +180,8 @@ impl<const C: usize> Pads<C> {
 /// The offsets of the points of a pad along the tangents, m, and their shares of the springs.
 type PadPoints = (Vec<Vec<f64>>, Vec<f64>);
 
-/// The points of each pad in a JSON text like that of columns, in the plane or in space; one point where there is no pad.
+/// The points of each pad (soft fingertip) of a JSON list, in the plane or in space. The list has an entry for each contact; `null` is a single
+/// point.
 #[pyfunction]
 pub(crate) fn points_of_pads(soft: &str, axes: usize) -> PyResult<Vec<PadPoints>> {
     if axes == 2 { pad_points::<2>(soft) } else { pad_points::<3>(soft) }

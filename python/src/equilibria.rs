@@ -18,7 +18,7 @@ use crate::errors::{has_nan, wrong};
 /// Number of grasps in one task of a thread. Such a task takes 0.1 ms or more, so that the cost of scheduling is negligible.
 const CHUNK: usize = 64;
 
-/// Outcome of a row, numbered as in `grasp_lcp.SolveStatus`.
+/// Outcome for one grasp under one load, numbered as in `grasp_lcp.SolveStatus`.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 enum Status {
@@ -159,7 +159,7 @@ impl EquilibriumColumns {
     }
 }
 
-/// State of a contact in a row without an equilibrium.
+/// Code for the state of a contact of a grasp without an equilibrium.
 const UNKNOWN: u8 = 255;
 
 /// The number of a state in `grasp_lcp.ContactState`.
@@ -174,7 +174,7 @@ fn code_of<const C: usize>(state: &ContactState<C>) -> u8 {
     }
 }
 
-/// Status of a row that the crate refuses.
+/// Status of a grasp and load that the crate refuses with this error.
 fn status_of(error: &Error) -> Status {
     if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

@@ -42,11 +42,12 @@ pub(crate) trait HeldGrasp: Send + Sync {
     fn part(&self) -> (Option<f64>, Option<[f64; 3]>);
     /// Points of all contacts, and edges of the grasped part's mesh, m.
     fn places(&self) -> PyResult<Places>;
-    /// The grasp as SVG or HTML page, in the equilibrium `state` (JSON), or at rest without it. `None` for hands, several bodies, and pages in the plane.
+    /// The grasp as SVG or HTML page, in the equilibrium `state` (JSON), or without `state` in the equilibrium under no load. `None` for hands,
+    /// several bodies, and pages in the plane.
     fn drawn(&self, state: Option<&str>, title: &str, page: bool) -> PyResult<Option<String>>;
 }
 
-/// Direction, base load and changes of commands of an onset, as Python passes them.
+/// Direction, base load and changes of commands for the load at first slip, as Python passes them.
 pub(crate) struct AskedRamp<'a, 'py> {
     direction: &'a Bound<'py, PyAny>,
     base: Option<&'a Bound<'py, PyAny>>,
@@ -55,7 +56,7 @@ pub(crate) struct AskedRamp<'a, 'py> {
 }
 
 impl<const C: usize> StoredGrasp<C> {
-    /// Reads a load. A mapping is completed as in a scene of several bodies.
+    /// Reads a load. For several bodies, a mapping may omit the masses, centres of mass and gravity that the scene adds.
     fn load(&self, argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
         if self.setup.bodies.is_empty() || given.cast::<PyMapping>().is_err() {
             return wrench(argument, given);
@@ -82,7 +83,8 @@ impl<const C: usize> StoredGrasp<C> {
     }
 }
 
-/// Reads a question or a load from JSON, completed as in a scene. Refuses one that contains the weight of bodies a second time.
+/// Reads a question or a load from JSON, with the masses, centres of mass and gravity that the scene adds. Refuses one that contains the weight of
+/// bodies a second time.
 fn read_for<T: DeserializeOwned, const C: usize>(setup: &Setup<C>, text: &str, path: &str) -> PyResult<T> {
     // Text that is not JSON passes, since the parser refuses it below.
     let value = serde_json::from_str(text).unwrap_or_default();
@@ -204,7 +206,7 @@ where
     }
 }
 
-/// A grasp by contacts or by a hand; see `grasp_lcp.Grasp`.
+/// A grasp that is described by contacts, or by a hand with joints; see `grasp_lcp.Grasp`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
 pub(crate) struct Grasp {
     held: Arc<dyn AnyQuestion>,
@@ -383,7 +385,7 @@ pub(crate) fn warnings_of_scene(text: &str, made: bool) -> PyResult<Vec<String>>
     Ok(found.iter().map(ToString::to_string).collect())
 }
 
-/// Data of a grasp besides its contacts.
+/// Data of a grasp besides its contacts: names, outline of the object, and settings.
 struct GraspOptions<'py> {
     names: Vec<Option<String>>,
     outline: Option<PyReadonlyArray2<'py, f64>>,

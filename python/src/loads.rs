@@ -17,7 +17,7 @@ const MOST: usize = 6;
 pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
     if given.cast::<PyMapping>().is_ok() {
         let text = mapping_text(argument, given)?;
-        // Read whole: a load that is made of its components alone has no known points of action.
+        // The mapping is parsed as a whole, because a load built from its components would lose its points of action.
         return serde_json::from_str(&text).map_err(|error| of_json(argument, &error));
     }
     let (numbers, count) = few(argument, given)?;

@@ -103,7 +103,7 @@ impl<const C: usize> Rows<'_, C> {
             }
         }
         for row in left {
-            // Screening refuses malformed contacts, and numbers of points or springs that it does not support. The full method answers these rows or
+            // Screening refuses malformed contacts, and numbers of points or springs that it does not support. `Grasp::onset` answers these rows or
             // finds the fault.
             self.ask_whole(row, &mut found, (row - first) * each, |_| true);
         }
@@ -118,7 +118,8 @@ impl<const C: usize> Rows<'_, C> {
         found
     }
 
-    /// Answers the loads of one row by the full method if `wanted` accepts their present status. The answers of the row begin at index `place`.
+    /// Answers the loads of one grasp (row) by `Grasp::onset`, without screening, if `wanted` accepts their present status. The answers of the row
+    /// begin at index `place`.
     fn ask_whole(&self, row: usize, found: &mut OnsetColumns, place: usize, wanted: impl Fn(u8) -> bool) {
         let mut points = Vec::new();
         self.fill(row, &mut points);
@@ -161,7 +162,7 @@ impl OnsetColumns {
         }
     }
 
-    /// Sets an answer of the full method; `counts` has the number of points of each contact.
+    /// Sets an answer of `Grasp::onset`; `counts` has the number of points of each contact.
     fn set_whole<const C: usize>(&mut self, place: usize, onset: &Onset<C>, counts: &[usize]) {
         let (status, factor) = match onset {
             Onset::At(event) => {
@@ -183,7 +184,7 @@ impl OnsetColumns {
     }
 }
 
-/// Status and factor of a screened row.
+/// Status and load factor of an answer of screening.
 #[inline]
 pub(crate) fn ended(answer: &Screened) -> (Status, f64) {
     match answer.verdict() {

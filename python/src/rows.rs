@@ -15,7 +15,7 @@ use crate::errors::has_nan;
 /// Number of contact points in one task of a thread. They stay in the cache of a core from reading to screening.
 const POINTS: usize = 6144;
 
-/// Outcome of a row, numbered as in `grasp_lcp.OnsetStatus`.
+/// Outcome for one grasp under one load, numbered as in `grasp_lcp.OnsetStatus`.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 pub(crate) enum Status {
@@ -38,12 +38,12 @@ pub(crate) struct Rows<'a, const C: usize> {
     pub(crate) pulls: Vec<Result<Pull<C>, Status>>,
     /// Whether row k has load k alone; otherwise each row has all loads.
     pub(crate) own: bool,
-    /// Whether the full method answers rows that screening does not decide.
+    /// Whether `Grasp::onset`, the slower method, answers the grasps that screening does not decide.
     pub(crate) complete: bool,
 }
 
 impl<'a, const C: usize> Rows<'a, C> {
-    /// Rows with their base loads and directions.
+    /// Grasps, one a row, with their base loads and load directions.
     ///
     /// # Errors
     /// Pads that are malformed.
@@ -83,7 +83,7 @@ impl<'a, const C: usize> Rows<'a, C> {
     }
 }
 
-/// Status of a row that the crate refuses.
+/// Status of a grasp and load that the crate refuses with this error.
 pub(crate) fn status_of(error: &Error) -> Status {
     if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

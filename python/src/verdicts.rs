@@ -16,7 +16,7 @@ use crate::rows::Rows;
 
 /// The number in `grasp_lcp.VerdictStatus` of a malformed row. The number before it marks a row with a NaN.
 const MALFORMED: u8 = 8;
-/// The number for "no motion" and "no doubt".
+/// The number in the arrays for an answer without a motion, or without a doubt (a reason why it is undecided).
 const NONE: u8 = 255;
 
 /// Verdicts on B grasps under P loads as flat arrays by name, row by row. With `own`, grasp k has load k alone; otherwise each grasp has all loads.
@@ -171,7 +171,7 @@ fn number_of_motion(motion: LossVerb) -> u8 {
     }
 }
 
-/// The number of a doubt in `grasp_lcp.Doubt`.
+/// The number of a doubt, the reason why an answer is undecided, in `grasp_lcp.Doubt`.
 fn number_of_doubt(doubt: Doubt) -> u8 {
     match doubt {
         Doubt::RayWithoutProof => 0,

@@ -11,10 +11,10 @@ use crate::errors::{refused, shown, wrong};
 use crate::loads::wrench;
 use crate::onsets::ended;
 
-/// Least margin (N) and its contact; status, load factor and contacts of the first slip; the least factor of extra squeeze that suffices.
+/// Least margin (N) and its contact; status, load factor and contacts of the first slip; the least relative increase of the squeeze that suffices.
 type WatchRow = (f64, usize, u8, f64, Vec<usize>, Option<f64>);
 
-/// A watch over a grasp, whatever its number of contacts and axes.
+/// A grasp whose measured contact forces can be watched, for any number of contacts and axes.
 trait Watches: Send + Sync {
     fn look(&self, forces: &ArrayView2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<Watched>;
 }

@@ -22,8 +22,8 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// The starts in order: number of Gauss–Seidel sweeps, and the initial parameter τ of the central path. τ is given as a multiple of the mean
-/// energy ‖r_i‖² / ρ_i of a contact, where r_i is the force of contact i after the sweeps. ρ_i converts its velocity to a force.
+/// The starts in order: number of Gauss–Seidel sweeps, and the initial parameter τ of the central path. This τ is a multiple of the mean energy
+/// ‖r_i‖² / ρ_i of a contact. Here r_i is the force of contact i after the sweeps, and ρ_i converts its velocity to a force.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 
 /// The caller's function that receives the progress and may stop the solve.
@@ -124,7 +124,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // The line search gives up below this fraction of a Newton step: so short a step is not worth the factorisation of its matrix.
+            // The line search gives up below a hundredth of a Newton step (`shortest`): so short a step is not worth the factorisation of its matrix.
             let patience =
                 IterationLimits { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (point, made) = descend(&equations, &self.order, r.clone(), patience);
@@ -133,8 +133,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             if missing <= WORTH_POLISHING && self.polish() || self.best.stopped {
                 break;
             }
-            // A round has converged if its residual is a small fraction of the residual at its start, or is at the level of the rounding errors
-            // of its terms.
+            // A round has converged if its residual is a thousandth of the residual at its start, or is at the level of the rounding of its terms.
             if point.size <= (1e-3 * initial_size).max(ROUND_CONVERGED * point.terms) {
                 r = point.r;
                 // A converged round reduces the weight of the proximal term, which holds the forces near the anchor; a failed round increases

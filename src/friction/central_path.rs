@@ -72,8 +72,8 @@ pub(super) fn follow<const C: usize>(
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     // Factor of τ between the first two points of the path; later factors adapt to the number of Newton steps.
     let slow = 0.2;
-    // The path ends where its parameter τ, relative to the mean energy of a contact, is near the square of the working precision. Newton's
-    // method has lost the path if it converges only for a factor of τ above 0.9.
+    // The path ends where its parameter τ is 1e-16 of the mean energy of a contact, near the relative working precision. Newton's method has lost the
+    // path if it converges only for a factor of τ above 0.9.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made
@@ -132,8 +132,8 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// The residual r' − P(r' − ρ û') of a contact's smoothed law (symbols at the top of the file), and the derivatives of this residual with respect to
-/// the contact's force and velocity.
+/// The residual r' − P(r' − ρ û') of a contact's smoothed law (symbols at the top of the file), and its derivatives with respect to the contact's
+/// force and velocity.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,

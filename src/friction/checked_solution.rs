@@ -66,7 +66,7 @@ impl<const C: usize> FrictionProblem<C> {
         if !residuals.within(tolerance) {
             return None;
         }
-        // Forces are rejected if the terms W r of the velocities exceed q by many orders of magnitude: within rounding such forces would solve the
+        // Forces are rejected if the terms W r of the velocities exceed q by many orders of magnitude. Within rounding such forces would solve the
         // problem for any q.
         let terms = (self.w.abs() * r.abs()).amax();
         if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()

@@ -1,7 +1,7 @@
 //! Piecewise smooth equations for the forces, one per component of each contact, and damped Newton steps for their solution.
 //!
 //! The equations of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path) have this form. In both, the residual of
-//! a contact depends only on its own force and velocity, so the Jacobian has the block pattern of the matrix W from forces to velocities.
+//! a contact depends only on its own force and velocity. The Jacobian therefore has the block pattern of the matrix W from forces to velocities.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;

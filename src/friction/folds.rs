@@ -52,8 +52,8 @@ pub(super) fn around_folds<const C: usize>(
             if let Some((next, corrections)) = onward {
                 x = next;
                 if 2 * corrections <= MOST_FOLD_CORRECTIONS {
-                    // Few corrections were needed, so the next step is longer: up to a relative change of 1 of the forces, or a factor e of the
-                    // path's parameter τ.
+                    // Few corrections were needed, so the next step is longer. Its limit is a relative change of 1 of the forces, or a factor e of
+                    // the path's parameter τ.
                     length = (1.5 * length).min(1.0);
                 }
                 break;

@@ -56,8 +56,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Solves all islands and combines their solutions. The first proof that an island, and so the problem, has no solution is returned at once, and
-    /// so is a stop by the caller's function `watch`. Otherwise the first failure is returned, if any.
+    /// Solves all islands and combines their solutions. A proof that an island has no solution also holds for the whole problem, and is returned at
+    /// once. So is a stop by the caller's function `watch`. Otherwise the first failure is returned, if any.
     pub(super) fn solve_islands(
         &self,
         islands: &[Vec<usize>],

@@ -17,7 +17,7 @@ pub enum ContactMode {
 
 /// Residuals of Coulomb's law for the forces r and the velocities u = W r + q of all contacts (see the [module](super)), without units.
 ///
-/// Each contact is measured on its own scale: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q.
+/// Each contact is measured on its own scale. Forces are relative to its own force, velocities relative to the largest terms of its rows of W r + q.
 /// A contact with a small force must thus satisfy the law as strictly as the others. The residuals do not depend on the units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -118,7 +118,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.residuals_from(r, &u, &terms)
     }
 
-    /// The residuals of the given forces r and velocities u, each the largest over all contacts, and the index (from 0) of the contact with the
+    /// The residuals of the given forces r and velocities u, each the largest over all contacts. Also the index (from 0) of the contact with the
     /// largest residual. `terms` has the magnitudes of the velocities' terms.
     pub(super) fn residuals_from(
         &self,
@@ -144,8 +144,8 @@ impl<const C: usize> FrictionProblem<C> {
         (out, worst)
     }
 
-    /// The state of a contact from the position of ζ = r − ρ u, with the force r, the velocity u and a factor ρ: open if ζ_N ≤ 0, sticking inside the
-    /// friction cone, sliding elsewhere.
+    /// The state of a contact from the position of ζ = r − ρ u, with the force r, the velocity u and a factor ρ. The contact is open if ζ_N ≤ 0,
+    /// sticks if ζ is inside the friction cone, and slides elsewhere.
     pub(super) fn state(
         force: &SVector<f64, C>,
         velocity: &SVector<f64, C>,

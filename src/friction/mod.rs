@@ -58,8 +58,8 @@
 //! method starts again.
 //!
 //! **Many contacts, or a few for which facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput. Methods
-//! Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From these forces the solver follows the central path û ∘ r = τ through the interior
-//! of the cones as τ decreases to zero (∘ is the Jordan product of the cone). On this path no contact has to choose its state early (M. Fukushima,
+//! Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From these forces the solver follows the central path û ∘ r = τ as τ decreases to
+//! zero (∘ is the Jordan product of the cone). The path lies inside the cones. On this path no contact has to choose its state early (M. Fukushima,
 //! Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts the solver also follows the path around the folds that friction causes.
 //! Newton's method makes the last steps. A proximal term holds them near an anchor, because the forces of redundant contacts are not determined.
 //!

@@ -13,8 +13,8 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// State of the search for forces on the round cone that starts from polygons: the angles of the facets, counts of pivots and Newton steps, and the
-/// smallest residual after a run of Newton's method.
+/// State of the search for forces on the round cone that starts from polygons. It has the angles of the facets, counts of pivots and Newton steps,
+/// and the smallest residual after a run of Newton's method.
 pub(super) struct Polygons<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     newton: Newton<'a, C>,
@@ -23,8 +23,8 @@ pub(super) struct Polygons<'a, const C: usize> {
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// The largest residual over all contacts, and the index (from 0) of its contact, at the end of the run of Newton's method for which this
-    /// residual was smallest; infinite before the first run.
+    /// The largest residual over all contacts, and the index (from 0) of its contact, at the end of the best run of Newton's method so far. Infinite
+    /// before the first run.
     pub(super) least: (f64, usize),
 }
 
@@ -42,7 +42,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 
     /// A solution or, if no try finds a solution, the outcome of the first try. After a failure the facets of each contact are rotated and 1.5 times
-    /// as many are used, up to `restarts` times; in the plane there is only one try.
+    /// as many are used, up to `restarts` times. In the plane there is only one try.
     pub(super) fn solve(&mut self, restarts: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_CONE_FACETS);
         let mut first = None;
@@ -119,8 +119,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts a certificate of the problem with polygons, which has a weight for each row, to a certificate with a weight for each contact: the weight
-/// of its normal row. Other outcomes are returned unchanged.
+/// Converts a certificate of the problem with polygons, which has a weight for each row, to one with a weight for each contact. This is the weight of
+/// the contact's normal row. Other outcomes are returned unchanged.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

@@ -17,8 +17,8 @@ pub struct Settings {
     /// Largest number of restarts from another polygon after Newton's method did not converge, in space (default 4). Each restart uses 1.5 times as
     /// many facets, rotated towards the slip directions.
     pub turns: usize,
-    /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored Newton steps, which a proximal term holds near
-    /// an anchor (default 30).
+    /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored Newton steps (default 30). A proximal term holds
+    /// anchored steps near given forces, the anchor.
     pub steps: usize,
     /// Largest number of starts for many contacts, or if polygons of facets have given no solution (default and maximum 4). Each start makes
     /// Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.

@@ -2,7 +2,8 @@
 //!
 //! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now, and the load to come. It returns the
 //! margin, i.e. the distance of the forces from the edges of their friction cones, N. It also returns the load at which the first contact slides, and
-//! the extra squeeze (clamping force) that prevents this slip. It allocates nothing, and the number of its operations does not depend on the data.
+//! the extra squeeze (clamping force) that prevents this slip. It allocates nothing, and the number of its operations is bounded for a given number
+//! of contacts.
 //!
 //! # One tick
 //!
@@ -50,8 +51,8 @@
 //! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. All of these need an allocator;
 //! `onset` and `watch` of `Fingers` allocate nothing. The [root](crate#without-the-standard-library) lists the parts that need std.
 //!
-//! A program that uses `Fingers` alone contains only their kernels, of the plane or of space. A program that uses a [`Grasp`](crate::ask::Grasp)
-//! contains all questions.
+//! A program that uses `Fingers` alone contains only the functions for screening, in the plane or in space. A program that uses a
+//! [`Grasp`](crate::ask::Grasp) contains all questions.
 //!
 //! A Cortex-M4 has no hardware for double precision: software emulates it, and determines the time of a tick. A Cortex-M7 may have such hardware.
 //! Times must be measured on the controller; this guide promises none.

@@ -128,5 +128,5 @@
 //! ```
 //!
 //! The glass tips at tan⁻¹ (30 mm / 70 mm) = 23.2°, from half the width of its foot and the height of its centre of mass. As a whole it would slide
-//! only at tan⁻¹ 0.5 = 26.6°. The first slip at 12.9946° is local: tilting takes pressure from the upper edge of the foot, which then slides, while
-//! the lower edge still sticks and holds the glass.
+//! only at tan⁻¹ 0.5 = 26.6°. The first slip at 12.9946° is local. Tilting takes pressure from the upper edge of the foot, which then slides. The
+//! lower edge still sticks and holds the glass.

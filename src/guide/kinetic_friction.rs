@@ -11,8 +11,8 @@
 //! ```
 //!
 //! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, its limit. It slides, keeps 4 N, and the rubber foot takes
-//! over the difference. If both feet had the coefficients of plastic, the box would be held if and only if the softer foot is at most `μ_k/μ_s` times
-//! as stiff as the other. With equal stiffness both slide at once, and the box is lost.
+//! over the difference. If both feet had the coefficients of plastic, the box would be held exactly if the softer foot is at most `μ_k/μ_s` times as
+//! stiff as the other. With equal stiffness both slide at once, and the box is lost.
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json --base 0,-20 --force 14,0
@@ -41,10 +41,11 @@
 //!
 //! # Limitations
 //!
-//! * **No overshoot.** *Counting no momentum*, the object comes to rest where forces balance, as if it moved in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
-//!   steadily. Without damping it falls twice as far, to `(2 μ_k - μ_s) N`, sticks, and repeats this: stick-slip. In such a jump the change of force
-//!   at other contacts is up to about twice the computed change. Contacts that catch the object in the computation may then fail to do so.
-//!   `2 μ_k - μ_s` in place of `μ_k` shows this effect; for one spring it is exact.
+//! * **No overshoot.** *Counting no momentum*, the object comes to rest where forces balance, as if it moved in oil. If a slider is pulled by a
+//!   spring, the spring force then falls from `μ_s N` to `μ_k N`, and the slider slides steadily. Without damping the spring force falls twice as
+//!   far, to `(2 μ_k - μ_s) N`. The slider then sticks, and all this repeats: stick-slip. In such a jump the change of force at other contacts is up
+//!   to about twice the computed change. Contacts that catch the object in the computation may then fail to do so. `2 μ_k - μ_s` in place of `μ_k`
+//!   shows this effect; for one spring it is exact.
 //! * **The path of a jump.** If several contacts join in, or one sticks again on the way, the damping may decide. The tests move 400 random planar
 //!   grasps through a viscous medium: all were caught or lost as computed, and 14 came to rest elsewhere.
 //! * **Another equilibrium.** If a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether an equilibrium exists with
@@ -52,7 +53,7 @@
 //! * **Alternating stick and slip.** Contacts that slide together may push each other back: each jump of one contact lets another contact stick. The
 //!   less friction falls, the smaller and more numerous these jumps are, up to [`Settings::most_steps`](crate::Settings::most_steps) per leg.
 //! * **Soft fingertips** slide point after point, and each point hands its lost force to the others. The load at which they are lost converges with
-//!   the number of points: with r = μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty hold 1.2 % more.
+//!   the number of points. For μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty 1.2 % more.
 //! * **Speed and age.** Both coefficients are constants. Friction that grows with the time at rest, or falls with the speed, is not included.
 //!
 //! # Skin and rubber: friction that falls with force

@@ -45,7 +45,7 @@
 //! SLIDES TO AND FRO: lower left slides by up to 0.0180734 mm in every cycle, which takes 0.000513745 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
-//! The part does not creep out, but the locator wears: friction takes 0.5 mJ in every cycle, one tooth of the cutter.
+//! The part does not creep out, but the locator wears: friction takes 0.5 mJ in every cycle, that is, with every tooth of the cutter.
 //!
 //! # Does a parcel survive being shaken with 2 g?
 //!

@@ -59,7 +59,7 @@
 //! * the first of all combinations of contact states.
 //!
 //! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the method that found the equilibrium. The order is the same for every number
-//! of threads, but it is a convention, not physics. Relaxation by viscous slip makes the returned equilibrium continuous: for nearly equal loads,
+//! of threads, but it is a convention, not physics. Relaxation by viscous slip makes the returned equilibrium continuous. For nearly equal loads,
 //! clamping forces or coefficients of friction it ends in nearly equal equilibria, as long as these are stable.
 //!
 //! # Which one is real

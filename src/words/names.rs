@@ -7,8 +7,8 @@ use super::tolerances::MOST_NAMES;
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// A user's text, safe to print. Control characters, marks of writing direction and line separators are escaped as in Rust, so that a name can
-/// neither clear a screen nor imitate an answer.
+/// A user's text, safe to print. Control characters, marks of writing direction and line separators are escaped as in Rust. Thus a name can neither
+/// clear a screen nor imitate an answer.
 #[must_use]
 pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.contains(is_control) {

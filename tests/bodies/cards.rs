@@ -10,7 +10,7 @@ use support::cards::HouseOfCards;
 const LEAST: [(usize, usize, f64); 4] =
     [(2, 7, 0.332_787), (4, 26, 0.399_078), (6, 57, 0.420_884), (8, 100, 0.432_130)];
 
-/// The verdict changes within 1 % of the least friction.
+/// The verdict changes from falling to standing within 1 % of the least friction that the linear program finds.
 #[test]
 fn they_stand_as_a_linear_program_says() {
     for (rows, cards, least) in LEAST {

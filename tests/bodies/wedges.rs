@@ -45,7 +45,7 @@ fn a_wedge_is_drawn_out() {
 
 /// A force of 1760 N pushes a wedge into the gap between a slope of 0.115 with μ = 0.2 and a frictionless guide. It presses on the slope with the
 /// total force `1760 √(1 + 0.115²) / (0.115 + 0.2)` = 5624.1 N; the distribution is not determined. The total agrees with FrontISTR's work item 859.
-/// The push is not stated there, and was computed from it.
+/// The push is not stated there, and was computed from the total.
 #[test]
 fn a_wedge_is_driven_into_a_gap() {
     let (rise, mu, push) = (0.115, 0.2, 1760.0);

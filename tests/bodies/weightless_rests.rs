@@ -7,8 +7,8 @@ use grasp_lcp::spatial::{Bodies, Body, Contact, Grasp, Link, SoftFingertip, Wren
 
 const SCREW: f64 = 8000.0;
 
-/// The vice. `strips` are the numbers of strips of its pads, `jaws` and `guide` stiffnesses, N/m, and `below` is the height of the guide below the
-/// screw, m.
+/// A vice that presses a part above rests. `strips` are the numbers of strips of its pads, `jaws` and `guide` stiffnesses, N/m. The guide of the
+/// moving jaw is `below` metres below the screw.
 fn vice(strips: [usize; 2], jaws: f64, guide: f64, below: f64) -> Grasp {
     let pad = SoftFingertip::rectangle([0.1, 0.04], strips).expect("a rectangle");
     let jaw = |name: &str, side: f64| {

@@ -29,7 +29,7 @@ fn grasps<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     decades: f64,
 ) -> impl Strategy<Value = Scene<D, C>> {
-    // Narrow stiffnesses are 10^(0 … 1.3).
+    // `Spread::Narrow` draws stiffnesses 10^(0 … 1.3); a power stretches this range to the given number of decades.
     scene::<D, C>(count, Spread::Narrow, 0.03).prop_map(move |mut scene| {
         for datum in &mut scene.contacts {
             datum.stiffness = datum.stiffness.map(|k| k.powf(decades / 1.3));

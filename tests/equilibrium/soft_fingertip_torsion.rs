@@ -10,7 +10,7 @@ use grasp_lcp::{PolygonCone, PolygonFit, Settings};
 use support::programs::changes;
 use support::{assert_relatively_close, relatively_close};
 
-/// Pressure and ⟨r⟩/R.
+/// Pressure profiles of a disc, each with the mean radius ⟨r⟩, weighted by the pressure, over the radius R.
 const PROFILES: [(Pressure, f64); 3] =
     [(Pressure::Uniform, 2.0 / 3.0), (Pressure::Parabolic, 8.0 / 15.0), (Pressure::Hertz, 3.0 * PI / 16.0)];
 

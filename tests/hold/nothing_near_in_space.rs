@@ -13,7 +13,7 @@ const ARM: f64 = 0.04;
 const SWEEPS: usize = 20;
 const STEPS: usize = 10;
 
-/// A contact in the search.
+/// The data of a contact for the search for forces that balance the load at a given motion.
 struct Touch {
     /// Wrenches of one newton along normal and tangents.
     axes: SMatrix<f64, 6, 3>,

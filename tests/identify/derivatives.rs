@@ -9,7 +9,7 @@ type Tested = Result<(), grasp_lcp::Error>;
 
 /// Step of the logarithm of an unknown, for differences of fourth order.
 const STEP: f64 = 1e-3;
-/// Relative scatter of the slip.
+/// Relative standard deviation of the observed slip load.
 const SCATTER: f64 = 1e-6;
 /// At a kink the one-sided derivatives differ by more than this, relative to the derivative.
 const EDGE: f64 = 0.02;

@@ -5,7 +5,7 @@ use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::{planar, spatial};
 use nalgebra::{DMatrix, DVector};
 
-/// Relative scatter of each slip.
+/// Relative standard deviation of each observed slip load.
 const SCATTER: f64 = 0.03;
 /// Step of differences of fourth order.
 const STEP: f64 = 1e-3;

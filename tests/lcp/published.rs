@@ -74,7 +74,7 @@ fn murtys_exponential_family_ends_honestly() {
         let q = DVector::from_fn(n, |i, _| -(0..=i).map(|k| 2.0_f64.powi((n - k) as i32)).sum::<f64>());
         match Lcp::new(m, q).unwrap().solve() {
             Outcome::Solved(solution) => {
-                // z = (2ⁿ, 0, …, 0).
+                // The known solution is z = (2ⁿ, 0, …, 0).
                 assert!((solution.z[0] / 2.0_f64.powi(n as i32) - 1.0).abs() < 1e-12, "n = {n}");
                 assert!(solution.z.iter().skip(1).all(|z| *z == 0.0), "n = {n}: {:?}", solution.z);
             }
@@ -181,7 +181,8 @@ fn american_put() {
     });
     let mut value = payoff.clone();
     for step in 0..25 {
-        // value' = payoff + z, operator · value' − value = w.
+        // One implicit time step: the new option value is payoff + z, and w is the residual of the discretised equation for it, `operator · (payoff +
+        // z) − value`.
         let mut q = &operator * &payoff - &value;
         q[0] -= 0.5 * sigma * sigma * dt - 0.5 * rate * dt;
         let solution = solved("put", &Lcp::new(operator.clone(), q).unwrap());

@@ -76,7 +76,7 @@ fn motion(contacts: &[Exact], load: [f64; 3], commanded: bool) -> Option<[Ration
     Eliminated::of(t.iter().zip(&right).map(beside), 3).solution()?.try_into().ok()
 }
 
-/// The exact result.
+/// The result of exact arithmetic for the load factor at first slip.
 enum Truth {
     /// Not every contact sticks at factor zero with a clear margin.
     NotSticking,

@@ -39,7 +39,7 @@ fn cross(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|k| &a[(k + 1) % 3] * &b[(k + 2) % 3] - &a[(k + 2) % 3] * &b[(k + 1) % 3])
 }
 
-/// One exact contact.
+/// A contact whose data are exact rational numbers.
 struct Exact {
     point: Vector,
     normal: Vector,

@@ -13,7 +13,7 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
-/// Tolerance, relative to the largest number of a field.
+/// Tolerance of derivatives, relative to the largest derivative with respect to the same kind of data, for example all points.
 const CLOSE: f64 = 1e-9;
 
 fn vector<const N: usize>(random: &mut Random) -> SVector<f64, N> {

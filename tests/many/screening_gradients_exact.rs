@@ -12,7 +12,7 @@ use support::samples::{samples, seeded};
 
 type Rational = BigRational;
 
-/// Tolerance, relative to the largest number of a field.
+/// Tolerance of derivatives, relative to the largest derivative with respect to the same kind of data, for example all points.
 const CLOSE: f64 = 1e-9;
 
 fn exact(x: f64) -> Rational {
@@ -155,7 +155,7 @@ impl Scene {
 /// A change of contacts and base load by a step.
 type Change<'a> = dyn Fn(&mut Vec<Exact>, &mut Vec<Rational>, Rational) + 'a;
 
-/// The largest difference, relative to the largest number of a field.
+/// The largest difference of derivatives, relative to the largest derivative with respect to the same kind of data.
 fn off(pairs: &[(f64, f64)]) -> f64 {
     let size = pairs.iter().map(|(_, exact)| exact.abs()).fold(0.0, f64::max);
     pairs.iter().map(|(ours, exact)| (ours - exact).abs()).fold(0.0, f64::max) / size

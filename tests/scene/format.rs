@@ -11,7 +11,7 @@ use support::jaws::jaw;
 use support::random::{Spread, for_all, scene};
 use support::scene::Scene as Drawn;
 
-/// Contacts that use all forms of the fields in turn.
+/// Contacts that in turn use all ways to give stiffness, name, hold and tangent.
 fn contacts<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> Vec<Contact<C>> {
     let contact = |(i, datum): (usize, &support::scene::Datum<C>)| {
         let contact = datum.contact();

@@ -6,7 +6,7 @@ use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, SoftFingertip, Wrench};
 use support::svg::{Failure, circles, shapes};
 
 const STICKING: &str = "#0072B2";
-/// Width of a rim, pixels.
+/// Width of the line around a pad in a picture, pixels.
 const RIM: f64 = 1.5;
 
 /// Two pads of 20 x 12 mm on both sides of a box, seen from the front. `strips` is the number of strips in half of each side.

@@ -90,7 +90,7 @@ impl System {
     fn sides(&self, loads: &[Vector3<f64>], times: f64) -> usize {
         let lines = self.lines(loads, times);
         let has_side = |k: usize| {
-            // The segment of this line inside all others.
+            // The segment of line k that lies inside the half planes of all other lines; it is a side of the region if its length is positive.
             let (a, c) = lines[k];
             let (foot, along) = (-c * (a / c.norm_squared()), Vector2::new(-c.y, c.x));
             let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);

@@ -7,8 +7,8 @@ use super::lanes::Packed;
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// The answers to all questions for the grasps of the block, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane, true if the present [`Method`](super::method::Method) computes the contact forces of the grasp in this lane. Answers of other
-    /// lanes are not stored.
+    /// For each lane (entry of a vector, which belongs to one grasp), true if the present [`Method`](super::method::Method) computes the contact
+    /// forces of this grasp. Answers of other lanes are not stored.
     is_method_of_lane: X::Each<bool>,
     question: usize,
     questions: usize,
@@ -29,8 +29,8 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         Self { answers, is_method_of_lane, question, questions, each }
     }
 
-    /// The memory for the answer of the grasp in a `lane`. `None` if the forces of this grasp are found by another method, or if the lane is
-    /// unused because the last block is not full.
+    /// The memory for the answer of the grasp in this `lane`, i.e. at this index of the vectors. `None` if the forces of this grasp are found by
+    /// another method, or if the lane is unused because the last block is not full.
     #[inline(always)]
     pub(super) fn slot(&mut self, lane: usize) -> Option<&mut [T]> {
         let first = (lane * self.questions + self.question) * self.each;

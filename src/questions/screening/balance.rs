@@ -16,7 +16,7 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
     /// Largest absolute coordinate of the vectors from the centroid to the contacts, m.
     pub(super) reach: X,
     /// For two contacts in space: the exchange of coordinates after which the rotation about the coordinate axis nearest to the line through both
-    /// contacts comes last. No spring resists the rotation about this line. `None` for all other grasps.
+    /// contacts comes last. No spring resists the rotation about this line, so the last pivot vanishes up to rounding. `None` for all other grasps.
     line: Option<AlongTheLine<X>>,
     factors: LaneFactors<6, X>,
 }
@@ -98,9 +98,9 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios: the
-    /// largest force component over the sum of the magnitudes of all forces, and the largest moment component over a bound on the sum of the
-    /// magnitudes of all moments.
+    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios. One
+    /// is the largest force component over the sum of the magnitudes of all forces. The other is the largest moment component over a bound on the sum
+    /// of the magnitudes of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,
@@ -134,7 +134,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
                 moments += load[k].abs();
             }
         }
-        // Without forces and loads the quotients would be 0 / 0; adding the smallest normal number to the denominators makes them 0.
+        // Without forces and loads the quotients would be 0 / 0; adding the smallest positive double that is not subnormal to the denominators makes
+        // them 0.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
         // `max` ignores NaN. Adding zero times the first entry of `left` makes the size NaN if that entry is NaN.

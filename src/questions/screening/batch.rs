@@ -106,16 +106,16 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
-    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`].
-    /// Each answer equals the answer of [`Fingers::least_squeeze`] bit for bit.
+    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread. On all cores:
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers are ordered as in [`Self::onsets_into`]. Each answer equals
+    /// the answer of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data of grasp and load, on one
-    /// thread. [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered
-    /// as in [`Self::onsets_into`]. Each gradient equals the gradient of [`Fingers::onset_gradients`] bit for bit.
+    /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data, on one thread.
+    /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
+    /// [`Self::onsets_into`]. Each gradient equals the gradient of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);
@@ -157,8 +157,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
-        // A batch part of 256 blocks is so large that handing it to a thread costs little. It is small enough for every core to get a share of a
-        // batch of ten thousand grasps.
+        // A part of 256 blocks, of 4 or 8 grasps each, is so large that handing it to a thread costs little. It is small enough to share a batch of
+        // ten thousand grasps among several cores.
         each_taken(self.0.parts(questions, 256, answers), &kernel.many);
     }
 }

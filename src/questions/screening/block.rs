@@ -23,8 +23,8 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
 }
 
 /// The data of several grasps with the same number of contacts, one grasp in each lane of a vector. Each row of `numbers` has one entry per contact;
-/// the three numbers of [`TermSizes`] follow. The number of contacts is known only at run time, so that kernels are compiled once for the plane and
-/// once for space.
+/// the three numbers of [`TermSizes`] follow. The number of contacts is a run-time value. Thus the functions of screening are compiled once for the
+/// plane and once for space, not for each number.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
@@ -37,28 +37,27 @@ pub(super) struct Block<'a, const C: usize, X: Packed> {
 }
 
 /// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the vector across it (`sheared`, with axes as in
-/// [`super::finger::Force`]). One vector in coordinate axes for both would have the rounding of a large normal component, and a stiff tangential
-/// spring would make this rounding a force.
+/// [`super::finger::Force`]). One vector in coordinate axes for both would have the rounding of a large normal component. A stiff tangential spring
+/// would turn this rounding into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Sums of the absolute values of the terms of contact forces; the rounding of these forces is proportional to them. They are zero if forces are
-/// found by [`Method::Motions`](super::method::Method::Motions).
+/// Bounds on the sums of the absolute values of the terms that add up to a contact force. The rounding error of the force is proportional to such a
+/// sum. The bounds are zero if forces are found by [`Method::Motions`](super::method::Method::Motions).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TermSizes<X: Packed> {
     /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.
     pub(super) commands: X,
-    /// Bound on the sum of the absolute values of the terms that are due to a load with a moment of 1 N m about one axis, N.
+    /// Bound, N, on the sum of absolute values of the terms of a contact force that are due to a moment of 1 N m about one axis.
     pub(super) moment: X,
-    /// Bound on the sum of the absolute values of the terms that are due to a load with a force of 1 N, N.
+    /// Bound, N, on the sum of absolute values of the terms of a contact force that are due to a load of 1 N.
     pub(super) force: X,
 }
 
-/// Where the rows of `numbers` of a [`Block`] begin: each constant is the index of the first row of a quantity, such as one row per axis for a
-/// vector.
+/// The order of the rows in `numbers` of a [`Block`]. Each constant is the index of the first row of a quantity; a vector has one row per axis.
 pub(super) struct Layout<const C: usize>;
 
 impl<const C: usize> Layout<C> {

@@ -1,4 +1,4 @@
-//! Contact forces while every contact sticks, computed from the motion of the object: for a pair in space, and for all grasps of three and more
+//! Contact forces while every contact sticks, computed from the motion of the object. This is the method for pairs in space, and for three and more
 //! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
 //!
 //! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, with the stiffness
@@ -152,9 +152,9 @@ fn move_object<const C: usize, X: Packed>(
 }
 
 /// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of the
-/// contact's spring if the command and the whole motion of the object stretched the spring. The second term is limited by the sum of all forces and
-/// of the second largest such spring force. The reason is that errors of displacements cause forces that balance each other, which takes at least two
-/// contacts.
+/// contact's spring if the command and the whole motion of the object stretched the spring. This spring force is limited by the sum of the load, all
+/// contact forces and the second largest spring force. The reason: errors of displacements cause forces that balance each other, which takes at least
+/// two contacts.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -28,7 +28,8 @@ impl<X: Packed> StickingCone<X> {
 }
 
 impl<X: Packed> StickingCone<X> {
-    /// The scaled friction force `β F_t` of a contact, N. Here β is 1 for a contact with friction, and 0 for a contact that cannot slide.
+    /// The scaled friction force `β F_t` of a contact, N. Here β is 1 for a contact with friction. It is 0 for a contact that is bonded or has zero
+    /// or infinite friction, since its friction force does not limit sticking.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
         let mut t = force.tangential;
@@ -48,7 +49,7 @@ impl<X: Packed> StickingCone<X> {
 ///
 /// The second form of Δ does not lose digits if the line passes close to the apex.
 pub(super) struct Crossing<X: Packed> {
-    /// The margin `n - |t|` of the contact, N, at load factor τ = 0: `n = α F_n` is the scaled normal force, `t = β F_t` the friction force.
+    /// The margin `n - |t|` of the contact, N, at load factor τ = 0: `n = α F_n` is the scaled normal force, `t = β F_t` the scaled friction force.
     pub(super) margin: X,
     /// The rate `|t'| - n'` at which the margin decreases per unit of τ in the limit of large τ, N.
     pub(super) closing: X,

@@ -46,7 +46,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
     }
 
     /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the derivatives of the margin at this factor.
-    /// The margin is the margin of contact `which` if this contact leaves its cone at the factor, else of the first contact that leaves its cone.
+    /// The margin is that of contact `which`, or for `None` that of the first contact that leaves its cone. If contact `which` does not leave its
+    /// cone at this factor, `self.factor` is NaN.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -96,8 +97,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. With these commands the equilibrium
-    /// of the springs is computed once more.
+    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. The springs are solved once more with
+    /// these commands. By reciprocity, the resulting contact forces are the derivatives of the margin with respect to the commands.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

@@ -1,4 +1,4 @@
-//! One contact of each of several grasps, one grasp in each lane of a vector: the springs of the contact, and conversions of its force and
+//! One contact of each of several grasps, one grasp in each lane of a vector. The file has the springs of the contact, and converts its force and
 //! displacement to coordinate axes.
 
 use super::lanes::{Packed, dot};

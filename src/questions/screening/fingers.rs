@@ -14,8 +14,8 @@ use crate::error::Error;
 use crate::grasp::Contact;
 use crate::prelude::*;
 
-/// A grasp of `N` contacts, two to five, prepared for screening: the contact forces due to the commands and the factorised stiffness are computed
-/// once, for all loads.
+/// A grasp of `N` contacts, two to five, prepared for screening. The contact forces due to the commands and the factorised stiffness are computed
+/// once for all loads.
 ///
 /// `C` is 2 in the plane and 3 in space; see
 /// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).

@@ -10,10 +10,10 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. First come four numbers: the load factor, or the code of the verdict; the sum of 2^i over the
-/// contacts i that leave their cones; the index, from 0, of the contact whose margin is differentiated; and a flag, positive if the load factor has a
-/// kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands, stiffness and friction follow,
-/// each contact by contact. The derivatives with respect to the load come last.
+/// The layout of a gradient as a row of numbers. Number 0 is the load factor, or the code of the verdict. Number 1 is the sum of 2^i over the
+/// contacts i that leave their cones. Number 2 is the index, from 0, of the contact whose margin is differentiated. Number 3 is positive if the load
+/// factor has a kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands, stiffness and
+/// friction follow, each contact by contact. The derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -51,9 +51,10 @@ const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
-    /// The contact forces F at first slip, and the forces P of the second solution; see [`super::gradient`].
+    /// The contact forces F at first slip, and the forces P of the second solution, whose commands are the derivatives of the margin; see
+    /// [`super::gradient`].
     pub(super) forces: [&'a AnyForces<C, X>; 2],
-    /// The motion (u, ω) of the object at first slip, and (v, ω̄) in the second solution; see [`super::gradient`].
+    /// The displacement and rotation of the object: (u, ω) at first slip, and (v, ω̄) in the second solution; see [`super::gradient`].
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
@@ -114,8 +115,9 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if const { C == 2 } && self.method == Method::Edges {
-            // If one contact of a pair has no friction, commands cause no contact forces, and the forces P of the second solution (see `gradient`)
-            // must be zero. Such a pair is marked by a normal compliance of zero. It serves only to compute the motion of the object.
+            // If one contact of a pair has no friction, statics alone determines the contact forces. Commands then cause none, and the derivatives
+            // with respect to them are zero. Such a pair is marked by a normal compliance of zero. Its forces P (see `gradient`) serve only to
+            // compute the motion of the object.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

@@ -110,7 +110,7 @@ impl Packed for f64 {
 }
 
 /// A vector of one number for each of [`LANES`] grasps. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
-/// The alignment keeps such a vector within one line of the cache.
+/// The alignment keeps a vector of four numbers, or each half of a vector of eight, within one line of the cache.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
 pub(super) struct Lanes([f64; LANES]);

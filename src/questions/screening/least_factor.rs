@@ -1,10 +1,10 @@
 //! The least factor of the commands with which all contacts of a grasp stick under each load of a list.
 //!
-//! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`: F is due to the load and the clearances, F' to the
+//! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
 //! commands. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin `n - |t|` is concave in s. Therefore it is not negative in an
-//! interval of factors s, perhaps empty: from the factor at which the force enters the cone to the factor at which it leaves. The answer is the least
-//! s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of s; in space both ends
-//! are roots of one quadratic equation, see [`Crossing`].
+//! interval of factors s, which may be empty. The force enters the cone at the lower end and leaves it at the upper end. The answer is the least s >=
+//! 0 that lies in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of s; in space both ends are
+//! roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -78,8 +78,8 @@ impl<X: Packed> Margin<X> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // If the line of forces passes inside or outside the cone by less than this, rounding determines whether it crosses the cone. The answer is
-        // then unclear.
+        // If the line of forces passes inside or outside the cone by less than `needed`, N, rounding determines whether it crosses the cone. The
+        // answer is then unclear.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
@@ -118,13 +118,13 @@ impl<X: Packed> Margin<X> {
 pub(super) struct LeastFactor<X: Packed> {
     /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
     first: X,
-    /// The lower error bound of `first`.
+    /// The lower error bound of `first`, the largest lower end of the intervals of factors.
     first_sure: X,
-    /// The upper error bound of `first`.
+    /// The upper error bound of `first`, the largest lower end of the intervals of factors.
     first_most: X,
     /// The lower error bound of the least upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
-    /// The upper error bound of this least upper end.
+    /// The upper error bound of the least upper end of the intervals of factors of all contacts and loads.
     last_most: X,
     /// Positive if rounding determines whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,

@@ -62,8 +62,8 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
         }
     }
     let sizes = sizes(&grasp.block());
-    // Compliances of the three contacts may differ by at most this ratio. If this were larger, the force of a soft contact would lose more than three
-    // digits. If smaller, more grasps would need the other method, which takes twice the time.
+    // Compliances of the three contacts may differ by at most a factor of 1000. If this were larger, the force of a soft contact would lose more than
+    // three digits. If smaller, more grasps would need the other method, which takes twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
         grasp.measure(&sizes);
         return;
@@ -82,8 +82,8 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = grasp.springs();
-    // A bound of the forces along edges that contact forces P of size one cause if they balance each other: `|N| |A⁻¹| |Nᵀ| C P` by absolute values.
-    // N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
+    // Contact forces P of size one balance the load before edge forces are added. A bound of the final contact forces is then `1 + |N| |A⁻¹|
+    // |Nᵀ| C`, by absolute values. N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -98,8 +98,9 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // The limit of the contact forces due to a unit moment, times the longest edge. If larger, margins that decrease slowly would be unclear. If
-    // smaller, more grasps would need the other method, which takes twice the time. An equilateral triangle of equal springs has the value seven.
+    // The bound of the contact forces due to a unit moment, times the longest edge, may be at most 1000. If this limit were larger, margins that
+    // decrease slowly would be unclear. If smaller, more grasps would need the other method, which takes twice the time. For an equilateral triangle
+    // of equal springs the product is seven.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     TermSizes {

@@ -51,8 +51,9 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         );
     }
 
-    /// Computes the motion of an object held by three contacts in space. Let e₁, e₂ be two edges of the triangle of contacts, m = e₁ × e₂, and d₁, d₂
-    /// the differences of the displacements between the ends of the edges. The rotation is `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²`.
+    /// Computes the motion of an object held by three contacts in space. Let e₁, e₂ be two edges of the triangle of contacts and m = e₁ × e₂. Let d₁,
+    /// d₂ be the differences of the displacements between the ends of the edges. The rotation is `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) /
+    /// |m|²`.
     #[inline(never)]
     pub(super) fn of_a_triangle<V: Vectors>(
         &mut self,

@@ -28,7 +28,7 @@ use crate::numerics::{Each, Vectors};
 ///
 /// A contact without friction has an infinite tangential compliance. The condition that fixes the force λ along the line through both contacts then
 /// becomes `F_t = 0` at this contact; all other terms vanish. Two such contacts hold no load. A pair also holds no load if the normal of a contact
-/// without friction is along the line through both, since the object then turns about the other contact. In these two cases the compliances are NaN.
+/// without friction is along the line through both. The object then turns about the other contact. In these two cases the compliances are NaN.
 pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     let block = grasp.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
@@ -83,18 +83,18 @@ pub(super) struct Pair<X: Packed> {
     midpoint: [X; 2],
     /// Components of the vector `p_i` from contact i to the other contact, along the normal of contact i.
     n: [X; 2],
-    /// Components of `p_i` along the tangent of contact i.
+    /// Components of the vector `p_i` from contact i to the other contact, along the tangent of contact i.
     t: [X; 2],
-    /// Components of `C_i p_i` along the normal of contact i, with the compliance C_i of contact i.
+    /// Components of `C_i p_i` along the normal of contact i, with the compliance C_i of contact i and the vector p_i to the other contact.
     u: [X; 2],
-    /// Components of `C_i p_i` along the tangent of contact i.
+    /// Components of `C_i p_i` along the tangent of contact i, with the compliance C_i of contact i and the vector p_i to the other contact.
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
     /// The stretch of the line through both contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|: `Σ p_i·C_i
     /// p_i⊥`.
     sheared: X,
-    /// The stretch of this line due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
+    /// The stretch of the line through both contacts due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
     sizes: TermSizes<X>,
 }

@@ -11,7 +11,7 @@ use crate::numerics::Each;
 /// coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
-    /// Positive in the first entry if the coordinate axis nearest to the line is the first axis, in the second entry if it is the second axis.
+    /// The first entry is positive if the coordinate axis nearest to the line is the first axis; the second entry, if it is the second axis.
     is: [X; 2],
 }
 

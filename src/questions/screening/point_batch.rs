@@ -73,8 +73,8 @@ impl<const C: usize> PointBatch<C> {
     }
 
     /// Appends a grasp. Its index in the batch is also the index of its answers. Returns `false`, and appends nothing, if contacts are malformed or
-    /// not supported by screening (see [`Fingers::new`](super::Fingers::new)), or if they do not fit the batch: another number of points or other
-    /// fingers. For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
+    /// not supported by screening (see [`Fingers::new`](super::Fingers::new)). It does so also if they do not fit the batch: another number of points
+    /// or other fingers. For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;

@@ -52,10 +52,10 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers: the load factor, or the code of the verdict;
-    /// the sum of 2^i over the contacts i that stop sticking; the index, from 0, of the contact whose margin is differentiated; and a flag, positive
-    /// if the load factor has a kink. The derivatives follow: with respect to n points, n normals, n commands, n pairs of stiffnesses, n coefficients
-    /// of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers. The first is the load factor, or the code of
+    /// the verdict. The second is the sum of 2^i over the contacts i that stop sticking. The third is the index, from 0, of the contact whose margin
+    /// is differentiated. The fourth is positive if the load factor has a kink. The derivatives follow: with respect to n points, n normals, n
+    /// commands, n pairs of stiffnesses, n coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -71,12 +71,13 @@ impl<const C: usize> ScreenedGradients<C> {
 /// The derivatives of the load factor at first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
 /// screening has no load factor.
 ///
-/// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex: the least of the
-/// contacts' load factors has a kink. The derivatives given here are then derivatives of the load factor at which the margin of [`Self::contact`]
-/// vanishes. For the derivatives of each of these contacts see [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). If the data
-/// change, the derivative of the load factor at first slip is the least of the derivatives for these contacts.
+/// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex. The least of the
+/// contacts' load factors then has a kink. The derivatives given here are then derivatives of the load factor at which the margin of
+/// [`Self::contact`] vanishes. For the derivatives of each of these contacts see
+/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). If the data change, the derivative of the load factor at first slip is
+/// the least of the derivatives for these contacts.
 ///
-/// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN: with other data there may be no
+/// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN. With other data there may be no
 /// equilibrium. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps,
 /// too.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@ use core::fmt;
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
+/// The least factor of the commands with which all contacts of one grasp stick under each load of a list. Or the reason why screening has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
     /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
@@ -27,7 +27,8 @@ pub enum SqueezeVerdict {
     /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have an
     /// answer. The reasons are:
     ///
-    /// * A factor would have fewer than six digits, because commands hardly change a margin or the line of forces only grazes a cone.
+    /// * A factor would have fewer than six digits: commands hardly change a margin, or a contact force that changes with the factor only grazes its
+    ///   cone.
     /// * The least factor for one contact and the largest for another differ by no more than rounding.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
@@ -38,8 +39,7 @@ impl ScreenedSqueeze {
     /// The value that fills the memory for answers before they are computed: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended: with a factor of the commands with which all contacts stick, with the result that there is no such factor, or without
-    /// an answer.
+    /// How the screening ended: with a factor of the commands, with the result that no factor makes all contacts stick, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -58,8 +58,8 @@ impl ScreenedSqueeze {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the index of the load under which it is at this edge, both from 0. If there are
-    /// several such contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
+    /// The contact at the edge of its cone with this factor, and the load under which it is there, as indices from 0. If there are several such
+    /// contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

@@ -26,7 +26,7 @@ use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
 
-/// The two other indices of 0, 1 and 2, in cyclic order after i. For edge i they are the contacts at its tail and its head; for contact i they are
+/// The two other indices of 0, 1 and 2, in cyclic order after i. For edge i they are the contacts at its tail and its head. For contact i they are
 /// the edge that ends and the edge that begins at the contact.
 #[inline(always)]
 pub(super) fn others(i: usize) -> [usize; 2] {

@@ -81,7 +81,7 @@ impl fmt::Debug for Watched {
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
     /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come in addition to the present load. Nothing
-    /// is allocated, and no loop depends on the numbers: the number of operations is always the same, for a control loop with a deadline.
+    /// is allocated, and the number of operations is bounded for a given number of contacts, for a control loop with a deadline.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
     /// give: past slip and model errors are contained in them. Only changes of forces are computed from the springs, as if every contact stuck. These

@@ -120,8 +120,8 @@ impl Cycle {
         self.record.open[site].is_none() && self.is_open(site)
     }
 
-    /// Whether, from the beginning of the cycle to its end, the object has moved and the slip of some contact has changed, both by more than
-    /// rounding. Slips below the errors of jumps count here, too, since they add up over the cycles.
+    /// Whether the object has moved and the slip of some contact has changed by the end of the cycle, both by more than rounding. Slips below the
+    /// errors of jumps count here, too, since they add up over the cycles.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;

@@ -1,5 +1,5 @@
-//! Converts the types about repeated loads between the form of the engine, whose vectors have three components even in the plane, and the form of the
-//! caller, whose vectors have `C` components: 2 in the plane, 3 in space.
+//! Converts the types about repeated loads between two forms. Internally vectors have three components even in the plane. For the caller they have
+//! `C` components: 2 in the plane, 3 in space.
 
 use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};

@@ -74,7 +74,8 @@ struct FollowedCycles<'g, 's> {
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The states between successive cycles, oldest first, up to the present state, as long as the events in these cycles were the same.
+    /// The latest states between successive cycles, oldest first, at most [`KEPT_STATES`]. They begin with the start of the last cycle whose events
+    /// differ from those of the cycle before.
     places: Vec<CycleState>,
     /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
@@ -133,8 +134,8 @@ impl<'g> FollowedCycles<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle)));
-                // The object has walked farther than small motions while forces still change. A walk with constant forces would be a better answer.
-                // Therefore a few more cycles are followed.
+                // The object has walked beyond the range of small motions while forces still change. A walk with constant forces would be a better
+                // answer. Therefore a few more cycles are followed.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -254,7 +255,7 @@ impl<'g> FollowedCycles<'g, '_> {
         self.opened.iter_mut().enumerate().for_each(|(i, opened)| *opened |= cycle.is_open(i));
     }
 
-    /// The behaviour if the load path ends within cycle number `cycle`, counted from 1 at rest: the loss, or undecided.
+    /// The behaviour if the load path ends within cycle number `cycle`, counted from 1 for the cycle that starts at rest: the loss, or undecided.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -304,7 +305,8 @@ impl<'g> FollowedCycles<'g, '_> {
             |i: usize| if comes_to_rest { self.slid[i] } else { last.is_some_and(|last| last.slides(i)) };
         let opens = |i: usize| last.is_some_and(|last| last.opens(i));
         let is_open = |i: usize| self.opened[i] || last.is_some_and(|last| last.is_open(i));
-        // A drive that saturates yields without slip: the half that stands for its limit opens.
+        // A drive with a constant force at its limit yields without slip. In the model each of its two limits is a frictionless contact, which opens
+        // as the limit is reached.
         let is_at_limit = |i: usize| {
             let what = self.engine.part_change(i, true).map(|change| change.what);
             what == Some(DriveChange::Yields)

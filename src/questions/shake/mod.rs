@@ -1,6 +1,6 @@
 //! Repeated loads: does the grasp come to rest, or does the object walk out of it cycle by cycle?
 //!
-//! A load that is held once may not be held when it is put on a thousand times: in each cycle contacts may slide a little further. From the
+//! A load that is held once may not be held when it is put on a thousand times. In each cycle contacts may slide a little further. From the
 //! equilibrium under the base load, [`Grasp::shake`](crate::ask::Grasp::shake) follows a cycle of legs (sections of a load program) again and again,
 //! as [`Grasp::follow`](crate::ask::Grasp::follow) would. Later cycles depend only on the state e at their beginning,
 //!
@@ -11,12 +11,12 @@
 //! not on the position of the object, nor on the slip of a contact so far. If the state e at the end of a cycle equals the state at its beginning,
 //! all later cycles are like it. This cycle gives the verdict ([`Repeats`]). If nothing slides in it, and the object does not jump from one contact
 //! to another, the grasp rests. Otherwise the object moves to and fro, or walks by the same motion in each cycle. Contacts may open and close in a
-//! cycle although the grasp rests; the verdict names them, and says if they are suction cups, into which air flows.
+//! cycle although the grasp rests. The verdict names them, and says if they are suction cups, into which air flows.
 //!
 //! If e converges, a cycle that begins at its limit gives the verdict. In the plane, and on a polygonal cone, e changes from cycle to cycle by an
-//! affine map as long as the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed point of
-//! this map (minimal polynomial extrapolation), and a cycle that begins at the fixed point confirms it. On the round cone this holds up to the error
-//! of the steps.
+//! affine map. This holds as long as the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed
+//! point of this map (minimal polynomial extrapolation). A cycle that begins at the fixed point confirms it. On the round cone this holds up to the
+//! error of the steps.
 //!
 //! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, the behaviour may repeat itself only after several cycles. Such
 //! periods are found, too.

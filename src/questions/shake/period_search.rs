@@ -21,8 +21,8 @@ impl PeriodSearch {
         Self { all: None, many: 0, most: 1 }
     }
 
-    /// Adds a cycle. If the state at its end equals the reference state up to rounding, returns all cycles since the reference state, joined to one,
-    /// and their number; else `None`.
+    /// Adds a cycle. If the state at its end equals the reference state up to rounding, returns all cycles since then, joined to one, and their
+    /// number. Otherwise `None`.
     pub(super) fn closed_by(&mut self, cycle: &Cycle) -> Option<(&Cycle, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);

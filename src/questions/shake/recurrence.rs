@@ -99,8 +99,8 @@ impl<'p> Recurrence<'p> {
         (self.combination(&weights), change)
     }
 
-    /// The sum of the states, multiplied by weights that add up to one. The sum is an equilibrium: all states are equilibria under the same load, and
-    /// the conditions of equilibrium are linear while the events are the same.
+    /// The sum of the states, multiplied by weights that add up to one. The sum is an equilibrium, because all states are equilibria under the same
+    /// load. The conditions of equilibrium are linear while the events are the same.
     fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
@@ -153,7 +153,7 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state after `times` further cycles that repeat: in each of them gaps, slips and motion change by their difference from `from`, the state
+    /// This state after `times` further cycles that repeat. In each of them gaps, slips and motion change by their difference from `from`, the state
     /// one cycle before. Forces do not change.
     pub(super) fn after_repeats(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();

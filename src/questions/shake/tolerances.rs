@@ -1,15 +1,15 @@
-//! Limits of the change of forces and gaps in a cycle of a repeated load: for a cycle that repeats itself, and for a cycle near the limit of the
-//! cycles.
+//! Limits of the change of forces and gaps in a cycle of a repeated load. They tell whether a cycle repeats itself, and whether it is near the limit
+//! of the cycles.
 //!
 //! All changes are relative: forces to the largest contact force of the cycle, gaps to the stretch of the softest spring under this force.
 
-/// A cycle repeats itself if forces and gaps at its end differ from those at its beginning by at most this number, as they do because of rounding.
+/// A cycle repeats itself if forces and gaps at its end differ from those at its beginning by at most this number, which allows for rounding.
 ///
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift is taken as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
 
-/// If forces and gaps change per cycle by at most this relative number, the limit counts as near: all further cycles are expected to have the same
-/// events.
+/// If forces and gaps change per cycle by at most this relative number, the limit counts as near. All further cycles are then expected to have the
+/// same events.
 ///
 /// If smaller, more cycles would be followed before the limit is known. If larger, events before the limit is reached would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
@@ -17,8 +17,7 @@ pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 /// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
-/// In a cycle with jumps a contact is reported as sliding only if its slip exceeds this fraction of the largest displacement at a contact in one of
-/// these jumps.
+/// In a cycle with jumps a contact is reported as sliding only if its slip exceeds this fraction of the largest contact displacement in one jump.
 ///
 /// A jump (motion under constant load) starts a little beyond the loss of equilibrium. Its steps end a little before the object rests. This adds
 /// slips of some 1e-6 of the motion in the jump. If the fraction were smaller, these slips would be reported as sliding to and fro. If larger, true

@@ -1,9 +1,9 @@
 //! The direction in which the least force through a point makes a motion exceed its limit of small motions, while everything sticks.
 //!
-//! Let x be the force, and s the vector of a rotation, slip or opening that must not exceed its limit L. While everything sticks s is affine in x:
-//! `s = a + B x`, where a is its value under the base load. The shortest x with `|s| = L` satisfies `x = λ Bᵀs` with a multiplier λ. In the singular
+//! Let x be the force, and s the vector of a rotation, slip or opening that must not exceed its limit L. While everything sticks s is affine in x: `s
+//! = a + B x`, where a is its value under the base load. The shortest x with `|s| = L` satisfies `x = λ Bᵀs` with a multiplier λ. In the singular
 //! value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at 1/σ₁² (σ₁ is the
-//! largest σ), so that a bisection finds the λ with |s| = L.
+//! largest σ). A bisection therefore finds the λ with |s| = L.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 

@@ -11,7 +11,7 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastSqueeze<const C: usize> {
-    /// With the commands and vacuums of the grasp times this factor all contacts touch and stick under every load; with a smaller factor some contact
+    /// With the commands and vacuums of the grasp times this factor all contacts touch and stick under every load. With a smaller factor some contact
     /// does not stick under some load.
     #[non_exhaustive]
     Factor {

@@ -57,8 +57,8 @@ impl<const C: usize> Loads<C> {
     }
 }
 
-/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force` that acts at the point `at` in addition
-/// to the constant `load`.
+/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force`. The last acts at the point `at` in
+/// addition to the constant `load`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadFields<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,
@@ -85,7 +85,7 @@ impl<const C: usize> From<Loads<C>> for LoadFields<C> {
 }
 
 impl<const C: usize> Loads<C> {
-    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`; together with `any_force`, `load` may be
+    /// The [`Loads`] given by the fields of a question: exactly one of `load`, `loads` and `any_force`. Together with `any_force`, `load` may be
     /// given as the constant load.
     ///
     /// # Errors

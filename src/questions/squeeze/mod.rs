@@ -2,9 +2,8 @@
 //! without sampling.
 //!
 //! While all contacts stick, the contact forces are affine in the load and in the commands. Let F be the force of a contact (normal component first),
-//! and a the coefficients of a facet of its friction cone, so that the contact sticks if `a·F >= 0` for each facet. The round cone has a facet
-//! `a = (μ, -cos φ, -sin φ)` at every angle φ. Among the forces x of size at most r through a point, the one that lowers `a·F` most is then known for
-//! each facet,
+//! and a the coefficients of a facet of its friction cone. The contact sticks if `a·F >= 0` for each facet. The round cone has a facet `a = (μ, -cos
+//! φ, -sin φ)` at every angle φ. Among the forces x of size at most r through a point, the one that lowers `a·F` most is then known for each facet,
 //!
 //! ```text
 //! F(x) = F⁰ + A x,   |x| <= r:        min a·F = a·F⁰ - r |Aᵀa|

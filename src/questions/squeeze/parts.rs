@@ -9,7 +9,7 @@ use crate::grasp::{Motion, Wrench};
 use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed, tried};
 use crate::prelude::*;
 
-/// The condition `row·F >= 0` that keeps a contact sticking: F is the contact's force, a sum of several forces, and `row` the coefficients of one
+/// The condition `row·F >= 0` that keeps a contact sticking. F is the contact's force, a sum of several forces; `row` has the coefficients of one
 /// facet of its friction cone.
 pub(super) struct Condition {
     pub(super) row: SVector<f64, 3>,
@@ -86,9 +86,10 @@ impl<'l> ForceParts<'l> {
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact with the least margins `row·F` if commands and vacuums are multiplied by `factor`. For a list of loads there
-    /// is one condition under each load. For a force of any direction there is one for each facet of a polygonal cone and at most one for a round cone,
-    /// each under the force that is worst for it. For a turning load there is one condition at each angle where a margin is least.
+    /// The sticking conditions of a contact with the least margins `row·F` if commands and vacuums are multiplied by `factor`. For a list of loads
+    /// there is one condition under each load. For a force of any direction there is one for each facet of a polygonal cone, and at most one for a
+    /// round cone. Each is taken under the force that is worst for it. For a turning load there is one condition at each angle where a margin is
+    /// least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

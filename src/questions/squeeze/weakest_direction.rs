@@ -83,8 +83,8 @@ impl Engine {
     }
 }
 
-/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit, and the index, from 0, of this contact
-/// or drive (drives follow the contacts).
+/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit. `site` is the index, from 0, of this
+/// contact or drive (drives follow the contacts).
 struct LeastForce {
     size: f64,
     direction: SVector<f64, 3>,
@@ -92,8 +92,8 @@ struct LeastForce {
 }
 
 impl LeastForce {
-    /// Finds the least force that takes this contact to the edge of its cone, and keeps it if it is less than the least force so far. A round cone is
-    /// approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
+    /// Finds the least force that takes this contact to the edge of its cone. The force is kept if it is less than the least force so far. A round
+    /// cone is approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -118,9 +118,9 @@ impl LeastForce {
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
         // Each round with further planes lowers the force, with quadratic convergence. After this many rounds only rounding could change the force.
         for _ in 0..200 {
-            // The margin on the facet at angle φ of the round cone has a gradient a + b cos φ + c sin φ, with constant vectors a, b and c, with
-            // respect to the force at the point. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes this contact
-            // slide.
+            // Consider the gradient, with respect to the force at the point, of the margin on the facet at angle φ of the round cone. It is a + b cos
+            // φ + c sin φ, with constant vectors a, b and c. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes
+            // this contact slide.
             if size.is_infinite() {
                 return true;
             }

@@ -5,7 +5,7 @@
 //!
 //! Take a unit force along the normal at every contact, and seek forces in the cones that balance the sum of these unit forces (see
 //! `proofs/wrench_cone`). If no such forces exist, the wrench that remains unbalanced gives a motion along which no contact force does negative work.
-//! Otherwise the unit force and the force found are added at each contact, and the sums are projected onto forces that balance each other to the last
+//! Otherwise the unit force and the force found are added at each contact. The sums are projected onto forces that balance each other to the last
 //! digit. Closure is proved if the projected forces are inside the cones by more than rounding.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of

@@ -2,8 +2,8 @@
 //!
 //! Let G_i be the grasp map of contact i, W₀ the base load and W the load. The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some
 //! forces F_i in their cones and within the budget. The wrenches that contact forces can exert form a convex set. A plane that touches this set, with
-//! the set on one side, gives an upper bound of λ. A ray from inside the set towards the wrench that balances the load at this bound either ends in
-//! the set, or leaves it through a plane with a smaller bound.
+//! the set on one side, gives an upper bound of λ. Consider a ray from inside the set towards the wrench that balances the load at this bound. It
+//! ends in the set, or leaves it through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -126,7 +126,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
     if at_most <= SOLVED_ROUNDING * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: at_begin, motion };
     }
-    // The lower bound is a factor whose load was found to be balanced: the last factor tried, or else the upper bound reduced by ever larger
+    // The lower bound is a factor whose load was found to be balanced. It is the last factor tried, or else the upper bound reduced by ever larger
     // fractions.
     let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3].iter().filter_map(|part| {

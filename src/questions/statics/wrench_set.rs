@@ -1,9 +1,9 @@
 //! The set of wrenches of contact forces within a budget, known by its support points.
 //!
-//! The support point in the direction v is the wrench of the contact forces within the budget that do most work along v. At each contact this is the
-//! force in the friction cone that does most work along the displacement `u = G_iᵀv` of the contact, with its grasp map G_i. On the round cone this
-//! work is `u_n + μ |u_t|` per newton of normal force, with the normal and tangential components u_n and u_t. A contact whose force could only do
-//! negative work does not press.
+//! The support point in the direction v is the wrench of the contact forces within the budget that do most work along v. At each contact with grasp
+//! map G_i this is the force in the friction cone that does most work along the displacement `u = G_iᵀv`. On the round cone this work is `u_n + μ
+//! |u_t|` per newton of normal force, with the normal and tangential components u_n and u_t. A contact whose force could only do negative work does
+//! not press.
 
 use nalgebra::SVector;
 

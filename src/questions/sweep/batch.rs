@@ -45,7 +45,7 @@ pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
     batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
-/// The least factor of the commands with which each grasp of a batch holds every load of a list, for each of the lists:
+/// The least factor of the commands with which each grasp of a batch holds every load of a list, for each of the lists. It is
 /// [`Batch::least_squeezes_into`] on all cores. Answers are in the order of [`onsets_of_batch`].
 pub fn least_squeezes_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,

@@ -13,8 +13,8 @@ pub(super) enum UncertainDatum {
     /// A datum of the contact with this index, common to all points of a soft fingertip. [`ContactErrors`] are the errors of the contact's data if
     /// this datum is off by one σ.
     OfContact(usize, ContactErrors),
-    /// A datum of the joint or tendon with this index: the errors of the logarithms of its stiffness and of its squeeze if this datum is off by one
-    /// σ.
+    /// A datum of the joint or tendon with this index. The numbers are the errors of the logarithms of its stiffness and its squeeze if this datum is
+    /// off by one σ.
     OfPart(usize, [f64; 2]),
 }
 

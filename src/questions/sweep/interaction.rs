@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// If larger, more equilibria are computed for each load with reserve. If smaller, the estimate is less certain.
 const PROBES: usize = 8;
 
-/// The grasp whose data are uncertain, in fixed contact states (each contact sticks or is open): gives exact contact forces with several data in
+/// The grasp whose data are uncertain, in fixed contact states (each contact sticks or is open). It gives exact contact forces with several data in
 /// error at once.
 #[derive(Debug, Clone)]
 pub(super) struct PerturbedGrasp {
@@ -65,9 +65,9 @@ impl PerturbedGrasp {
         numbered(PROBES, &probe)
     }
 
-    /// For each facet of a contact, the joint effect of all data errors on the contact force: the exact change less the sum of the changes due to
-    /// single errors. It is taken at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an empty
-    /// list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
+    /// For each facet of a contact, the joint effect of all data errors on the contact force. This is the exact change less the sum of the changes
+    /// due to single errors, at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an empty list
+    /// without uncertain data. `probes` are those of [`Self::probes`] under the same load.
     pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),

@@ -5,8 +5,8 @@
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Here μ is the coefficient of friction, with the standard deviation σ of its logarithm, h the unit vector of the facet, and z the errors of the
-//! data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
+//! Here μ is the coefficient of friction, σ the standard deviation of its logarithm, and h the unit vector of the facet. The vector z has the errors
+//! of the data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
 //! errors. The [interaction](super::interaction) of several data is computed at the point of failure and added as a constant force.
 //!
 //! The reliability β is the length of the shortest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
@@ -65,8 +65,8 @@ pub(super) struct UncertainForce<'a> {
 /// The search for the point of failure of one facet, and its result. The memory is reused for one facet after the other.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
-    /// The present point z of the search, at its end the point of failure: errors in standard deviations, first of the data as in `changes`, then of
-    /// friction.
+    /// The present point z of the search, at its end the point of failure. Its entries are errors in standard deviations, first of the data as in
+    /// `changes`, then of friction.
     pub(super) fails_at: Vec<f64>,
     /// The point z before the last step of the search.
     from: Vec<f64>,
@@ -310,7 +310,7 @@ impl FacetMargin {
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// The reliability β of the facet, its distance from failure in standard deviations, with the sign of its margin for the data as given; infinite
+    /// The reliability β of the facet: its distance from failure in standard deviations, with the sign of its margin for the data as given. Infinite
     /// if no datum changes the margin.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability

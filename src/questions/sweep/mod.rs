@@ -1,6 +1,6 @@
 //! Asks the same question for many loads or grasps at once. Answers come in the order of the items and have the same bits for any number of threads.
-//! Also treats grasps with uncertain data: random samples of them, and the load up to which all contacts stick with a number of standard deviations
-//! in reserve.
+//! Also treats grasps with uncertain data. It draws random samples of them, and finds the load up to which all contacts stick with a number of
+//! standard deviations in reserve.
 //!
 //! Every item is computed independently by the same serial code. Threads (feature `parallel`, rayon's global pool) only share the items among them.
 //! Outside this module only the sums over very many contacts of one scene use threads; they give the same bits, too.

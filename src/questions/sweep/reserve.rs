@@ -11,7 +11,7 @@ use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
-/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve: they fail at most with the probability Φ(-s) of
+/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve. They fail at most with the probability Φ(-s) of
 /// the normal distribution. A load of any direction is added to one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {

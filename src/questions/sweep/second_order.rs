@@ -1,7 +1,7 @@
 //! The failure probability of a facet of a friction cone to second order in the errors of the data.
 //!
-//! Near the point of failure z the margin m is expanded to second order; g is its gradient, H its second derivative with respect to the data, and n =
-//! g / |g|. The failure probability is `Φ(-β)` times a factor, which is below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz,
+//! Near the point of failure z the margin m is expanded to second order. Let g be its gradient, H its second derivative with respect to the data, and
+//! n = g / |g|. The failure probability is `Φ(-β)` times a factor, which is below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz,
 //! Improvement of second-order reliability estimates by importance sampling, 1988)
 //!
 //! ```text
@@ -9,7 +9,7 @@
 //! ```
 //!
 //! H consists of a diagonal D, the row and column of friction, and the interactions C of each pair of other data. Without C, `det(A on the complement
-//! of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order in C, nᵀCn is enough: since C has no diagonal,
+//! of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order in C, nᵀCn is enough. Since C has no diagonal,
 //! its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ²
 //! |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This sum includes entries along n, which errs on the safe side.
 
@@ -20,9 +20,9 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability divided by `Φ(-β)`, for a margin whose gradient is stored at its point of failure and that is positive for the data as
-    /// given. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The argument of `joint` is
-    /// the factor on friction.
+    /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. Its gradient at the point of failure is
+    /// stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The argument of
+    /// `joint` is the factor on friction.
     pub(super) fn curved(
         &self,
         involves_friction: bool,
@@ -37,7 +37,8 @@ impl FacetMargin {
             _ => (0.0, 1.0),
         };
         let mut product = 1.0;
-        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ, with n and A as at the top of this file; b is the row of A that belongs to friction.
+        // Sums over the data of nᵢ²/Aᵢᵢ, nᵢ bᵢ/Aᵢᵢ and bᵢ²/Aᵢᵢ. Here n and A are as at the top of this file, and b is the row of A that belongs to
+        // friction.
         let (mut squares, mut mixed, mut of_friction) = (0.0, 0.0, 0.0);
         for ((coefficients, z), g) in self.parts.iter().zip(&self.linearised_at).zip(&self.gradient) {
             let [normal, other] =
@@ -98,8 +99,8 @@ mod tests {
         assert!(first_order < 0.9 * exact, "{first_order}");
     }
 
-    /// The friction force is 2 + z₁ + c z₂², linear in the error z₁ of one datum and quadratic in the error z₂ of another, in standard deviations;
-    /// its limit is 5. The margin is zero where `z₁ + c z₂² = 3`.
+    /// The friction force is 2 + z₁ + c z₂², with the errors z₁ and z₂ of two data in standard deviations. Its limit is 5. The margin is zero where
+    /// `z₁ + c z₂² = 3`.
     #[test]
     fn a_datum_curves_a_margin() {
         for curved in [-0.1, 0.05, 0.1] {

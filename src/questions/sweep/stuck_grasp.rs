@@ -1,5 +1,5 @@
-//! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
-//! full.
+//! A grasp in which all contacts stick under a base load. The file finds the probability that one of them stops sticking before a further load is
+//! applied in full.
 //!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. Thus, if all contacts stick under the base load
 //! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops
@@ -36,8 +36,8 @@ struct AddedLoad<'a> {
     factor: f64,
 }
 
-/// A grasp in which no contact slides under the base load, with contact forces for each source (commands, components of the load), and the failures
-/// of contacts that errors of the data may cause under the base load.
+/// A grasp in which no contact slides under the base load. It has the contact forces for each source (commands, components of the load). It also has
+/// the failures of contacts that errors of the data may cause under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,
@@ -67,9 +67,9 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
-    /// Computes the interactions of the errors of data, and the possible failures of contacts to stick, both under the base load. `source_forces` has
-    /// the contact forces, and their changes due to errors of the data, for each source: first for commands together with constant loads, then for
-    /// each component of the load.
+    /// Computes the interactions of the errors of data, and the possible failures of contacts to stick, both under the base load. `source_forces`
+    /// has, for each source, the contact forces and their changes due to errors of the data. The first source is commands together with constant
+    /// loads; then comes each component of the load.
     pub(super) fn new(
         off: PerturbedGrasp,
         edges: Vec<Edges>,

@@ -23,8 +23,8 @@ pub(super) const LEAST_CURVED: f64 = 0.1;
 /// If larger, reserves are smaller. If smaller, grasps may slide more often than allowed.
 pub(super) const NEGLECTED_SHARE: f64 = 0.25;
 
-/// If the failure probability of a facet or contact is below this fraction of the allowed one, neither interactions of data errors nor the
-/// correlation of this failure with others are computed.
+/// A failure of a facet or contact is rare if its probability is below this fraction of the allowed one. Then neither interactions of data errors nor
+/// its correlation with other failures are computed.
 ///
 /// If larger, reserves are smaller. If smaller, the search also computes failures that hardly matter.
 pub(super) const RARE_SHARE: f64 = 1e-3;

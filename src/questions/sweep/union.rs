@@ -41,7 +41,8 @@ impl Failures {
     /// If the failure is rarer than `rare`, its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
-        // A negative reliability means that the contact fails more often than not; then any bound is far above the allowed probability.
+        // Correlation matters little for rare failures. A negative reliability means that the contact fails more often than not; then any bound is
+        // far above the allowed probability.
         if probability < rare || !(0.0..1e3).contains(&reliability) {
             self.rare += probability;
             return;

@@ -127,7 +127,7 @@ pub fn spatial(random: &mut Random) -> Result<Scene<3>, Error> {
 pub type Quantity<const C: usize> =
     (fn(&Scene<C>) -> Need<C>, fn(&Scene<C>, f64) -> Result<Option<bool>, Error>);
 
-/// The squeeze of all fingers.
+/// The sought quantity squeeze: a factor on the commands and forces with which fingers press.
 pub fn squeeze<const C: usize>() -> Quantity<C> {
     (
         |scene| Need::squeeze(scene.load).on_top_of(scene.base),
@@ -135,7 +135,7 @@ pub fn squeeze<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// The coefficient of all fingers with friction.
+/// The sought quantity friction: the coefficient of all fingers that have friction.
 pub fn friction<const C: usize>() -> Quantity<C> {
     (
         |scene| Need::friction(scene.load).on_top_of(scene.base),
@@ -146,7 +146,7 @@ pub fn friction<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// A multiple of the load.
+/// The sought quantity load: a multiple of the applied load.
 pub fn load<const C: usize>() -> Quantity<C> {
     (
         |scene| Need::load(scene.load).on_top_of(scene.base),
@@ -154,7 +154,7 @@ pub fn load<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// A multiple of the load at rest.
+/// The sought quantity load at rest: a multiple of the constant base load.
 pub fn at_rest<const C: usize>() -> Quantity<C> {
     (
         |scene| Need::load_at_rest(scene.load).on_top_of(rest(scene)),
@@ -167,7 +167,7 @@ fn rest<const C: usize>(scene: &Scene<C>) -> Wrench<C> {
     if scene.base == Wrench::ZERO { scene.load * -0.5 } else { scene.base }
 }
 
-/// A displacement of the load, m.
+/// The sought quantity arm: a displacement of the load's line of action, m.
 pub fn arm<const C: usize>() -> Quantity<C> {
     (
         |scene| Need::arm(scene.load, metre(scene)).on_top_of(scene.base),
@@ -272,7 +272,8 @@ pub fn checked<const C: usize>(
     Ok(Checked { wrong, is_undecided, tried: count(&needed), times })
 }
 
-/// The easiest amount that an answer claims to suffice. Without a far end nothing is claimed of amounts beyond those tried.
+/// The end, farthest from the bound found, of the amounts that an answer claims to suffice. It is the end `until` if given, else the last amount
+/// tried, else there is no end.
 fn far_end(until: Option<&FarEnd>, tried: Option<TriedAmounts>, is_least: bool) -> f64 {
     let open = if is_least { f64::INFINITY } else { 0.0 };
     let last = tried.map_or(open, |tried| if is_least { tried.to } else { tried.from });

@@ -16,7 +16,7 @@ pub struct Known<const C: usize> {
     pub grasp: grasp_lcp::ask::Grasp<C>,
     /// The grasp from which the search starts.
     pub guess: grasp_lcp::ask::Grasp<C>,
-    /// Load that acts in addition.
+    /// Constant load that acts in addition to the load of each slip.
     pub base: grasp_lcp::grasp::Wrench<C>,
     /// Direction of the load of each slip.
     pub loads: Vec<grasp_lcp::grasp::Wrench<C>>,

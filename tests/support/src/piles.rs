@@ -109,7 +109,8 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
     Some(Pile { bodies, load, boxes, touches })
 }
 
-/// The row and column of the brick below half brick `half`, counted from the left of the wall, of row `row`. `None` above the ground.
+/// The brick (row, column) on which half brick number `half`, counted from the left of the wall, of row `row` rests. `None` if it rests on the
+/// ground.
 pub(crate) fn brick_below(rows: usize, row: usize, half: usize) -> Option<(usize, usize)> {
     let below = row.checked_sub(1)?;
     let column = half.checked_sub(below % 2)? / 2;

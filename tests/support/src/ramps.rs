@@ -108,7 +108,7 @@ impl Tally {
         }
     }
 
-    /// Asserts that so many answers of each kind were found, times the factor of samples.
+    /// Asserts that at least these numbers of answers of each kind were counted, times the factor `GRASP_LCP_SAMPLES`.
     pub fn assert_at_least(&self, slides: usize, opens: usize, never: usize) {
         println!("{self:?}");
         let met = [self.slides.get(), self.opens.get(), self.never.get()];

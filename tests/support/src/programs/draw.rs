@@ -125,7 +125,8 @@ fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -
         });
         let load = SVector::from_fn(|a, _| most * x[a] * if a < C { 1.0 } else { 0.6 });
         let goal = Goal { load, commands: commands.collect(), turn: None };
-        // By the size of x[5] a leg changes only the load (0.3), only commands (0.2), returns to goal 0 (0.2), or changes both.
+        // The random number |x[5]| decides whether a leg changes only the load (probability 0.3), only commands (0.2), returns to the start (0.2), or
+        // changes both.
         goals.push(match (j, x[5].abs()) {
             (1.., ..0.3) => Goal {
                 commands: goals.last().map_or(goal.commands, |g: &Goal<D, C>| g.commands.clone()),

@@ -145,7 +145,7 @@ pub fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    /// The grasp with the commands of goal 0.
+    /// The grasp with the commands at the start of the load program (goal 0).
     pub fn grasp(&self) -> Grasp<C> {
         let contacts = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, command)| {
             let contact = Contact::new(spot.point, spot.frame.column(0).into_owned());
@@ -164,12 +164,12 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         Grasp::new(contacts).expect("a valid scene")
     }
 
-    /// The load of goal 0.
+    /// The load at the start of the load program (goal 0).
     pub fn start(&self) -> Wrench<C> {
         Wrench::from_components(self.goals[0].load.as_slice())
     }
 
-    /// The legs to the goals after goal 0.
+    /// The legs of the load program, one to each goal (load and commands) after goal 0, the start.
     pub fn legs(&self) -> Vec<Leg<C>> {
         let to = |goal: &Goal<D, C>| {
             if let Some(Swing { cosine, sine, angle }) = &goal.turn {
