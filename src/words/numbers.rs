@@ -13,6 +13,11 @@ use crate::prelude::*;
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
+/// A number that exceeds a decimal by less than this fraction is not rounded up to the next one, nor one that is less by it down.
+///
+/// If smaller, an exact 4 N that was computed as 4.00000001 N is written as 4.00001 N. If larger, a written limit exceeds the computed one by more.
+const ROUNDING: f64 = 1e-8;
+
 /// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
@@ -31,11 +36,20 @@ pub struct Words {
     space: Space,
     /// Unit of lengths, points and arms; in metres short lengths are written in mm.
     unit: Unit,
+    rounding: Rounding,
+}
+
+/// The direction in which a number is rounded to its digits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rounding {
+    Nearest,
+    Up,
+    Down,
 }
 
 impl Default for Words {
     fn default() -> Self {
-        Self { digits: DEFAULT_DIGITS, space: Space::Spatial, unit: Unit::Metre }
+        Self { digits: DEFAULT_DIGITS, space: Space::Spatial, unit: Unit::Metre, rounding: Rounding::Nearest }
     }
 }
 
@@ -62,6 +76,27 @@ impl Words {
     /// The same format with this many significant digits. Fewer than 1 count as 1, more than 17 as 17.
     pub(crate) fn rounded_to(self, digits: usize) -> Self {
         Self { digits: Self::with_digits(digits).digits, ..self }
+    }
+
+    /// The same format with numbers rounded up, for needed amounts: the amount in words suffices, too.
+    pub(crate) fn upwards(self) -> Self {
+        Self { rounding: Rounding::Up, ..self }
+    }
+
+    /// The same format with numbers rounded down, for limits: the limit in words is held, too.
+    pub(crate) fn downwards(self) -> Self {
+        Self { rounding: Rounding::Down, ..self }
+    }
+
+    /// The number `x`, moved by almost half of its last digit, so that its nearest decimal is `x` rounded in the direction of this format.
+    fn directed(self, x: f64, magnitude: f64) -> f64 {
+        let half_of_last_digit = 0.5 * 10.0_f64.powf(magnitude + 1.0 - self.digits as f64);
+        let moved = (half_of_last_digit - ROUNDING * x.abs()).max(0.0);
+        match self.rounding {
+            Rounding::Nearest => x,
+            Rounding::Up => x + moved,
+            Rounding::Down => x - moved,
+        }
     }
 
     /// The same format for vectors of the plane or of space.
@@ -100,6 +135,7 @@ impl Words {
             return "0".to_owned();
         }
         let magnitude = x.abs().log10().floor();
+        let x = self.directed(x, magnitude);
         if !(-4.0..9.0).contains(&magnitude) {
             let text = format!("{x:.*e}", self.digits - 1);
             let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

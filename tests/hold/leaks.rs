@@ -31,7 +31,7 @@ fn a_load_is_held_up_to_the_first_open_point() -> Result<(), Error> {
         assert!((verdict.held_to * part - 1.0).abs() < 1e-9, "{verdict}");
         let lost = verdict.lost.as_ref().expect("air flows in");
         assert!(matches!(&lost.too_far, Some(TooFar::Leaks { cup }) if cup.points >= 1), "{verdict}");
-        assert_eq!(verdict.to_string().starts_with("LEAKS at 39.2308 N of "), leaks, "{verdict}");
+        assert_eq!(verdict.to_string().starts_with("LEAKS at 39.2307 N of "), leaks, "{verdict}");
         assert_eq!(
             verdict.to_string().contains(" until cup leaks, as cup (1 of 12 points) opens"),
             !leaks,

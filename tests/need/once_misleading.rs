@@ -60,8 +60,11 @@ fn no_direction_between_samples_is_lost() -> Tested {
     let needed = scene(16.7185)?.need(&Need::squeeze(any).if_lower_by(0.0, 0.0).with_scan(0))?;
     let least = needed.amount.bound().expect("some does");
     // At rest without a load no contact presses, so that the answer names only the force to enter.
-    let entered = grasp_lcp::words::Words::default().number(16.7185 * least);
-    assert!(needed.to_string().contains(&format!("(`pressed_with` {entered} N at c2)")), "{needed}");
+    let words = needed.to_string();
+    let (_, entered) = words.split_once("(`pressed_with` ").expect("names the force to enter");
+    let entered: f64 = entered.split_once(" N at c2)").expect("names c2").0.parse().expect("a number");
+    // The number in words is rounded up, so that it suffices.
+    assert!(entered >= 16.7185 * least && entered <= 16.7185 * least + 1e-6, "{words}");
     for (press, holds) in [(1.0001 * least, true), (0.8 * least, false)] {
         let grasp = scene(16.7185 * press)?;
         let mut all = true;
@@ -112,7 +115,9 @@ fn the_number_to_enter() -> Tested {
     // The springs of both jaws are in series, which leaves a quarter of the left jaw's force: 4 N at each contact for 16 N.
     let words = needed.to_string();
     assert!(
-        words.starts_with("NEEDS 4 N at left (`pressed_with` 16 N, 0.4 times the squeeze given) so that"),
+        words.starts_with(
+            "NEEDS 4 N at left (`pressed_with` 16 N, 0.4 times the squeeze given), at most 44.999"
+        ),
         "{words}"
     );
     for (press, holds) in [(16.0 * (1.0 + 1e-9), true), (16.0 * (1.0 - 1e-9), false)] {
@@ -238,6 +243,36 @@ fn a_wedge_with_more_friction_than_in_the_scene_is_tried() -> Tested {
         let Amount::Bound { until: Some(end), .. } = &needed.amount else { panic!("{friction} {needed}") };
         assert_eq!(grasp(0.999 * end.sufficient)?.hold(load)?.holds(), Some(true), "{friction} {needed}");
         assert_eq!(grasp(1.001 * end.insufficient)?.hold(load)?.holds(), Some(false), "{friction} {needed}");
+    }
+    Ok(())
+}
+
+/// A least amount is rounded up in words, a greatest down, so that the number in words suffices with any number of digits. By statics two jaws that
+/// press with 10 N carry 20 N times their friction.
+#[test]
+fn the_number_in_words_suffices() -> Tested {
+    let grasp = |friction: f64| {
+        let jaw =
+            |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e4, 2e4).friction(friction);
+        planar::Grasp::new([jaw(-0.03).pressed_with(10.0), jaw(0.03).pressed_with(10.0)])
+    };
+    let load = |force: f64| planar::Wrench::force([0.0, -force]);
+    for force in [6.6, 20.0 / 3.0, 9.99] {
+        let needed = grasp(0.9)?.need(&Need::friction(load(force)).if_lower_by(0.0, 0.0))?;
+        let friction = 0.05 * force;
+        let verdict = grasp(friction)?.hold(load(0.7 * force))?;
+        for digits in 1..8 {
+            let unit = 10.0_f64.powi(1 - digits);
+            let digits = usize::try_from(digits)?;
+            let words = format!("{needed:.digits$}");
+            let amount = words.strip_prefix("NEEDS a coefficient of friction of ").expect("a least friction");
+            let amount: f64 = amount.split([' ', ',']).next().expect("a number").parse()?;
+            assert!(amount >= friction * (1.0 - 1e-8) && amount < friction + unit, "{words}");
+            let words = format!("{verdict:.digits$}");
+            let (_, limit) = words.split_once("sticks: ").expect("the limit");
+            let limit: f64 = limit.split(' ').next().expect("a number").parse()?;
+            assert!(limit <= force * (1.0 + 1e-8) && limit > force - 10.0 * unit, "{words}");
+        }
     }
     Ok(())
 }

@@ -59,7 +59,7 @@ fn at_both_ends() -> Tested {
             "{needed}"
         );
     }
-    assert!(needed.to_string().contains("if friction is 20 % less: 9.69084 N to 42.9207 N"), "{needed}");
+    assert!(needed.to_string().contains("if friction is 20 % less: 9.69084 N to 42.9206 N"), "{needed}");
     Ok(())
 }
 

@@ -171,12 +171,8 @@ impl<const C: usize> Verdict<C> {
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
         let is_at_rest = lost.factor <= NEGLIGIBLE;
         let at = if is_at_rest { "rest already".to_owned() } else { self.part(lost.factor, words) };
-        if let TooFar::Leaks { .. } = far {
-            return write!(f, "{} at {at}: {}", lost.verb(words), far.caution(words));
-        }
-        if *far == TooFar::Buckles {
-            let what = "as the forces turn with the parts they act on, they take all that resists";
-            return write!(f, "{} at {at}: {what}", lost.verb(words));
+        if !far.is_motion() {
+            return write!(f, "{} at {at}: {}", lost.verb(words), far.reason(words));
         }
         if is_at_rest {
             return write!(f, "GOES TOO FAR at {at}: {far:.digits$}{NO_LONGER_SMALL}");
@@ -259,6 +255,7 @@ impl<const C: usize> Verdict<C> {
 
     /// A multiple of the load, in newtons or newton metres first if it is a single force or moment: "8 N (1.6 times this load)".
     fn times(&self, factor: f64, of: &str, words: Words) -> String {
+        let words = words.downwards();
         let times = format!("{} times{of}", words.number(factor));
         match self.load.measure() {
             Some((size, unit)) => format!("{} {unit} ({times})", words.number(size * factor)),
@@ -284,6 +281,7 @@ impl<const C: usize> Verdict<C> {
 
 /// The load factor times the magnitude of a load, with its unit: "7.5 N", or "0.5 of it" for a load that no single number describes.
 pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) -> String {
+    let words = words.downwards();
     match size {
         Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
         None => format!("{} of it", words.number(factor)),

@@ -2,25 +2,35 @@
 
 use super::answer::{Needed, PressedBy, Quantity};
 use super::press::{self, ContactPress};
-use crate::numerics::Each;
 use crate::prelude::*;
 use crate::words::{Words, printable};
 
 impl Needed {
-    /// An interval of amounts as text: "0.1 to 3 times the load".
+    /// The format of a least or greatest sufficient amount, which rounds to its sufficient side.
+    pub(super) fn of_bound(&self, words: Words) -> Words {
+        if self.quantity.is_least() { words.upwards() } else { words.downwards() }
+    }
+
+    /// The format of the far end of sufficient amounts, which rounds to its sufficient side.
+    pub(super) fn of_far_end(&self, words: Words) -> Words {
+        if self.quantity.is_least() { words.downwards() } else { words.upwards() }
+    }
+
+    /// An interval of amounts as text: "0.1 to 3 times the load". Both ends are rounded inwards.
     pub(super) fn range(&self, words: Words, from: f64, to: f64) -> String {
-        let [low, high] = [from, to].each(|amount| words.number(amount));
+        let (above, below) = (words.upwards(), words.downwards());
+        let [low, high] = [above.number(from), below.number(to)];
         match self.quantity {
-            Quantity::Squeeze => format!("{low} to {}", self.times_squeeze(words, to)),
+            Quantity::Squeeze => format!("{low} to {}", self.times_squeeze(below, to)),
             Quantity::Friction => format!("{low} to {high}"),
             Quantity::Load => format!("{low} to {high} times the load"),
-            Quantity::Arm => format!("{} to {}", words.reach(from), words.reach(to)),
-            Quantity::Angle => format!("{} to {}", words.angle(from), words.angle(to)),
+            Quantity::Arm => format!("{} to {}", above.reach(from), below.reach(to)),
+            Quantity::Angle => format!("{} to {}", above.angle(from), below.angle(to)),
             Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
                 Some((size, unit)) => format!(
                     "{} to {} {unit}{}",
-                    words.number(size * from),
-                    words.number(size * to),
+                    above.number(size * from),
+                    below.number(size * to),
                     self.at()
                 ),
                 None => format!("{low} to {high} times the load given{}", self.at()),

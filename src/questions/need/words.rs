@@ -101,7 +101,7 @@ impl Needed {
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }
-        let much = self.amount_text(words, *sufficient, presses);
+        let much = self.amount_text(self.of_bound(words), *sufficient, presses);
         let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
         match until {
             Some(end) if ends_small_motions => {
@@ -151,8 +151,10 @@ impl Needed {
             let least = self.amount_text(words, roughly(to, true), &[]);
             write!(f, "NEEDS none{}: {aim} down to {least}", most.unwrap_or_default())?;
         } else if let Some(end) = until {
-            let [much, to] =
-                [self.amount_text(words, end.sufficient, &[]), self.short(words, roughly(to, false), &[])];
+            let [much, to] = [
+                self.amount_text(words.upwards(), end.sufficient, &[]),
+                self.short(words, roughly(to, false), &[]),
+            ];
             write!(f, "TAKES {much} and more: it holds up to {to}")?;
         } else {
             let amount = if self.quantity == Quantity::Angle { to } else { roughly(to, false) };
@@ -211,11 +213,11 @@ impl Needed {
         let (words, mut mentioned) = (Words::of(f), 0);
         for window in elsewhere {
             mentioned += [window.from, window.to].iter().flatten().count();
-            let much = |amount: f64| self.amount_text(words, amount, &[]);
+            let much = |words: Words, amount: f64| self.amount_text(words, amount, &[]);
             let range = match (window.from, window.to) {
                 (Some(from), Some(to)) => self.range(words, from, to),
-                (Some(one), None) => format!("{} and more", much(one)),
-                (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
+                (Some(one), None) => format!("{} and more", much(words.upwards(), one)),
+                (None, one) => format!("{} and less", much(words.downwards(), one.unwrap_or(0.0))),
             };
             write!(f, "{LINE}{range} would do, too")?;
         }
@@ -235,7 +237,7 @@ impl Needed {
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let more = if self.quantity.is_least() { "more" } else { "less" };
-        let much = self.amount_text(Words::of(f), end.sufficient, &end.presses);
+        let much = self.amount_text(self.of_far_end(Words::of(f)), end.sufficient, &end.presses);
         write!(f, "{LINE}with {more} than {}: {}", much.trim_end_matches(','), end.otherwise)?;
         let limit = at_limit(&end.at_their_limit);
         limit.map_or(Ok(()), |limit| write!(f, "{LINE}there, at rest, {limit}"))
@@ -281,11 +283,10 @@ impl Needed {
     /// N".
     fn interval_text(&self, words: Words, near: (f64, &[ContactPress]), until: Option<&FarEnd>) -> String {
         match until {
-            None => self.short(words, near.0, near.1),
+            None => self.short(self.of_bound(words), near.0, near.1),
             Some(end) if self.quantity.is_least() => {
-                let ends = [near, (end.sufficient, &end.presses)];
-                let [from, to] = ends.map(|(amount, presses)| self.short(words, amount, presses));
-                format!("{from} to {to}")
+                let from = self.short(words.upwards(), near.0, near.1);
+                format!("{from} to {}", self.short(words.downwards(), end.sufficient, &end.presses))
             }
             Some(end) => self.range(words, end.sufficient, near.0),
         }
@@ -295,7 +296,7 @@ impl Needed {
     fn at_most(&self, words: Words, end: &FarEnd) -> String {
         let is_multiple = matches!(self.quantity, Quantity::Squeeze | Quantity::Force);
         let beside = if is_multiple && end.sufficient < 1.0 { ", less than is given" } else { "" };
-        self.short(words, end.sufficient, &end.presses) + beside
+        self.short(words.downwards(), end.sufficient, &end.presses) + beside
     }
 
     /// Writes the far end of the amounts with which nothing slides, unless the amounts with which the object is held end before it.
@@ -313,7 +314,7 @@ impl Needed {
         };
         let Some(end) = end.filter(|end| !is_beyond(end)) else { return Ok(()) };
         let to = if is_least { "up to" } else { "from" };
-        write!(f, " {to} {}", self.short(Words::of(f), end.sufficient, &end.presses))
+        write!(f, " {to} {}", self.short(self.of_far_end(Words::of(f)), end.sufficient, &end.presses))
     }
 
     /// Whether an arm is bounded only by the limit of small motions, so that with a longer arm the object is held, too, but moves too far.
@@ -324,8 +325,8 @@ impl Needed {
     /// The interval from `until` to `sufficient` as text: "from an arm of 0.25 m on (small motions: up to 54 m)".
     fn in_small_motions(&self, words: Words, until: &FarEnd, sufficient: f64) -> String {
         let [from, to] = [
-            self.amount_text(words, until.sufficient, &[]),
-            self.short(words.rounded_to(2), sufficient, &[]),
+            self.amount_text(words.upwards(), until.sufficient, &[]),
+            self.short(words.rounded_to(2).downwards(), sufficient, &[]),
         ];
         format!("from {from} on (small motions: up to {to})")
     }
@@ -357,10 +358,10 @@ impl Needed {
                     (Some(one), Some(other))
                         if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != sufficient =>
                     {
-                        format!("{} times that command", words.number(safe / sufficient))
+                        format!("{} times that command", self.of_bound(words).number(safe / sufficient))
                     }
                     (None, _) if !presses.is_empty() => {
-                        format!("{} times as much", words.number(safe / sufficient))
+                        format!("{} times as much", self.of_bound(words).number(safe / sufficient))
                     }
                     _ => self.interval_text(words, (*safe, safe_presses), until.as_ref()),
                 };
