@@ -35,7 +35,7 @@
 //!
 //! ```text
 //! $ grasp-lcp shake tool.json --base 0,-5.886 --at=-0.05,0 --force 45,0 --force=-45,0
-//! SLIDES TO AND FRO: index slides by up to 3.49266 mm in every cycle, which takes 0.0230909 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it. CAUTION: index slips by more than 2.5 mm: results for small motions no longer apply
+//! GOES TOO FAR: index slips by more than 2.5 mm: results for small motions no longer apply. Otherwise SLIDES TO AND FRO: index slides by up to 3.49266 mm in every cycle, which takes 0.0230909 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
 //! # A milling cutter pushes one way and the other. Does the part creep out of its fixture?

@@ -1,4 +1,4 @@
-//! Contacts that slide at loads that differ by rounding alone are named together.
+//! The first slip of a verdict names all contacts that slide at loads that differ by rounding alone, and drives that give way at rest.
 
 use std::error::Error;
 
@@ -30,5 +30,14 @@ fn both_sides_slide_from_the_start() -> Result<(), Box<dyn Error>> {
 fn both_fingers_slide_at_the_same_load() -> Result<(), Box<dyn Error>> {
     let verdict = held(include_str!("scenes/tendon_hand.json"), -5.0)?;
     assert_eq!(first(&verdict), ["Lp", "Rp"], "{verdict}");
+    Ok(())
+}
+
+/// Two joints that press against each other with 0.5 N m. The clutch of one slips at 0.3 N m.
+#[test]
+fn a_clutch_slips_at_rest() -> Result<(), Box<dyn Error>> {
+    let verdict = held(include_str!("scenes/clutch_slips_at_rest.json"), -1.0)?;
+    assert_eq!(verdict.first_slip.as_ref().expect("the clutch slips").give_way, ["clutch"]);
+    assert!(verdict.to_string().starts_with("HOLDS, but clutch gives way from the start"), "{verdict}");
     Ok(())
 }

@@ -296,3 +296,17 @@ fn a_stack_that_is_wider_than_high() {
     assert_eq!(warnings(&on(1.5)), []);
     assert!(matches!(warnings(&on(1200.0))[..], [Warning::ManyMetres { length: 1200.0, .. }]));
 }
+
+/// Springs of 10 kN/m on arms of 0.04 m resist turning with 32 N m, of which the jaws take 0.08 m times the force with which they press: from 400 N on
+/// they buckle, whatever load acts then. A question that says so itself needs no warning.
+#[test]
+fn jaws_that_buckle_at_rest() {
+    let onset =
+        (r#"{"hold": {"load": {"force": [0, -1]}}}"#, r#"{"onset": {"direction": {"force": [0, -1]}}}"#);
+    let pressed = |force: &str| (r#""pressed_with": 8"#, format!(r#""pressed_with": {force}"#));
+    let [(from, light), (_, hard)] = ["396", "404"].map(pressed);
+    assert_eq!(one(&[(from, &hard), onset]), Warning::BucklesAtRest);
+    let text = |to: &str| JAWS.replace(from, to);
+    assert_eq!(warnings(&text(&light).replace(onset.0, onset.1)), []);
+    assert_eq!(warnings(&text(&hard)), []);
+}

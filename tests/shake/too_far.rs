@@ -19,7 +19,8 @@ fn jaws_that_open_too_far_in_every_cycle_are_named() {
     assert_eq!(shaken(23.0).too_far, None, "{}", shaken(23.0));
     let far = shaken(25.0);
     assert!(
-        far.rests() == Some(true) && far.to_string().contains("CAUTION: left opens by more than 4 mm"),
+        far.rests() == Some(true)
+            && far.to_string().starts_with("GOES TOO FAR: left opens by more than 4 mm"),
         "{far}"
     );
 }

@@ -73,6 +73,9 @@ pub enum TooFar {
 /// The sentence for a suction cup whose lip is open at some of its points.
 pub(crate) const AIR_FLOWS_IN: &str = "air flows in where the lip opens";
 
+/// The sentence for a grasp that buckles.
+const TAKES_ALL: &str = "as the forces turn with the parts they act on, they take all that resists";
+
 /// Writes the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -94,6 +97,12 @@ impl TooFar {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
 
+    /// The reason after a [verb](crate::hold::LossVerb), such as "BUCKLES: ": for buckling the forces that take the resistance, else the caution.
+    #[must_use]
+    pub fn reason(&self, words: Words) -> String {
+        if *self == Self::Buckles { TAKES_ALL.to_owned() } else { self.caution(words) }
+    }
+
     /// The caution for answers beyond small motions: "left slips by more than 4 mm: results for small motions no longer apply".
     #[must_use]
     pub fn caution(&self, words: Words) -> String {
@@ -101,7 +110,9 @@ impl TooFar {
         if let Self::Leaks { cup } = self {
             return format!("{AIR_FLOWS_IN}, at {}", listed(slice::from_ref(cup)));
         }
-        format!("{self:.digits$}: results for small motions no longer apply")
+        let why =
+            if *self == Self::Buckles { TAKES_ALL } else { "results for small motions no longer apply" };
+        format!("{self:.digits$}: {why}")
     }
 
     /// The motion beyond its limit, with a verb, without the name of the body or contact: "turns by more than 5.7°". Limits have two significant

@@ -119,7 +119,7 @@ impl<const C: usize> fmt::Display for Beyond<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).precision();
         match self {
-            Self::Continues(_) => f.write_str("the grasp holds on"),
+            Self::Continues(_) => f.write_str("the grasp still holds at first"),
             Self::LimitLoad => f.write_str("no equilibrium; it is the limit load"),
             Self::Snap => f.write_str("another equilibrium; the grasp snaps over or is lost"),
             Self::Ends { reason } => {

@@ -70,8 +70,9 @@ pub(super) fn caution<'w, const C: usize>(
     state: Option<&Equilibrium<C>>,
     mut said: impl Iterator<Item = &'w str>,
 ) -> Option<String> {
-    let caution = state?.caution(Words::default())?;
-    (!said.any(|sentence| sentence.contains(&caution))).then(|| format!("CAUTION: {caution}"))
+    let (far, words) = (state?.too_far.as_ref()?, Words::default());
+    let reason = far.reason(words);
+    (!said.any(|sentence| sentence.contains(&reason))).then(|| format!("CAUTION: {}", far.caution(words)))
 }
 
 /// A name shortened to at most `letters` letters.

@@ -8,7 +8,7 @@ use super::suspicious_numbers::applied_loads;
 use super::tolerances::OTHERWISE_PRESSED;
 use super::warning::Warning;
 use crate::ask::Grasp;
-use crate::equilibrium::Outcome;
+use crate::equilibrium::{Outcome, TooFar};
 use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
@@ -65,6 +65,24 @@ impl Setup<3> {
             points.iter().any(|point| point.hold != Hold::Unilateral || presses(point.normal.as_slice()))
         };
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
+    }
+
+    /// The warning that the grasp buckles at rest, if the scene has a question whose answer does not say so itself.
+    pub(super) fn buckles_at_rest(&self, grasp: &Grasp<3>) -> Result<Option<Warning>, Error> {
+        for question in &self.questions {
+            let says_itself =
+                matches!(question, Question::Hold { .. } | Question::Need(_) | Question::Follow { .. });
+            let base = at_rest(question);
+            if says_itself || !grasp.engine.may_buckle(&base) {
+                continue;
+            }
+            let grasp = self.grasp_of(grasp, question)?;
+            let Ok(Outcome::Equilibrium(state)) = grasp.solve(&base) else { continue };
+            if state.too_far == Some(TooFar::Buckles) {
+                return Ok(Some(Warning::BucklesAtRest));
+            }
+        }
+        Ok(None)
     }
 
     /// Warnings about contacts and links whose force at rest differs from the force that the scene states. At rest means without load, or under the

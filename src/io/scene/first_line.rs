@@ -7,7 +7,7 @@ use super::question::Question;
 use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
-use crate::hold::NO_MOMENTUM;
+use crate::hold::{LossVerb, NO_MOMENTUM};
 use crate::load_path::{Change, DriveChange, Event, PadChange};
 use crate::numerics::{IntoList, mapped};
 use crate::words::{Words, listed, printable};
@@ -102,7 +102,7 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     let digits = words.precision();
     let sentence = match &answer.outcome {
         Outcome::Equilibrium(state) => {
-            format!("EQUILIBRIUM{under}: {}{}", in_short(state), caution(state, words))
+            after_caution(state, words, format!("EQUILIBRIUM{under}: {}", in_short(state)))
         }
         Outcome::NoEquilibrium(none) => format!("NO EQUILIBRIUM{under}: {none:.digits$}"),
         Outcome::Undecided(undecided) => format!("UNDECIDED{under}: {undecided}"),
@@ -119,9 +119,12 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// The caution for an equilibrium with motions that are not small, or that buckles: ". CAUTION: it turns by more than 5.7°: …"; else empty.
-fn caution<const C: usize>(state: &Equilibrium<C>, words: Words) -> String {
-    state.caution(words).map_or(String::new(), |far| format!(". CAUTION: {far}"))
+/// A sentence about an equilibrium, after a caution if its motions are not small or it buckles: "BUCKLES: it buckles: …. Otherwise EQUILIBRIUM".
+fn after_caution<const C: usize>(state: &Equilibrium<C>, words: Words, sentence: String) -> String {
+    match &state.too_far {
+        Some(far) => format!("{}: {}. Otherwise {sentence}", LossVerb::from(far), far.reason(words)),
+        None => sentence,
+    }
 }
 
 const EVERYTHING_STICKS: &str = "everything sticks";
@@ -168,7 +171,7 @@ fn sliding<const C: usize>(state: &Equilibrium<C>) -> Vec<String> {
     state.whole_contacts().filter(slides).map(|contact| contact.text()).list()
 }
 
-/// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp holds on".
+/// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp still holds at first".
 fn first_slip<const C: usize, At>(
     onset: &OnsetAnswer<C, At>,
     place: &dyn Fn(&At) -> String,
@@ -180,11 +183,13 @@ fn first_slip<const C: usize, At>(
         OnsetAnswer::At(event) => {
             let (what, leaves) = leaving(event, words);
             let (at, beyond) = (place(&event.at), &event.beyond);
-            format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}{}", caution(&event.state, words))
+            let sentence = format!("{what} at {at}: {leaves}; beyond: {beyond:.digits$}");
+            after_caution(&event.state, words, sentence)
         }
         OnsetAnswer::Never => format!("NOTHING SLIDES {how_far}"),
         OnsetAnswer::AlreadySliding { state } => {
-            format!("SLIDES already where the load begins: {}{}", in_short(state), caution(state, words))
+            let sentence = format!("SLIDES already where the load begins: {}", in_short(state));
+            after_caution(state, words, sentence)
         }
         OnsetAnswer::NoBase(none) => format!("NO EQUILIBRIUM where the load begins: {none:.digits$}"),
         OnsetAnswer::GivesWay { at, reason } => {
@@ -298,8 +303,9 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     };
     match &path.small_motions_end {
         Some(far) => {
-            let (fraction, what) = (words.number(far.fraction), far.what.caution(words));
-            format!("{sentence}. CAUTION: from {fraction} of leg {} on {what}", far.leg)
+            let (fraction, what) = (words.number(far.fraction), far.what.reason(words));
+            let verb = LossVerb::from(&far.what);
+            format!("{verb} from {fraction} of leg {} on: {what}. Otherwise {sentence}", far.leg)
         }
         None => sentence,
     }

@@ -28,6 +28,9 @@ pub enum Warning {
     NothingPresses,
     /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact against the object.
     NoGravity,
+    /// The grasp buckles at rest: as the forces turn with the parts they act on, they take more than the springs resist. Answers for small motions do
+    /// not apply. `hold`, `need` and `follow` say so in their first line.
+    BucklesAtRest,
     /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of the contact's springs before
     /// the object moves.
     PressesOtherwise {
@@ -230,6 +233,7 @@ impl Setup<3> {
             let weighs_nothing = self.gravity.is_none() && self.bodies.iter().any(|body| body.mass > 0.0);
             warnings.push(if weighs_nothing { Warning::NoGravity } else { Warning::NothingPresses });
         }
+        warnings.extend(self.buckles_at_rest(&grasp)?);
         warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());
         Ok(warnings)

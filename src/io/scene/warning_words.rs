@@ -18,6 +18,9 @@ impl fmt::Display for Warning {
             Self::NothingPresses => f.write_str(
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
             ),
+            Self::BucklesAtRest => f.write_str(
+                "BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists; answers for small motions do not apply",
+            ),
             Self::NoGravity => f.write_str(
                 "bodies have a `mass`, but the scene has no `gravity`: nothing weighs, and nothing else presses",
             ),

@@ -1,11 +1,11 @@
 //! The first slip of a verdict: all contacts that leave their states at the least load factor, up to rounding. The load factor is the multiple of the
 //! growing load that acts; 1 is the whole load.
 
-use crate::equilibrium::{ContactState, Equilibrium};
-use crate::grasp::Engine;
+use crate::equilibrium::{ContactState, DriveState, Equilibrium};
+use crate::grasp::{Engine, PartLabel};
 use crate::load_path::{Change, ContactChange, DepartingContact, Departure, Event, LoadPath, Onset};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, mapped, picked};
 use crate::prelude::*;
 
 use super::verdict::FirstSlip;
@@ -62,11 +62,19 @@ impl Engine {
                 slide: parts.with(&|i| slides_in(i, state) || slides_at_once(i)),
                 open: Vec::new(),
                 would_pull: Vec::new(),
-                give_way: Vec::new(),
+                give_way: yielding(state),
             }),
             _ => None,
         }
     }
+}
+
+/// The names of the joints and tendons whose drives give way in an equilibrium.
+fn yielding(state: &Equilibrium<3>) -> Vec<String> {
+    let name = |part: &PartLabel, drive: DriveState| (drive == DriveState::Yields).then(|| part.text());
+    let mut names = picked(&state.joints, &|joint| name(&joint.joint, joint.state));
+    names.extend(picked(&state.tendons, &|tendon| name(&tendon.tendon, tendon.state)));
+    names
 }
 
 /// The equilibrium at rest, if a contact slides there already or slips as soon as the load grows; otherwise `None`.

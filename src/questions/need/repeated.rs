@@ -26,7 +26,7 @@ impl Loading {
         let sufficient = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         // Motions beyond the limit of small motions prove neither rest nor that the object stays.
         if let Some(far) = shaken.too_far.as_ref().filter(|_| sufficient == Some(true)) {
-            let says = format!("{} in a cycle: {}", LossVerb::from(far), far.caution(self.words));
+            let says = format!("{} in a cycle: {}", LossVerb::from(far), far.reason(self.words));
             return Ok(Trial::insufficient(says, carried(&shaken, legs.len())));
         }
         Ok(match sufficient {

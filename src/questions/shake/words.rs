@@ -7,7 +7,7 @@ use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
 use crate::equilibrium::{AIR_FLOWS_IN, TooFar};
 use crate::grasp::{BodyMotion, PartLabel, WholeContact};
-use crate::hold::subject_and_verb;
+use crate::hold::{LossVerb, subject_and_verb};
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -22,18 +22,20 @@ impl<const C: usize> fmt::Display for Shaken<C> {
             let cups = listed(&self.leaks);
             write!(f, "LEAKS: {AIR_FLOWS_IN}, at {cups}; with the vacuum kept, ")?;
         }
-        self.write_verdict(f)?;
-        if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
-            write!(f, ". {SLOWLY}")?;
-        }
         let at_the_loss =
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
         let state = self.state.as_ref().or_else(at_the_loss);
         // A leak is not repeated in the caution, because the sentence begins with the cups that leak.
         let is_new = |far: &&TooFar| !matches!(far, TooFar::Leaks { .. });
         let far = state.and_then(|state| state.too_far.as_ref()).filter(is_new);
-        let far = far.or(self.too_far.as_ref().filter(is_new));
-        far.map_or(Ok(()), |far| write!(f, ". CAUTION: {}", far.caution(Words::of(f))))
+        if let Some(far) = far.or(self.too_far.as_ref().filter(is_new)) {
+            write!(f, "{}: {}. Otherwise ", LossVerb::from(far), far.reason(Words::of(f)))?;
+        }
+        self.write_verdict(f)?;
+        if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
+            write!(f, ". {SLOWLY}")?;
+        }
+        Ok(())
     }
 }
 
@@ -178,6 +180,9 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 None => "MAY COME TO REST, however large they are: their order decides",
             });
         }
+        if let Some(far) = &self.too_far {
+            write!(f, "{} with these slips: {}. Otherwise ", LossVerb::from(far), far.reason(Words::of(f)))?;
+        }
         let times = Words::of(f).number(self.factor);
         match self.rests(1.0) {
             Some(true) => write!(f, "RESTS in whichever order they come, up to {times} times these loads")?,
@@ -200,7 +205,6 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
         if !parts.is_empty() {
             write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))?;
         }
-        let far = self.too_far.as_ref();
-        far.map_or(Ok(()), |far| write!(f, ". CAUTION: with these slips {}", far.caution(Words::of(f))))
+        Ok(())
     }
 }

@@ -55,7 +55,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     match grasp.beyond(event).ok_or("its own event")? {
         Beyond::Continues(next) => {
-            println!("  beyond: the grasp holds on with {} contact(s) sliding", sliding(&next.states));
+            println!(
+                "  beyond: the grasp still holds at first with {} contact(s) sliding",
+                sliding(&next.states)
+            );
         }
         other => println!("  beyond: {other:?}"),
     }
