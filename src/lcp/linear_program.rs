@@ -97,8 +97,8 @@ pub(super) struct LinearProgram {
     pub(super) y: DVector<f64>,
 }
 
-/// Solves the linear program and its dual, with t as an additional column of A. `None` if the program is unbounded, which δ > 0 may cause, or if
-/// rounding prevents the solution.
+/// Solves the program of [`LinearProgram`] and its dual, with the violation t as an additional column of A and δ = `margin`. `None` if the program is
+/// unbounded, as it may be for δ > 0, or if rounding prevents the solution.
 fn least_violation(
     a: &DMatrix<f64>,
     b: &DVector<f64>,

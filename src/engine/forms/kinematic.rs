@@ -75,8 +75,8 @@ pub(crate) fn kinematic_form(
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // The row and the column of each jump (gap or slip), multiplied by Qᵀ. Q is the orthogonal factor of the elastic trial, in which every contact
-    // sticks.
+    // Each jump (a gap or slip component) has a row and a column in the matrix of the form. Here both are multiplied by Qᵀ, where Q R factors the
+    // stiffness of the state in which every contact sticks.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);

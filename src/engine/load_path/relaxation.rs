@@ -64,8 +64,8 @@ pub(super) struct Relaxation<'f, 's, 'g> {
 /// The factors of the matrix 1 - hJ of an implicit step. Here h = `length` is the arclength of the step, and J is the matrix of [`Relaxation`].
 pub(super) struct ImplicitFactors {
     length: f64,
-    /// LU factors of the matrix `[T' | -b']` with one more row, transverse to the path. T' and b' are T and b of the arc plus terms of the implicit
-    /// step, see the head of this file.
+    /// LU factors of the matrix `[T' | -b']` with one more row, transverse to the path. T' and b' are the tangent stiffness and the rate of the load,
+    /// each with the terms of the implicit step from the head of this file.
     bordered: PathFactors,
     /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas at the head of this file, N: the size of its friction force
     /// minus a term of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.

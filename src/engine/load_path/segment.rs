@@ -15,7 +15,7 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
-/// The load along a leg, ramp or turn as a function of the load factor. The offset of each contact's or drive's spring (command minus clearance and
+/// The load along one part of a load path (a leg between two loads, a growing load, or a turning load) as a function of the load factor. The offset of each contact's or drive's spring (command minus clearance and
 /// accumulated slip) changes linearly; its value at load factor 0 and its rate are stored.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {

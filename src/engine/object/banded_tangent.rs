@@ -191,7 +191,7 @@ impl BandedTangent {
         let length = |x: &[f64]| summed(x, &|x| x * x).sqrt();
         let mut growth = 1.0_f64;
         let mut q = vec![0.0; self.numbers.len()];
-        // Number of steps of the power method, which estimates the norm of the projection from below.
+        // Each step of the power method estimates the norm of the oblique projection A T⁻¹Bᵀ from below.
         for _ in 0..4 {
             let before = length(&x);
             q.fill(0.0);

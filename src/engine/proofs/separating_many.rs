@@ -28,8 +28,8 @@ use crate::prelude::*;
 /// The round friction cone of a contact, or one generator of a cone that is not round, as a part of the augmented Lagrangian. It responds to a
 /// motion with a force.
 struct PenalisedCone {
-    /// The coordinates that the contact couples, each by its position in the order `numbers`, with its row of the contact's grasp map. The map is
-    /// scaled so that a unit force along the first axis has a wrench of length one.
+    /// The coordinates of motion that the contact moves: the position of each in the order of elimination, and its row of the contact's grasp map.
+    /// The map is scaled so that a unit force along the first axis has a wrench of length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,

@@ -84,7 +84,8 @@ struct Spread {
     values: Vec<f64>,
     /// Right singular vectors of the weighted derivatives, as columns.
     directions: DMatrix<f64>,
-    /// Number of combinations of unknowns that slips and known sums (sums of unknowns from other measurements) determine.
+    /// Number of independent linear combinations of the unknowns that the measurements determine: the observed slips, and sums of unknowns that are
+    /// known otherwise.
     rank: usize,
     scatter: Scatter,
     /// For slips with groups, the contributions of groups to the errors; otherwise `None`.

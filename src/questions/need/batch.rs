@@ -255,7 +255,7 @@ impl BatchNeed {
 /// If larger, the ratio of a motion to its limit is lost in the rounding of 1, and objects that leave are followed to distances at which rounding
 /// decides, so that a row takes seven times as long. If smaller, more rows are searched for as in [`Grasp::need`].
 const ANY_MOTION: f64 = 1e6;
-/// The largest allowed value of the limits of small motions.
+/// Settings may not have larger limits of small motions (rotation in rad, slip as a fraction of the grasp), so that their squares do not overflow.
 const MOST_LIMIT: f64 = 1e50;
 /// The squeeze that is tried exceeds the computed squeeze by this fraction. The fraction is larger than the step error of load paths on which
 /// directions of slip turn (1e-9 by default), but too small to matter for motions.

@@ -119,10 +119,10 @@ pub(super) const FAR_BEHIND: f64 = 4.0;
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
 
-/// Ratios of the first amount to much smaller amounts that are tried in the case of [`FAR_BEHIND`] if a greatest amount is sought. A force may jam
-/// the object already with an arm far shorter than the grasp.
+/// Where the search began far on the easier side of a greatest amount ([`FAR_BEHIND`]), it also tries its first amount divided by these numbers. For
+/// example, a force may jam the object as soon as its arm is far shorter than the grasp.
 ///
-/// Without these amounts, the end of the sufficient amounts at a very short arm is missed. Each costs a verdict.
+/// Without these amounts, the least arm that suffices is missed if it is very short. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 
 /// An interval of sufficient amounts is narrow if its ends differ by less than this fraction. If there is a wider interval, the bound in the answer
