@@ -76,7 +76,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, "; wedged, it holds up to {most}")
                     }
                     None if self.held_to > 1.0 => {
-                        write!(f, "; held up to {}", self.times(self.held_to, " this load", words))
+                        write!(f, "; held at least up to {}", self.times(self.held_to, " this load", words))
                     }
                     None => Ok(()),
                 }?;
@@ -217,13 +217,13 @@ impl<const C: usize> Verdict<C> {
                 match lost {
                     Some(lost) => write!(f, ", {} until {until}", times(lost, "")),
                     None if self.held_to > first.factor => {
-                        write!(f, ", held up to {}", times(self.held_to, ""))
+                        write!(f, ", held at least up to {}", times(self.held_to, ""))
                     }
                     None => Ok(()),
                 }
             }
             (None, Some(lost)) => write!(f, ": {} until {until}", times(lost, " this load")),
-            (None, None) => write!(f, " up to {}", times(self.held_to, " this load")),
+            (None, None) => write!(f, " at least up to {}", times(self.held_to, " this load")),
         }
     }
 

@@ -4,6 +4,7 @@
 use nalgebra::SVector;
 
 use super::goal::ImproveGoal;
+use crate::equilibrium::TooFar;
 use crate::grasp::WholeContact;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -28,6 +29,9 @@ pub struct Improved<const C: usize> {
     /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
+    /// The reason why the best grasp says little at rest: a motion that is not small, or [buckling](TooFar::Buckles). `None`, and omitted, without one.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub too_far: Option<TooFar>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,

@@ -10,6 +10,7 @@ use super::loaded::LoadSet;
 use super::question::Improve;
 use super::tolerances::ROUNDED_MULTIPLIER;
 use crate::ask::Grasp;
+use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::{inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -126,6 +127,7 @@ impl Improve<3> {
             goal: self.goal(),
             before,
             after: None,
+            too_far: None,
             force,
             contacts: Vec::new(),
             in_the_way: Vec::new(),
@@ -142,6 +144,9 @@ impl Improve<3> {
         if let Some(last) = last {
             answer.residual = Some(last.step.residual);
             answer.in_the_way = in_the_way(&design_space, &design, &last);
+        }
+        if let Outcome::Equilibrium(state) = answer.placed_inside(&grasp)?.solve(&self.base())? {
+            answer.too_far = state.too_far;
         }
         Ok(answer)
     }

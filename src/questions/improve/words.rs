@@ -5,6 +5,7 @@ use core::fmt;
 use super::answer::{ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use crate::grasp::inside;
+use crate::hold::LossVerb;
 use crate::numerics::{largest, mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
@@ -25,6 +26,9 @@ impl Improved<3> {
                 if is_reserve { "sticks under the loads" } else { "sticks at rest and resists the loads" };
             return write!(f, "NO GRASP on these surfaces was found that {does}");
         };
+        if let Some(far) = &self.too_far {
+            write!(f, "{} at rest: {}. Otherwise ", LossVerb::from(far), far.reason(words))?;
+        }
         let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
         let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };
         let much = |value: f64| words.number(value * one.unwrap_or(1.0));

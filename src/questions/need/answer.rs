@@ -54,6 +54,9 @@ pub struct Needed {
     /// overlaps.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub by_overlaps: bool,
+    /// Whether a contact has a coefficient of kinetic friction of its own, which changes in proportion to the friction sought.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub scales_kinetic: bool,
     /// Contacts without friction, which stay frictionless if one coefficient for all other contacts is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub without_friction: Vec<WholeContact>,

@@ -45,6 +45,11 @@ impl SearchPlan {
         picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))
     }
 
+    /// Amounts far below `from`, which are tried if a greatest amount is sought; see [`TOWARDS_ZERO`].
+    fn towards_zero(&self, from: f64) -> Vec<f64> {
+        picked(&TOWARDS_ZERO, &|ratio| Some(from / ratio).filter(|amount| self.contains(*amount)))
+    }
+
     /// Two amounts, just inside and just outside the upper (if `up`) or lower end of the range of amounts that no proof excludes. Empty without such
     /// an end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
@@ -85,10 +90,9 @@ impl BoundScan {
             };
             if is_beyond && is_far_behind && scan > 0 {
                 amounts.extend(plan.scanned(begin, up, NEAR_THE_START, false));
-                if !up {
-                    let amounts_below = TOWARDS_ZERO.map(|ratio| begin / ratio);
-                    amounts.extend(amounts_below.into_iter().filter(|amount| plan.contains(*amount)));
-                }
+            }
+            if is_beyond && !up && scan > 0 {
+                amounts.extend(plan.towards_zero(begin.min(bound.sufficient)));
             }
             amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
             if scan > 0 {
@@ -130,6 +134,9 @@ impl BoundScan {
         // away, with ratios 4 and 16 to the first amount, show whether they do.
         let count = if plan.is_monotone { scan.min(1) } else { scan };
         amounts.extend(plan.scanned(plan.begin(), up, count, true));
+        if !up && !plan.is_monotone && scan > 0 {
+            amounts.extend(plan.towards_zero(plan.begin()));
+        }
         in_order(&mut amounts, up);
         around.side((to, None), up, true, &amounts, tries)?;
         Ok(around.until)

@@ -8,9 +8,9 @@ use crate::ask::Grasp;
 #[cfg(feature = "serde")]
 use crate::error::check_contact;
 use crate::error::{Error, is_moderate};
-use crate::grasp::Wrench;
+use crate::grasp::{Contact, Wrench};
 use crate::load_path::Turn;
-use crate::numerics::{Each, Space, largest};
+use crate::numerics::{Each, Space, any_index, largest};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
@@ -169,6 +169,15 @@ impl CheckedNeed {
         let [_, cosine, sine] = turn.parts().each(|part| part.force_part());
         let turns = cosine[0] * sine[1] - cosine[1] * sine[0];
         (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
+    }
+
+    /// Whether the sought friction is that of a contact with a coefficient of kinetic friction of its own.
+    pub(super) fn scales_kinetic(&self, all: &[Contact<3>]) -> bool {
+        let Sought::Friction { contacts } = &self.sought else { return false };
+        any_index(all.len(), &|i| {
+            let is_meant = contacts.as_ref().is_none_or(|those| those.contains(&i));
+            is_meant && all[i].kinetic_coefficient() != all[i].friction_coefficient()
+        })
     }
 
     /// The part that exerts the sought force, with the size of that force; `None` for other quantities.

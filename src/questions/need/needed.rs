@@ -96,6 +96,7 @@ impl Need<3> {
             anticlockwise: asked.tilts_anticlockwise(grasp.space()),
             by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
+            scales_kinetic: asked.scales_kinetic(grasp.contacts()),
             without_friction: match asked.sought {
                 Sought::Friction { contacts: None } => {
                     let wholes = grasp.engine.wholes();

@@ -119,8 +119,8 @@ pub(super) const FAR_BEHIND: f64 = 4.0;
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
 
-/// Where the search began far on the easier side of a greatest amount ([`FAR_BEHIND`]), it also tries its first amount divided by these numbers. For
-/// example, a force may jam the object as soon as its arm is far shorter than the grasp.
+/// Where a greatest amount is sought, a far smaller one is tried, too, divided by these numbers. For example, a force beside the fingers may turn the
+/// object out with an arm that is far shorter than the grasp.
 ///
 /// Without these amounts, the least arm that suffices is missed if it is very short. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];

@@ -43,7 +43,7 @@ impl Needed {
             Amount::Bound { .. } => self.bound(f),
             Amount::Any { to, .. } if self.has_no_squeeze() => {
                 write!(f, "NEEDS no squeeze: {}", self.aim())?;
-                self.safe_amount(f, (*to, &[]))
+                self.safe_amount(f, (*to, &[]), self.before_safe())
             }
             Amount::Any { to, until, tried } => self.any(f, *to, until.as_ref(), *tried),
             Amount::None { otherwise, .. } if self.has_no_squeeze() => {
@@ -101,7 +101,8 @@ impl Needed {
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }
-        let much = self.amount_text(self.of_bound(words), *sufficient, presses);
+        let kinetic = if self.scales_kinetic { " (kinetic friction in proportion)" } else { "" };
+        let much = self.amount_text(self.of_bound(words), *sufficient, presses) + kinetic;
         let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
         match until {
             Some(end) if ends_small_motions => {
@@ -120,7 +121,7 @@ impl Needed {
             None => write!(f, "TAKES {much} and {aim}")?,
         }
         self.beside(f, *sufficient, until.as_ref())?;
-        self.safe_amount(f, (*sufficient, presses))?;
+        self.safe_amount(f, (*sufficient, presses), self.before_safe())?;
         write!(f, "{LINE}with {}: {otherwise}", if is_least { "less" } else { "more" })?;
         if let Some(unknown) = unknown {
             write!(f, "{LINE}with {}: not known", self.short(words, *unknown, &[]))?;
@@ -166,7 +167,7 @@ impl Needed {
             )?;
         }
         self.beside(f, to, until)?;
-        self.safe_amount(f, (to, &[]))?;
+        self.safe_amount(f, (to, &[]), self.before_safe())?;
         self.far_end(f, until)?;
         self.amounts_tried(f, tried)
     }
@@ -182,7 +183,7 @@ impl Needed {
             f.write_str(", and nothing slides")?;
         }
         write!(f, "{LINE}with more or less: {otherwise}")?;
-        self.safe_amount(f, (sufficient, &[]))
+        self.safe_amount(f, (sufficient, &[]), LINE)
     }
 
     /// Writes that no amount is sufficient, with the proof or the range of amounts tried.
@@ -309,8 +310,9 @@ impl Needed {
         let is_least = self.quantity.is_least();
         let is_beyond = |end: &&FarEnd| {
             let held = held_until.map_or(f64::NAN, |held| held.sufficient);
-            let rounding = ALIKE_IN_WORDS * held.abs();
-            if is_least { end.sufficient >= held - rounding } else { end.sufficient <= held + rounding }
+            // Brackets of far ends may be as wide as this part of them.
+            let width = 1e-4 * held.abs();
+            if is_least { end.sufficient >= held - width } else { end.sufficient <= held + width }
         };
         let Some(end) = end.filter(|end| !is_beyond(end)) else { return Ok(()) };
         let to = if is_least { "up to" } else { "from" };
@@ -331,11 +333,17 @@ impl Needed {
         format!("from {from} on (small motions: up to {to})")
     }
 
+    /// Text before the safe amount. A larger load is asked for by name, so that its amount stands in the first line.
+    fn before_safe(&self) -> &'static str {
+        if self.safety == 1.0 { LINE } else { "; " }
+    }
+
     /// Writes the safe amount, which takes into account reduced friction and squeeze or larger loads.
     fn safe_amount(
         &self,
         f: &mut fmt::Formatter<'_>,
         (sufficient, presses): (f64, &[ContactPress]),
+        before: &str,
     ) -> fmt::Result {
         let words = Words::of(f);
         let less = [("friction", self.lower[0]), ("the squeeze", self.lower[1])];
@@ -378,7 +386,7 @@ impl Needed {
             Some(Amount::Undecided { .. }) => "not known".to_owned(),
             Some(Amount::Any { .. }) | None => return Ok(()),
         };
-        write!(f, "{LINE}if {}: {much}", listed(&less))
+        write!(f, "{before}if {}: {much}", listed(&less))
     }
 }
 
