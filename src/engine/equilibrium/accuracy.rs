@@ -81,8 +81,8 @@ impl Engine {
         })
     }
 
-    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves. `None` if the equilibrium lacks the engine's
-    /// own solution, for example because it was read from a file.
+    /// The equilibrium problem (contact laws, load and finger offsets, i.e. commands minus clearances and slips) that an equilibrium solves. `None`
+    /// if the equilibrium lacks the engine's own solution, for example because it was read from a file.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;

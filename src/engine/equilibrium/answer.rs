@@ -1,4 +1,5 @@
-//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided.
+//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided. Drives of joints
+//! and tendons are treated like contacts.
 
 use crate::numerics::mapped;
 use nalgebra::SVector;

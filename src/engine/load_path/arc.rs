@@ -318,8 +318,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Next to a fold of the path each correction round leaves a quarter of the distance of friction forces from their cones. More than
-            // four rounds are made only while each leaves less than a third.
+            // Next to a fold (a maximum of the load factor) each correction round leaves a quarter of the distance of friction forces from their
+            // cones. More than four rounds are made only while each leaves less than a third.
             if round > 3 && off > 0.3 * last {
                 break;
             }

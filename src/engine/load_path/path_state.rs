@@ -113,8 +113,8 @@ impl Node {
         }
     }
 
-    /// Adds exits in `reached` to the active sets of their contacts: edges and apexes of cones that forces have reached, and gaps that have
-    /// closed.
+    /// Adds to the active set of each contact in `reached` the edge or apex of the cone at which its state ends. A gap that has closed counts as the
+    /// apex (zero force), since the contact starts without force.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
