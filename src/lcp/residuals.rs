@@ -57,7 +57,7 @@ impl fmt::Display for Residuals {
 }
 
 /// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. Such a point does not count as a
-/// solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the factors that balance the rows.
+/// solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the factors, powers of two, that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();

@@ -1,4 +1,4 @@
-//! Memory for solving many problems, reused from problem to problem.
+//! Memory for solving many problems, reused from problem to problem. A dictionary is the condensed tableau of one basis.
 
 use super::basis::Basis;
 use super::dictionary::LemkeVariable;

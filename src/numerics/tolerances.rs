@@ -36,7 +36,7 @@ pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 /// pivot is below this fraction of its largest pivot is singular.
 ///
 /// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding errors count as stiffness
-/// along a free motion. If larger, the stiffness of soft springs is dropped where stiff springs act too.
+/// along a motion that no spring resists. If larger, the stiffness of soft springs is dropped where stiff springs act too.
 pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
 /// Pivot, relative to the largest entry of the matrix, up to which LU with partial pivoting gives no factors.

@@ -1,8 +1,8 @@
 //! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets,
-//! G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
-//! working precision, and the linear problem is solved for them again (iterative refinement):
+//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets
+//! (commands minus clearances and slips), G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and equilibrium has a
+//! residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again (iterative refinement):
 //!
 //! ```text
 //! e_r = s_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i p_r x_r + W

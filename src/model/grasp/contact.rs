@@ -129,8 +129,9 @@ impl<const C: usize> Contact<C> {
         /// stiffness of the contact then belongs to the body named by [`on`](Self::on), its finger stiffness to the body named here.
         pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
-        /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The lip presses with
-        /// this force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+        /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The rim of the
+        /// suction cup presses with this force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose
+        /// rim, called lip, is a ring of points.
         pub fn suction(mut self, force: f64) { self.suction = force; }
 
         /// Sets the name for messages and tables.

@@ -1,4 +1,4 @@
-//! A pad that moves along its closing direction until it touches a part.
+//! A pad that moves along its closing direction until it touches a part (the mesh of an object to be held).
 
 use nalgebra::Vector3;
 
