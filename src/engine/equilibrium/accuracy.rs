@@ -1,4 +1,5 @@
-//! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces.
+//! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces. A command is a prescribed
+//! displacement of a finger.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,6 @@
 //! The state of contacts at a node of the load path (an event, or the start of a leg): active sets and slip memory. The active set of a contact
-//! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact.
+//! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact. A leg is a section of the load
+//! program; the load factor is the fraction of it that is done.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};

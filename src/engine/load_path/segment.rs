@@ -1,6 +1,6 @@
-//! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (command minus clearance
-//! and slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep their states,
-//! forces and motions are linear functions, too, or harmonics of the load's angle.
+//! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (commanded displacement
+//! minus clearance and slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep
+//! their states, forces and motions are linear functions, too, or harmonics of the load's angle.
 
 use nalgebra::{Matrix, SVector};
 

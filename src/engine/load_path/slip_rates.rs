@@ -11,8 +11,8 @@ use crate::prelude::*;
 use crate::search::SmallMotions;
 
 /// Upper limit of the number of sliding contacts whose slips `in_slips` takes as unknowns along a growing load. With more, following an
-/// [arc](super::arc) takes less time: each stage of the integration along an arc solves one equation for each coordinate, rather than for each
-/// sliding contact.
+/// [arc](super::arc), on which directions of sliding turn, takes less time: each stage of the integration along an arc solves one equation for each
+/// coordinate, rather than for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.

@@ -1,5 +1,6 @@
 //! The state of a load path under a load that turns. It takes three linear solves, one each for the constant, cosine and sine terms of the load. As
-//! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
+//! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle. A leg is a
+//! section of the load program; the load factor is the fraction of it that is done.
 
 use alloc::sync::Arc;
 
@@ -15,7 +16,7 @@ use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// Whether the load turns along this leg (section of the load program) and its rate vanishes at the load factor `factor`, where it turns back.
+    /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
         // A rate of the load below this fraction of its fastest rate is taken as zero. Rounding of the angle causes a rate of about this size.

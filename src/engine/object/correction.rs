@@ -1,9 +1,9 @@
 //! The error of given contact forces and twist: the exact solution with the same contact states, minus the given values.
 //!
-//! Contact i has the offset a_i (command minus clearance and slip), the grasp map G_i, the stiffness matrix K_i and the given force F_i. The given
-//! twist is q, and the load W. Spring r of a contact is stretched along s_r, a vector that contains the square root of its stiffness. Three residuals
-//! are evaluated in twice the working precision: the residual displacement w_i of each contact, the scaled residual e_r of each spring, and the
-//! imbalance ρ.
+//! Contact i has the offset a_i (commanded displacement minus clearance and slip), the grasp map G_i, the stiffness matrix K_i and the given force
+//! F_i. The given twist is q, and the load W. Spring r of a contact is stretched along s_r, a vector that contains the square root of its stiffness.
+//! Three residuals are evaluated in twice the working precision: the residual displacement w_i of each contact, the scaled residual e_r of each
+//! spring, and the imbalance ρ.
 //!
 //! ```text
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = s_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone

@@ -2,7 +2,7 @@
 //!
 //! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y of the
 //! object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. In an equilibrium under the load W, the stretches `v_i = a_i - G_iᵀq` (offset a_i,
-//! i.e. command minus clearance and slip, grasp map G_i, twist q) and the contact forces F_i satisfy
+//! i.e. commanded displacement minus clearance and slip, grasp map G_i, twist q) and the contact forces F_i satisfy
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0

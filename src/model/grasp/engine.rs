@@ -1,4 +1,5 @@
-//! The engine of a grasp: its validated contacts, and the data from which equilibria are computed.
+//! The engine of a grasp: its validated contacts, and the data from which equilibria are computed. A command is a prescribed displacement of a
+//! finger.
 
 use nalgebra::{SMatrix, SVector};
 
