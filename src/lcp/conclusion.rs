@@ -1,5 +1,5 @@
-//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q. α is the
-//! set of the i with z_i basic.
+//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q. The
+//! problem is 0 ≤ z ⟂ w = M z + q ≥ 0. α is the set of the i with z_i basic.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;

@@ -1,4 +1,4 @@
-//! A contact: its point, compliance and friction, and the command of its finger.
+//! A contact: its point, compliance and friction, and the command of its finger. A command is a prescribed displacement of a finger.
 
 use alloc::sync::Arc;
 
@@ -121,8 +121,8 @@ impl<const C: usize> Contact<C> {
     }
 
     setters! {
-        /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the contact
-        /// refer to this body.
+        /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the
+        /// contact refer to it.
         pub fn on(mut self, body: impl Into<String>) { self.on = Some(body.into().into()); }
 
         /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body

@@ -1,4 +1,4 @@
-//! Suction cups: a lip, and the vacuum inside it.
+//! Suction cups: a lip (the rim), and the vacuum inside it.
 
 use core::f64::consts::PI;
 
