@@ -1,4 +1,4 @@
-//! The residuals of a point z, computed from the given M and q.
+//! The residuals of a point z, computed from the given M and q. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
 use crate::numerics::{Each, ExactSum, times_power_of_two};
