@@ -1,4 +1,5 @@
-//! The change of each contact force due to a force of any direction at a point, while contacts keep their states.
+//! The change of each contact force due to a force of any direction at a point, while contacts keep their states. A drive of a joint or tendon is
+//! treated like a contact.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -25,8 +26,8 @@ impl Influence {
 }
 
 impl StickingResponse<'_> {
-    /// The influence matrix of each contact, and of each drive of a joint or tendon, for forces at a point. The error value is a motion that no
-    /// spring resists and along which one of the unit forces does work.
+    /// The influence matrix of each contact and drive for forces at a point. The error value is a motion that no spring resists and along which
+    /// one of the unit forces does work.
     pub(crate) fn influences(&self, point: &[f64; 3]) -> Result<Vec<Influence>, Motion<3>> {
         let mut influences = Vec::new();
         influences.resize_with(self.edges.len(), || Influence { of: SMatrix::zeros(), size: 0.0 });
