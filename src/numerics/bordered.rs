@@ -1,4 +1,4 @@
-//! The linear equations of the object's balance, bordered by one column for the load factor and one row for the arclength of a load path, which
+//! The linear equations of the object's balance, bordered by one column for the load factor and one row for the arclength of a load path. A load path
 //! follows equilibria while the load changes.
 //!
 //! ```text

@@ -1,5 +1,6 @@
-//! The derivative J of the rates along an arc, a piece of the load path on which directions of sliding turn (see [`Flow`](super::flow::Flow)) with
-//! respect to the friction forces of sliding contacts. Implicit steps need J, because friction forces often turn fast towards the directions of slip.
+//! The derivative J of the rates along an arc (see [`Flow`](super::flow::Flow)) with respect to the friction forces of sliding contacts. An arc is a
+//! piece of the load path on which directions of sliding turn. Implicit steps need J, because friction forces often turn fast towards the directions
+//! of slip.
 //!
 //! T and b are the tangent stiffness and right-hand side of the arc, q is the twist and λ the load factor. Contact i has the grasp map G_i, the
 //! tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (commanded displacement minus clearance

@@ -1,6 +1,7 @@
 //! Snapping over: the equilibrium of a load path ends, and the object moves on under nearly the same load until it rests in another equilibrium.
-//! The path ends at a fold (a maximum of the load), a corner (no contact states continue it) or an asymptote (a load that it approaches but never
-//! reaches), see [`LossKind`]. A leg is a section of the load program; the load factor is the fraction of it that is done.
+//! The path ends at a fold, a corner or an asymptote, see [`LossKind`]. A fold is a maximum of the load; at a corner no contact states continue the
+//! path; it approaches the load of an asymptote but never reaches it. A leg is a section of the load program; the load factor is the fraction of it
+//! that is done.
 //!
 //! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is
 //! computed in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is
