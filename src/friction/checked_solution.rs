@@ -1,4 +1,4 @@
-//! Acceptance of forces as a solution, after removal of rounding errors.
+//! Acceptance of forces as a solution, after removal of rounding errors. For the forces r the velocities are W r + q.
 
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};

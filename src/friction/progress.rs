@@ -1,4 +1,5 @@
-//! Progress reports during the solution of a large problem.
+//! Progress reports during the solution of a large problem. An island is a set of contacts that the matrix W couples, directly or through other
+//! contacts.
 
 use nalgebra::DVector;
 

@@ -1,4 +1,4 @@
-//! The solution of a frictional contact problem.
+//! The solution of a frictional contact problem. An island is a set of contacts that the matrix W couples, directly or through other contacts.
 
 use super::law::{ContactMode, Residuals};
 use crate::numerics::{Each, counted};

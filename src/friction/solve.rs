@@ -1,4 +1,5 @@
-//! Choice and order of the methods for a frictional contact problem: facets, sweeps, central path, proof.
+//! Choice and order of the methods for a frictional contact problem: facets, sweeps, central path, proof. An island is a set of contacts that the
+//! matrix W couples, directly or through other contacts.
 
 use super::approach::{IslandSolve, STARTS, Watcher};
 use super::blocks::Blocks;

@@ -1,4 +1,4 @@
-//! Complementary bases.
+//! Complementary bases. A basis belongs to the problem 0 ≤ z ⟂ w = M z + q ≥ 0.
 
 use crate::numerics::counted;
 use crate::prelude::*;

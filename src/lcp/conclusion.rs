@@ -1,4 +1,5 @@
-//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q.
+//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q. The
+//! problem is 0 ≤ z ⟂ w = M z + q ≥ 0. α is the set of the i with z_i basic.
 
 use super::dictionary::LemkeVariable;
 use super::memory::refill;
@@ -114,7 +115,7 @@ impl Workspace {
     /// Exchanges each z_j that [`Self::mark_vanishing`] has marked with w_j, unless the pivot is too small.
     ///
     /// The other basic variables then have a smaller principal block, and the noise of z_j does not affect them. Variables are processed in the
-    /// order of their indices, since the order of the dictionary's rows depends on rounding.
+    /// order of their indices, since the order of the rows of the dictionary (the condensed tableau) depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let LemkePath { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {

@@ -163,8 +163,8 @@ impl Dictionary {
     }
 
     /// Recomputes `term_sizes`: for each row, the sum of the magnitudes of the terms of its basic value as computed from the right-hand side q.
-    /// The rounding error of the value is proportional to this sum. The terms are q_i if the slack w_i is basic in the row, and the entry of
-    /// each stored column D_{w_j} times q_j.
+    /// The rounding error of the value is proportional to this sum. The terms are q_i if the slack w_i is basic in the row, and q_j times an entry of
+    /// D_{w_j} for each nonbasic slack w_j. D_{w_j} is the stored column of w_j, and the entry is that of the row.
     pub(super) fn sum_terms(&mut self, q: &[f64]) {
         self.c.clear();
         self.c.extend(self.kept.iter().map(|i| q[*i]));

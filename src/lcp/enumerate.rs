@@ -1,4 +1,4 @@
-//! All solutions of a small problem, by enumeration.
+//! All solutions of a small problem 0 ≤ z ⟂ w = M z + q ≥ 0, by trying every set α of the i with z_i basic.
 
 use super::basis::Basis;
 use super::point::LcpPoint;

@@ -1,4 +1,5 @@
-//! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]).
+//! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]). A dictionary is the condensed tableau of one
+//! basis, of which only the columns of nonbasic slacks are stored.
 
 use crate::numerics::{Each, Loop};
 

@@ -1,4 +1,5 @@
-//! The sequence of attempts to solve a problem.
+//! The sequence of attempts to solve a problem. The covering vector d multiplies the covering variable z₀ in w = q + M z + d z₀. In the slack basis
+//! every slack w_i is basic.
 //!
 //! The order is: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
 //! describes when each attempt is made.

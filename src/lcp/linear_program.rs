@@ -66,9 +66,9 @@ impl Lcp {
 /// some of the constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The least violation of the conditions of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that belongs to the basis α. The nonzero
-/// entries of M must lie near 1. `None` if the program cannot be solved. In its solution x holds the z_α. The dual y has one entry per row of M,
-/// of either sign in the rows α, where (M z + q)_i = 0.
+/// The least violation of the conditions of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that belongs to the basis α, the set of the i
+/// with z_i basic. The nonzero entries of M must lie near 1. `None` if the program cannot be solved. In its solution x holds the z_α. The dual y has
+/// one entry per row of M, of either sign in the rows α, where (M z + q)_i = 0.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],

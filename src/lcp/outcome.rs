@@ -1,4 +1,4 @@
-//! The ways in which a solve can end.
+//! The ways in which a solve can end. The covering variable z₀ of w = q + M z + d z₀, with the covering vector d, is zero at a solution.
 
 use super::residuals::Residuals;
 use super::solution::{Solution, SolutionView};

@@ -64,7 +64,7 @@ pub enum PathEnd {
 /// An iterator over the breakpoints of the solution of 0 ≤ z ⟂ w = M z + q₀ + τ dq ≥ 0. The path starts at τ = 0 with increasing τ.
 ///
 /// On a complementary basis z is an affine function of τ. When a basic variable reaches zero, it leaves the basis and its complement enters. The
-/// method is Lemke's with dq in place of d (Cottle, Pang & Stone, section 4.5).
+/// method is Lemke's with dq in place of the covering vector d (Cottle, Pang & Stone, section 4.5).
 ///
 /// Each call of `next` follows one piece, at the cost of one pivot. When the iterator is exhausted, [`Parametric::end`] returns the reason.
 ///
@@ -150,8 +150,8 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Prepares the dictionary of the solution at τ = 0, with the parameter τ as the entering variable. The error is the reason why no path starts at
-    /// this solution.
+    /// Prepares the dictionary (condensed tableau) of the solution at τ = 0, with the parameter τ as the entering variable. The error is the reason
+    /// why no path starts at this solution.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);

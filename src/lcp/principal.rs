@@ -1,4 +1,5 @@
-//! The point z of a complementary basis, by factorisation of the principal block M_αα of the basis.
+//! The point z of a complementary basis, by factorisation of the principal block M_αα of the basis. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0. α is the
+//! set of the i with z_i basic.
 
 use super::problem::Lcp;
 use super::scaling::Scaling;

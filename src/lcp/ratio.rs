@@ -4,7 +4,7 @@
 //! lexicographic rule (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has no ties.
 //! The path of the perturbed problem is found by comparing the column of p among rows that tie; q itself is not changed.
 //!
-//! If z₀ is among the tied variables, z₀ leaves, since the point with z₀ = 0 solves the problem.
+//! z₀ is the covering variable of w = q + M z + d z₀. If z₀ is among the tied variables, it leaves, since the point with z₀ = 0 solves the problem.
 
 use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;

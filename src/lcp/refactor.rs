@@ -1,5 +1,5 @@
 //! Recomputation of dictionaries from M, q and d of w = q + M z + d z₀: measurement of drift by rounding, refactorisation of the current basis, and
-//! factorisation of another basis.
+//! factorisation of another basis. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;

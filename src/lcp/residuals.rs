@@ -1,4 +1,4 @@
-//! The residuals of a point z, computed from the given M and q.
+//! The residuals of a point z, computed from the given M and q. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
 use crate::numerics::{Each, ExactSum, times_power_of_two};
@@ -57,7 +57,7 @@ impl fmt::Display for Residuals {
 }
 
 /// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. Such a point does not count as a
-/// solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the factors that balance the rows.
+/// solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the factors, powers of two, that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();

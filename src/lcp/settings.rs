@@ -1,4 +1,4 @@
-//! Limits, tolerances and the covering vector of a solve.
+//! Limits, tolerances and the covering vector of a solve. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0.
 
 use super::outcome::BreakdownCause;
 use nalgebra::DVector;
@@ -118,7 +118,8 @@ impl Settings {
         /// These settings with another number of retries; with 0 only one path is followed. See [`Settings::retries`].
         pub fn with_retries(mut self, retries: usize) { self.retries = retries; }
 
-        /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See [`Settings::enumerate_up_to`].
+        /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See
+        /// [`Settings::enumerate_up_to`].
         pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) {
             self.enumerate_up_to = enumerate_up_to;
         }

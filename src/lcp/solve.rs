@@ -1,4 +1,5 @@
-//! The starts of a solve: from the slack basis, from a given basis, or from the dictionary of the previous problem.
+//! The starts of a solve: from the slack basis, from a given basis, or from the dictionary of the previous problem. A dictionary is the condensed
+//! tableau of one basis. In the slack basis every slack w_i of w = M z + q is basic.
 
 use super::basis::Basis;
 use super::lemke::LemkeEnd;
@@ -46,8 +47,8 @@ impl Lcp {
     /// Solves the problem by Lemke's method from a complementary basis instead of the slack basis, for example from the solution of a
     /// neighbouring problem.
     ///
-    /// z₀ covers only the rows whose basic variable is negative for this basis. The path is therefore short if the basis is close to the basis of the
-    /// solution.
+    /// The covering variable z₀ of w = q + M z + d z₀ covers only the rows whose basic variable is negative for this basis. The path is therefore
+    /// short if the basis is close to the basis of the solution.
     ///
     /// If the basis is singular or has another length, or if the path does not end in a solution, [`Lcp::solve_with`] takes over. For many q
     /// with the same M use a [`Series`](super::Series).

@@ -1,7 +1,7 @@
 //! Tolerances of the solver: limits below which a value is zero, noise or rounding.
 //!
 //! All tolerances are without units. Rows and columns of M are balanced first: scaled by powers of two, so that nonzero entries of M lie near 1.
-//! Every other quantity is compared with the terms from which it was computed. ε = 2⁻⁵².
+//! Every other quantity is compared with the terms from which it was computed. ε = 2⁻⁵². A dictionary is the condensed tableau of one basis.
 //!
 //! Tolerances that a caller may change are fields of [`Settings`](super::Settings), where the reasons for their values are given.
 

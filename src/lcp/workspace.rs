@@ -1,4 +1,5 @@
-//! Memory for solving many problems, reused from problem to problem.
+//! Memory for solving many problems, reused from problem to problem. A dictionary is the condensed tableau of one basis. The problem is
+//! 0 ≤ z ⟂ w = M z + q ≥ 0.
 
 use super::basis::Basis;
 use super::dictionary::LemkeVariable;

@@ -1,4 +1,5 @@
-//! The linear equations of the object's balance, bordered by one column for the load factor and one row for the arclength of a load path.
+//! The linear equations of the object's balance, bordered by one column for the load factor and one row for the arclength of a load path. A load path
+//! follows equilibria while the load changes.
 //!
 //! ```text
 //! T y  + c z = …      balance
@@ -6,7 +7,7 @@
 //! ```
 //!
 //! T is the stiffness of the object's balance for motions y, and c the column of the load factor z. The row gᵀ and the corner γ are the coefficients
-//! of the arclength. T alone becomes singular at a fold of the path, where the bordered matrix is regular.
+//! of the arclength. T alone becomes singular at a fold of the path (a maximum of the load factor), where the bordered matrix is regular.
 
 use super::coordinates::{Indices, Square, Vector};
 

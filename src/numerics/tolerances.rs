@@ -11,8 +11,9 @@ pub(crate) const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// The rounding of a short sum, relative to its largest term: some sixteen operations, 16 ε.
 ///
-/// If smaller, exact ties are separated: a tie rule fails, or an angle at which two functions only touch is treated as a crossing or missed. If
-/// larger, rows of a complementarity problem that block a pivot one after another count as ties, and functions that cross slowly count as touching.
+/// If smaller, exact ties are separated: a rule for rows that block a pivot together fails, or an angle at which two functions only touch is treated
+/// as a crossing or missed. If larger, rows of a complementarity problem that block a pivot one after another count as ties, and functions that cross
+/// slowly count as touching.
 pub(crate) const ROUNDED_SUM: f64 = 16.0 * f64::EPSILON;
 
 /// The rounding of a quantity that results from linear solves, relative to the largest of its kind.
@@ -36,7 +37,7 @@ pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 /// pivot is below this fraction of its largest pivot is singular.
 ///
 /// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding errors count as stiffness
-/// along a free motion. If larger, the stiffness of soft springs is dropped where stiff springs act too.
+/// along a motion that no spring resists. If larger, the stiffness of soft springs is dropped where stiff springs act too.
 pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
 /// Pivot, relative to the largest entry of the matrix, up to which LU with partial pivoting gives no factors.

@@ -1,4 +1,5 @@
-//! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces.
+//! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces. A command is a prescribed
+//! displacement of a finger.
 
 use nalgebra::SVector;
 
@@ -81,8 +82,8 @@ impl Engine {
         })
     }
 
-    /// The equilibrium problem (contact laws, finger offsets and load) that an equilibrium solves. `None` if the equilibrium lacks the engine's
-    /// own solution, for example because it was read from a file.
+    /// The equilibrium problem (contact laws, load and finger offsets, i.e. commands minus clearances and slips) that an equilibrium solves. `None`
+    /// if the equilibrium lacks the engine's own solution, for example because it was read from a file.
     pub(crate) fn problem_of(&self, equilibrium: &Equilibrium<3>) -> Option<Problem<'_>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;

@@ -1,4 +1,5 @@
-//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided.
+//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided. Drives of joints
+//! and tendons are treated like contacts. A command is a prescribed displacement of a finger.
 
 use crate::numerics::mapped;
 use nalgebra::SVector;

@@ -59,7 +59,7 @@ impl Cone {
 }
 
 impl Engine {
-    /// The equilibrium problem of this grasp with this friction cone, finger offsets and load.
+    /// The equilibrium problem of this grasp with this friction cone, load and finger offsets (commands minus clearances and slips).
     pub(crate) fn problem_on(&self, cone: Cone, offsets: Vec<SVector<f64, 3>>, load: &Load) -> Problem<'_> {
         let facets = if let Cone::Polygon(facets) = cone { facets } else { PolygonCone::default() };
         self.problem(Polygon::shared(self.space(), &facets), cone == Cone::Round, offsets, load)

@@ -1,4 +1,4 @@
-//! State and forces of one contact in an equilibrium.
+//! State and forces of one contact in an equilibrium. A command is a prescribed displacement of a finger.
 
 use nalgebra::SVector;
 

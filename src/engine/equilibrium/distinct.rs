@@ -12,8 +12,9 @@ use crate::object::largest_force;
 use crate::prelude::*;
 
 impl Engine {
-    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without drives, whether working precision distinguishes its
-    /// state from neighbouring states. `None` if the equilibrium lacks the engine's solution, as after reading it from a file.
+    /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without the drives of joints and tendons, whether working
+    /// precision distinguishes its state from neighbouring states. `None` if the equilibrium lacks the engine's solution, as after reading it from a
+    /// file.
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =

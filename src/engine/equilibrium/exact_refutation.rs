@@ -1,10 +1,10 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
 //! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain of a case is the work of virtual
-//! forces along the commanded offsets, minus the work of the load along the virtual motion. In each case the contact law is relaxed to a convex cone,
-//! with polygons around arcs of friction directions. Each generator of this cone is tested. The virtual work of a generator is divided by the square
-//! root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which every contact
-//! sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
+//! forces along the commanded offsets (displacements of fingers minus clearances), minus the work of the load along the virtual motion. In each case
+//! the contact law is relaxed to a convex cone, with polygons around arcs of friction directions. Each generator of this cone is tested. The virtual
+//! work of a generator is divided by the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of
+//! the elastic trial state, in which every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 

@@ -1,4 +1,5 @@
-//! States and torques of the joints and tendons of a hand in an equilibrium.
+//! States and torques of the joints and tendons of a hand in an equilibrium. A drive is the spring of a joint or tendon, with the motor or clutch
+//! behind it.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,5 @@
-//! The change of each contact force due to a force of any direction at a point, while contacts keep their states.
+//! The change of each contact force due to a force of any direction at a point, while contacts keep their states. A drive of a joint or tendon is
+//! treated like a contact.
 
 use nalgebra::{SMatrix, SVector};
 

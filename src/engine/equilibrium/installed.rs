@@ -1,4 +1,5 @@
-//! Links that are to have a given tension without load: Newton's method finds the commands that give them this tension.
+//! Links that are to have a given tension without load: Newton's method finds the commands that give them this tension. A link is a joint between
+//! bodies, such as a cable or a spring; its command is a prescribed displacement of its end.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

@@ -25,8 +25,9 @@ use crate::words::LinkKind;
 
 impl Engine {
     /// The geometric stiffness as a fraction of the resistance to the motion q: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. The motion q leads from the
-    /// equilibrium `rest` under the base load to the equilibrium `there`, with the same commands. F are the contact forces in `rest`, and r their
-    /// arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change of the load.
+    /// equilibrium `rest` under the base load, which acts before the asked load grows, to the equilibrium `there`, with the same commands. F are the
+    /// contact forces in `rest`, and r their arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change
+    /// of the load.
     ///
     /// The fraction is negative if the forces lower the resistance. The base load itself is left out. `None` if the size of the fraction is at most a
     /// tenth, or for several bodies, or if `ΔW·q` is not positive.

@@ -2,9 +2,9 @@
 //!
 //! Sought are the twist q and the contact forces F that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts,
 //! and given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations of equilibrium, one
-//! for each coordinate of the twist. Here `a` is a finger's offset (command minus clearance), `u_c` the displacement of the body at the contact, and
-//! `g` the gap. A contact has the stiffnesses `k_n`, `k_t` along its normal n and tangent t, and the stiffness matrix K. G_i is its grasp map, and μ
-//! its coefficient of friction:
+//! for each coordinate of the twist. Here `a` is a finger's offset (commanded displacement minus clearance), `u_c` the displacement of the body at
+//! the contact, and `g` the gap. A contact has the stiffnesses `k_n`, `k_t` along its normal n and tangent t, and the stiffness matrix K. G_i is its
+//! grasp map, and μ its coefficient of friction:
 //!
 //! | state | force | must hold |
 //! |---|---|---|

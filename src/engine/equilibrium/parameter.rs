@@ -1,8 +1,8 @@
 //! Exact derivatives of forces and motion with respect to one datum (a given number of the grasp or its load), while contacts keep their states.
 //!
-//! In known states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i, the grasp map G_i and the twist q.
-//! K_i depends on stiffness, friction and state. The derivative with respect to any datum z takes one more solve with the same factors. W is the
-//! load, and v_i = a_i - G_iᵀq the stretch:
+//! In known states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i (commanded displacement minus
+//! clearance and slip), the grasp map G_i and the twist q. K_i depends on stiffness, friction and state. The derivative with respect to any datum z
+//! takes one more solve with the same factors. W is the load, and v_i = a_i - G_iᵀq the stretch:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
@@ -191,8 +191,8 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // A free motion stays free if the forces that it causes in the changed geometry are only rounding. Forces count as rounding below
-            // this fraction of the force that the same displacement of the contact alone would cause in its stiffest spring.
+            // A free motion, which no spring resists, stays free if the forces that it causes in the changed geometry are only rounding. Forces count
+            // as rounding below this fraction of the force that the same displacement of the contact alone would cause in its stiffest spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })

@@ -1,4 +1,5 @@
-//! Residuals of an equilibrium, recomputed from the numbers given for grasp, commands and load, not from the solver's matrices.
+//! Residuals of an equilibrium, recomputed from the numbers given for grasp, commands and load, not from the solver's matrices. The offset of a
+//! contact is its commanded displacement minus clearance and earlier slip.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,5 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of the grasp's numbers, such as
-//! stiffnesses. One factorisation serves all of them.
+//! stiffnesses. One factorisation serves all of them. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
 //!
 //! Each load, command or small change gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything
 //! sticks, the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions under which a contact

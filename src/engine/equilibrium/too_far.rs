@@ -1,7 +1,8 @@
 //! Motions that are no longer small: a body or a joint turns too far, or a contact slips or opens too far.
 //!
 //! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore satisfies all equations, but says
-//! little about the real object. This file alone measures motions against the limits, for answers and along load paths.
+//! little about the real object. This file alone measures motions against the limits, for answers and along load paths. Finger offsets are commanded
+//! displacements minus clearances and slips.
 
 use core::{fmt, slice};
 

@@ -146,7 +146,7 @@ fn solved_sites<'s>(
     })
 }
 
-/// One contact or drive in a solution, with vectors in its own contact frame.
+/// One contact, or one drive of a joint or tendon, in a solution, with vectors in its own contact frame.
 struct SolvedContact<'s> {
     local: LocalLaw<'s>,
     frame: &'s SMatrix<f64, 3, 3>,

@@ -2,7 +2,8 @@
 //!
 //! The twist is split into a positive and a negative part, since the unknowns of an LCP are not negative. A spring that both pushes and pulls needs
 //! no complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed, and along tangents with
-//! infinite friction.
+//! infinite friction. A bonded contact neither opens nor slides; a contact kept closed may slide. The offset a of a spring is commanded displacement
+//! minus clearance.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

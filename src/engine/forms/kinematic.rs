@@ -158,8 +158,8 @@ fn form(
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 
-/// The state of each contact and drive that a complementary basis of the kinematic form describes. Contacts without a pair in the form keep the state
-/// of the elastic trial.
+/// The state of each contact, and of each drive of a joint or tendon, that a complementary basis of the kinematic form describes. Contacts without a
+/// pair in the form keep the state of the elastic trial.
 pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let mut slipping: Vec<Vec<u16>> = vec![Vec::new(); problem.len()];
     let mut open = vec![false; problem.len()];

@@ -1,4 +1,5 @@
-//! The meaning of each complementary pair (each row) of a linear complementarity problem, and the pairs that a contact does not need.
+//! The meaning of each complementary pair (each row) of a linear complementarity problem, and the pairs that a contact does not need. In the
+//! kinematic form the unknowns are gaps and slips, in the force form contact forces, sizes of slips and the twist.
 
 use crate::lcp::Lcp;
 use crate::prelude::*;

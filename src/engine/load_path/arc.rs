@@ -3,9 +3,9 @@
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
 //! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
-//! tangent d across the slip. The offsets a of the contact springs (commands minus clearances and slips) are affine in the load factor λ. The load W
-//! is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement. Here q' and λ' are
-//! rates per unit of arclength, a_i' and W' rates per unit of λ:
+//! tangent d across the slip. The offsets a of the contact springs (commanded displacements minus clearances and slips) are affine in the load factor
+//! λ. The load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement. Here q'
+//! and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -318,8 +318,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Next to a fold of the path each correction round leaves a quarter of the distance of friction forces from their cones. More than
-            // four rounds are made only while each leaves less than a third.
+            // Next to a fold (a maximum of the load factor) each correction round leaves a quarter of the distance of friction forces from their
+            // cones. More than four rounds are made only while each leaves less than a third.
             if round > 3 && off > 0.3 * last {
                 break;
             }

@@ -1,5 +1,5 @@
-//! The unit u of displacement in the arclength along an arc. Arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
-//! Over the whole leg of the load program λ grows by 1.
+//! The unit u of displacement in the arclength along an arc, a piece of the load path on which directions of sliding turn. Arclength is measured
+//! along the curve (q/u, λ) of the twist q and the load factor λ. Over a whole leg (a section of the load program) λ grows by 1.
 
 use core::f64::consts::FRAC_PI_2;
 

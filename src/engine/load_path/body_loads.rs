@@ -1,4 +1,4 @@
-//! Loads on single bodies that change along the legs of a load program, in addition to the program's load.
+//! Loads on single bodies that change along the legs (sections) of a load program, in addition to the program's load.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;

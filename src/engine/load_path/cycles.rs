@@ -1,4 +1,4 @@
-//! A closed cycle of legs (sections of a load program), followed again and again.
+//! A closed cycle of legs (sections of a load program), followed again and again. Drives of joints and tendons are treated like contacts.
 
 use nalgebra::{Matrix, SVector};
 
@@ -223,8 +223,8 @@ impl<'g> Cycles<'g> {
         Some(record)
     }
 
-    /// The state of the grasp at the present point of the path, after the cycles so far. `None` if no equilibrium exists under the base load, so
-    /// that there is no path.
+    /// The state of the grasp at the present point of the path, after the cycles so far. `None` if no equilibrium exists under the load at the
+    /// beginning of the cycle, so that there is no path.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);

@@ -1,4 +1,4 @@
-//! Onsets and ends of paths in words, for a terminal.
+//! Onsets and ends of paths in words, for a terminal. An onset is the first slip or opening as a load grows.
 
 use core::fmt;
 

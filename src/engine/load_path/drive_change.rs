@@ -1,4 +1,5 @@
-//! Changes of state of the drives of a hand's joints and tendons, as reported in events.
+//! Changes of state of the drives of a hand's joints and tendons, as reported in events. A drive is the spring of a joint or tendon, with the motor
+//! or clutch behind it.
 
 use crate::grasp::PartLabel;
 

@@ -1,5 +1,5 @@
 //! The point on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, or the
-//! grasp buckles.
+//! grasp buckles. A leg is a section of the load program; at rest means in the equilibrium from which the path starts.
 
 use super::event::Event;
 use super::following::AnyPath;

@@ -1,4 +1,5 @@
-//! The energy balance of each leg of a load path: works, stored energy and heat.
+//! The energy balance of each leg of a load path: works, stored energy and heat. A piece is a part of a leg on which all contacts keep their states;
+//! the load factor is the fraction of the leg that is done.
 
 use nalgebra::SVector;
 

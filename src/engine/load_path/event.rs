@@ -1,4 +1,6 @@
-//! Events of a load path, at which contacts change their states, and the end of a path.
+//! Events of a load path, at which contacts change their states, and the end of a path. A leg is a section of the load program. A continuation is a
+//! choice of contact states with which the path goes on; one event may allow several, from which the path takes one. In the engine's coordinates
+//! moments and rotations refer to the centroid of the contacts.
 
 use nalgebra::SVector;
 

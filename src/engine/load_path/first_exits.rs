@@ -1,5 +1,5 @@
-//! The first exit along a piece of the path. An exit is an end of a contact state: the force reaches an edge or the apex of its cone, or a gap
-//! closes.
+//! The first exit along a piece of the path, on which all contacts keep their states. An exit is an end of a contact state: the force reaches an edge
+//! or the apex of its cone, or a gap closes. Drives of joints and tendons are treated like contacts. The load factor says how far the load has grown.
 
 use crate::contact::Exit;
 use crate::prelude::*;

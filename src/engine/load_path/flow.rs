@@ -1,5 +1,5 @@
 //! Steps along an arc, a piece of the load path on which contacts keep their states and directions of sliding turn. The lengths of steps are
-//! arclengths.
+//! arclengths. A leg is a section of the load program.
 //!
 //! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation. Its right-hand side depends on the directions of
 //! sliding alone:
@@ -9,9 +9,9 @@
 //! ```
 //!
 //! T is the tangent stiffness of the object, and b the right-hand side. Each contact has the tangent stiffness C, the rate a' of the offset of its
-//! springs, and the grasp map G. Thus a fold, where the load factor has a maximum, is passed like any other point. The balance of forces is linear in
-//! all variables, and steps preserve it. A step removes friction forces a little from their cones. Newton's method transverse to the path puts them
-//! back.
+//! springs (commanded displacement minus clearance and slip), and the grasp map G. Thus a fold, where the load factor has a maximum, is passed like
+//! any other point. The balance of forces is linear in all variables, and steps preserve it. A step removes friction forces a little from their
+//! cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,5 @@
-//! A load program together with its follower (the method in progress that advances along the program): the start, the change of legs, and the end.
+//! A load program together with its follower (the method in progress that advances along the program): the start, the change of legs, and the end. A
+//! leg is a section of the program, along which load and commands change to given values.
 
 use core::fmt::Debug;
 

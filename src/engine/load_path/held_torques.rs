@@ -1,5 +1,5 @@
 //! Changes, along a load program, of the torques that hold the joints of a hand. Such a torque does not depend on the displacement of its joint, as
-//! in a clamp whose screw is tightened.
+//! in a clamp whose screw is tightened. The program consists of legs (sections), along which loads, commands and torques change linearly.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;

@@ -1,5 +1,5 @@
 //! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. Used for verdicts on a load (`hold`) of
-//! many grasps.
+//! many grasps. Along a ramp the load is a base load, which acts from the start, plus λ times another load. The onset is the first slip.
 //!
 //! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. F_i⁰ is the force on contact i
 //! under the base load, and F_i¹ its rate, both without slip. The matrix R_ij is the change of F_i per unit slip of contact j, N/m, if everything

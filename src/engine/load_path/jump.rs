@@ -1,5 +1,6 @@
 //! Jumps at constant load: friction falls as a contact begins to slide, nothing resists the object any more, or the object snaps over to another
-//! equilibrium. A jump ends when contacts stop the object.
+//! equilibrium. A jump ends when contacts stop the object. A path ends at a fold (a maximum of the load), a corner (no contact states continue it) or
+//! an asymptote (a load that it approaches but never reaches).
 
 use core::fmt;
 

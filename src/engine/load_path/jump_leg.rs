@@ -1,8 +1,9 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
+//! Drives of joints and tendons are treated like contacts.
 //!
 //! Let a contact j leave its static cone with the force F_j. At the same stretch of its springs, its force on the kinetic cone is F_j'. The
-//! difference F_j - F_j' is first applied as an external force. It is then removed along a separate leg with load factor τ, at the same load W and
-//! commands. G_i and G_j are the grasp maps:
+//! difference F_j - F_j' is first applied as an external force. It is then removed along a separate leg (part of a path), whose load factor τ grows
+//! from 0 to 1, at the same load W and commands. G_i and G_j are the grasp maps:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -229,7 +230,7 @@ impl<'g> PiecewiseFollower<'g> {
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
             // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the jump's
-            // leg is kept: the place is stored as an arc step of length zero.
+            // leg is kept: the place is stored like an integration step of length zero.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }

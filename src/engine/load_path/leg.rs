@@ -1,4 +1,4 @@
-//! Load programs: legs along which load and finger commands change linearly.
+//! Load programs: legs (sections) along which load and finger commands change linearly.
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Each, IntoList, largest, mapped};

@@ -1,6 +1,6 @@
 //! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For
 //! each contact it stores the edges of its cone on which its force lies (its active set). At a node the rates of forces and motion determine how
-//! the path continues.
+//! the path continues. The load factor is the fraction of the leg that is done; an arc is a piece on which directions of sliding turn.
 
 use nalgebra::{Matrix, SVector};
 

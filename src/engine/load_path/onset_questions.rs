@@ -1,4 +1,5 @@
-//! The onset (first slip or opening) under a load that grows, found without stepping.
+//! The onset (first slip or opening) under a load that grows, found without stepping. The base load acts before the asked load grows. Drives of
+//! joints and tendons are treated like contacts.
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`. Two linear solves give the forces F⁰ under the base load and
 //! their rate F¹. The onset is the smallest τ at which a contact reaches the edge of its cone. Each facet of a polygonal cone gives a linear equation

@@ -1,4 +1,5 @@
-//! Memory that the computation of one onset passes on to the computation of the next onset.
+//! Memory that the computation of one onset passes on to the computation of the next onset. The base load acts before the asked load grows. Drives of
+//! joints and tendons are treated like contacts.
 
 use alloc::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn.
+//! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn. A leg is a section of the load program; the load
+//! factor is the fraction of it that is done.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

@@ -1,4 +1,5 @@
-//! [`Path`]: a load program being followed, from event to event or in numerical steps.
+//! [`Path`]: a load program being followed, from event to event or in numerical steps. The program consists of legs (sections); a piece is a part of
+//! a leg on which all contacts keep their states.
 
 use crate::numerics::IntoList;
 use core::fmt;

@@ -1,5 +1,6 @@
 //! The state of contacts at a node of the load path (an event, or the start of a leg): active sets and slip memory. The active set of a contact
-//! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact.
+//! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact. A leg is a section of the load
+//! program; the load factor is the fraction of it that is done.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};
@@ -113,8 +114,8 @@ impl Node {
         }
     }
 
-    /// Adds exits in `reached` to the active sets of their contacts: edges and apexes of cones that forces have reached, and gaps that have
-    /// closed.
+    /// Adds to the active set of each contact in `reached` the edge or apex of the cone at which its state ends. A gap that has closed counts as the
+    /// apex (zero force), since the contact starts without force.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);

@@ -48,7 +48,7 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// Whether the path is at a node (an event or the start of a leg) from which its continuation is still to be computed.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
-    /// All pieces that the path has passed so far, the first one first, jumps included.
+    /// All pieces that the path has passed so far, the first one first, jumps (motions at constant load) included.
     pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
     /// Number of successive pieces, up to the present point of the path, that are no longer than the rounding error of their lengths, see

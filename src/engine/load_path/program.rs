@@ -1,5 +1,5 @@
 //! A load program in progress: its legs, and the loads and commands at the beginning and the end of the present leg. Along a leg, load and commands
-//! change linearly, or the load turns.
+//! change linearly, or the load turns. The drives of joints and tendons of a hand have commands, too, and are treated like contacts.
 
 use alloc::sync::Arc;
 
@@ -170,7 +170,8 @@ impl Program {
         offsets
     }
 
-    /// Writes the lists of [`Self::offsets`] (offsets at the beginning of the leg, and their changes) into the caller's lists `base` and `change`.
+    /// Writes the lists of [`Self::offsets`] (of each contact and drive the command minus clearance at the beginning of the leg, and its change along
+    /// the leg) into the caller's lists `base` and `change`.
     pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.offsets_under(from.iter().copied(), joints_from, base);

@@ -1,4 +1,4 @@
-//! The data that every method of following a load program needs: the grasp, the load program with its legs, and the caller's settings.
+//! The data that every method of following a load program needs: the grasp, the load program with its legs (sections), and the caller's settings.
 
 use alloc::sync::Arc;
 

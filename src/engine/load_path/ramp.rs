@@ -1,4 +1,5 @@
-//! A ramp: a load, commands, or both, that change in proportion to one load factor.
+//! A ramp: a load, commands, or both, that change in proportion to one load factor. A command is a prescribed displacement of a finger, or of the
+//! spring of a joint or tendon (a drive).
 
 use crate::numerics::{IntoList, mapped};
 use alloc::borrow::Cow;

@@ -1,9 +1,10 @@
-//! The derivative J of the rates along an arc (see [`Flow`](super::flow::Flow)) with respect to the friction forces of sliding contacts.
-//! Implicit steps need J, because friction forces often turn fast towards the directions of slip.
+//! The derivative J of the rates along an arc (see [`Flow`](super::flow::Flow)) with respect to the friction forces of sliding contacts. An arc is a
+//! piece of the load path on which directions of sliding turn. Implicit steps need J, because friction forces often turn fast towards the directions
+//! of slip.
 //!
 //! T and b are the tangent stiffness and right-hand side of the arc, q is the twist and λ the load factor. Contact i has the grasp map G_i, the
-//! tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (command minus clearance and slip) is a_i'
-//! per unit of λ. The unit tangent d_i is perpendicular to F_t,i. The quantities s_i', T' and b' are defined by the formulas below.
+//! tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (commanded displacement minus clearance
+//! and slip) is a_i' per unit of λ. The unit tangent d_i is perpendicular to F_t,i. The quantities s_i', T' and b' are defined by the formulas below.
 //!
 //! A change Δ_i of the friction force turns it by the angle φ_i = d_i·Δ_i / |F_t,i| towards d_i. This changes C_i, and thus the rate C_i s_i of the
 //! contact's own force. To keep forces in balance, the rates of q and λ change as well, by δq and δλ, which affects all contacts. J is given by

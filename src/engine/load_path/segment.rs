@@ -1,6 +1,6 @@
-//! A segment describes one leg of a load program, a ramp or a turn: the load and the spring offsets of contacts (command minus clearance and
-//! slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep their states,
-//! forces and motions are linear functions, too, or harmonics of the load's angle.
+//! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (commanded displacement
+//! minus clearance and slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep
+//! their states, forces and motions are linear functions, too, or harmonics of the load's angle.
 
 use nalgebra::{Matrix, SVector};
 
@@ -315,8 +315,8 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The rate problem on this segment at a load factor: the complementarity problem for the rates of forces and motion. `laws` are the laws of the
-    /// contacts.
+    /// The rate problem on this segment at a load factor: the complementarity problem for the rates of forces and motion. `laws` has for each contact
+    /// the condition on these rates, see [`Self::laws_of_rates`].
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.trajectory.rate_at(factor))
     }

@@ -11,8 +11,8 @@ use crate::prelude::*;
 use crate::search::SmallMotions;
 
 /// Upper limit of the number of sliding contacts whose slips `in_slips` takes as unknowns along a growing load. With more, following an
-/// [arc](super::arc) takes less time: each stage of the integration along an arc solves one equation for each coordinate, rather than for each
-/// sliding contact.
+/// [arc](super::arc), on which directions of sliding turn, takes less time: each stage of the integration along an arc solves one equation for each
+/// coordinate, rather than for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
@@ -107,7 +107,7 @@ impl Slips<'_> {
         rates
     }
 
-    /// The force of a contact in the state `at`, N. If `at` are the rates of a state, the rate of the force.
+    /// The force of a contact in the state `at`, a list of weights of terms, N. If `at` lists the rates of these weights, the rate of the force.
     pub(super) fn force(&self, contact: usize, at: &[f64]) -> SVector<f64, 3> {
         let mut force = SVector::zeros();
         for (part, weight) in self.forces.chunks_exact(self.contacts()).zip(at) {
@@ -116,7 +116,8 @@ impl Slips<'_> {
         force
     }
 
-    /// The twist of the object in the state `at`. If `at` are the rates of a state, the rate of the twist.
+    /// The twist (displacement and small rotation) of the object in the state `at`, a list of weights of terms. If `at` lists the rates of these
+    /// weights, the rate of the twist.
     pub(super) fn twist(&self, at: &[f64]) -> Vector {
         let mut twist = Vector::zeros();
         self.twists.iter().zip(at).for_each(|(part, weight)| twist.add_times(part, *weight));

@@ -1,4 +1,5 @@
-//! The point of a load path where a motion exceeds its limit of small motions, and the point from which on all contacts slide.
+//! The point of a load path where a motion exceeds its limit of small motions, and the point from which on all contacts slide. A leg is a section of
+//! the load program. A piece is a part of it on which all contacts keep their states.
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg. Their largest value is then at an end of the
 //! piece. While the load turns, they are harmonics of its angle, and the first point beyond a limit is a root of a trigonometric polynomial.

@@ -1,10 +1,12 @@
 //! Snapping over: the equilibrium of a load path ends, and the object moves on under nearly the same load until it rests in another equilibrium.
-//! The path ends at a fold, a corner or an asymptote, see [`LossKind`].
+//! The path ends at a fold, a corner or an asymptote, see [`LossKind`]. A fold is a maximum of the load; at a corner no contact states continue the
+//! path; it approaches the load of an asymptote but never reaches it. A leg is a section of the load program; the load factor is the fraction of it
+//! that is done.
 //!
 //! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is
 //! computed in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is
-//! slightly beyond the end of the path, and q is the twist of the object. Contact i has the grasp map G_i, the spring offset a_i, the
-//! accumulated slip s_i, and the force F_i as a function of its stretch. R is the imbalance of forces:
+//! slightly beyond the end of the path, and q is the twist of the object. Contact i has the grasp map G_i, the spring offset a_i (commanded
+//! displacement minus clearance), the accumulated slip s_i, and the force F_i as a function of its stretch. R is the imbalance of forces:
 //!
 //! ```text
 //! Σ G_i K_i G_iᵀ dq/dt = R(q),      R(q) = Σ G_i F_i(a_i - s_i - G_iᵀq) + W

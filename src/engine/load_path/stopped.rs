@@ -1,4 +1,5 @@
-//! The test whether a contact whose slip has ended on an arc can neither stick nor slide on.
+//! The test whether a contact whose slip has ended on an arc (a piece of the path on which directions of sliding turn) can neither stick nor slide
+//! on.
 //!
 //! When the contact stops, sticking and sliding give the same rates of forces and motion, and differ only a little later. As a rule one of the
 //! two states is valid from then on. Near a maximum of the load neither may be valid: if the contact sticks, its force leaves the friction cone;
@@ -34,7 +35,8 @@ impl PiecewiseFollower<'_> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
-            // The first trial step is a quarter of the rest of the leg, and each further step a quarter of the step before.
+            // The first trial step is a quarter of the rest of the leg (section of the load program), and each further step a quarter of the step
+            // before.
             length *= 0.25;
             let reached = flow.step(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };

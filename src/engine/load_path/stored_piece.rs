@@ -1,6 +1,7 @@
 //! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine
-//! in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc. To compute a
-//! state within the piece, this step is repeated up to the requested fraction.
+//! in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc, on which directions
+//! of sliding turn. To compute a state within the piece, this step is repeated up to the requested fraction. A leg is a section of the load program.
+//! The offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
 
 use nalgebra::SVector;
 
@@ -50,11 +51,11 @@ pub(super) struct StoredPiece<'g> {
 /// Slips and states of all contacts and drives in a jump from one equilibrium to another at constant load.
 #[derive(Debug)]
 pub(super) struct JumpRecord {
-    /// For each contact or drive its accumulated slip before the jump, m.
+    /// For each contact or drive its accumulated slip before this sudden motion, m.
     pub(super) slips: Vec<SVector<f64, 3>>,
-    /// For each contact or drive: true if it slid in the jump.
+    /// For each contact or drive: true if it slid in this motion.
     pub(super) slid: Vec<bool>,
-    /// Successive lists of the states of all contacts and drives in the jump.
+    /// Successive lists of the states of all contacts and drives in this motion.
     pub(super) states: Vec<Vec<State>>,
 }
 

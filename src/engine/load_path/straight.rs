@@ -1,6 +1,7 @@
 //! Advance along a piece of the load path on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg.
 //! A ratio test gives the next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces
-//! and motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]).
+//! and motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]). A leg is a section of the
+//! load program; the load factor is the fraction of it that is done. The active set of a contact has the edges of its cone on which its force lies.
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;

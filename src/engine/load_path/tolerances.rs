@@ -2,7 +2,8 @@
 //! and lengths of steps.
 //!
 //! Tolerances are pure numbers, or angles in rad. Unless its comment says otherwise, each number is a fraction of the leg, of the largest force,
-//! or of the quantity that is compared.
+//! or of the quantity that is compared. A leg is a section of the load program. An arc is a part of it on which directions of sliding turn. An object
+//! snaps over if it moves to another equilibrium under nearly the same load.
 
 use crate::contact::ZERO_SLACK;
 

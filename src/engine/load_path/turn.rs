@@ -109,8 +109,8 @@ impl Turn<3> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// The load of a leg with this turn, as a function of the load factor. It begins with `load`, and changes from there as the load of this
-    /// turn changes from angle zero on. One unit of the load factor is the whole turn.
+    /// The load of a leg (section of a load program) with this turn, as a function of the load factor. It begins with `load`, and changes from there
+    /// as the load of this turn changes from angle zero on. One unit of the load factor is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }

@@ -1,4 +1,5 @@
-//! Advances step by step to the next event along an arc, a piece of the load path. On an arc directions of sliding turn on the round cone.
+//! Advances step by step to the next event along an arc, a piece of the load path. On an arc directions of sliding turn on the round cone. A leg is a
+//! section of the load program; the load factor is the fraction of it that is done.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the point where one of
 //! these values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:

@@ -1,5 +1,6 @@
 //! The state of a load path under a load that turns. It takes three linear solves, one each for the constant, cosine and sine terms of the load. As
-//! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle.
+//! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle. A leg is a
+//! section of the load program; the load factor is the fraction of it that is done.
 
 use alloc::sync::Arc;
 

@@ -8,8 +8,8 @@ use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
     /// The rates `rate` of forces and twist, changed along all motions that leave forces in balance. Along these the object moves at the twist rate
-    /// `pushed`. `pushed` comes from the solution of the rate problem, in which contacts that touch without force may push; if it is `None`, `rate`
-    /// is returned unchanged.
+    /// `pushed`. `pushed` comes from the solution of the problem for the rates of forces and motion, in which contacts that touch without force may
+    /// push; if it is `None`, `rate` is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,

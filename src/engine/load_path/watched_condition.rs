@@ -1,5 +1,5 @@
 //! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive,
-//! such as the gap of an open contact. Where such a value becomes zero, the piece ends.
+//! such as the gap of an open contact. Where such a value becomes zero, the piece ends. A leg is a section of the load program.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};

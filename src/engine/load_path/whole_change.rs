@@ -1,5 +1,6 @@
-//! Events of whole contacts. A soft fingertip consists of contact points: it begins to slide with its first point, and slides everywhere with its
-//! last.
+//! Events of whole contacts, i.e. of point contacts, and of soft fingertips with all their contact points. At an event contact points change their
+//! states (stick, slide, open) under one load. A soft fingertip begins to slide with its first point, and slides everywhere with its last; changes of
+//! the points between are not reported.
 
 use core::fmt;
 
@@ -126,8 +127,8 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// The changes `changes` of contact points at an event, summed up as changes of whole contacts. `state` is the equilibrium before the event. The
-/// contacts are in the order in which they first occur in `changes`.
+/// The changes `changes` of contact points at an event, summed up as changes of point contacts and of soft fingertips as a whole. `state` is the
+/// equilibrium before the event. The contacts are in the order in which they first occur in `changes`.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],

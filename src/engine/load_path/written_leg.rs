@@ -1,5 +1,5 @@
-//! Legs of a load program in serialised form. Each quantity that changes along the leg has a field `…_by`, its change, or `…_to`, its value at the
-//! end.
+//! Legs (sections) of a load program in serialised form. Each quantity that changes along the leg has a field `…_by`, its change, or `…_to`, its
+//! value at the end. A command is a prescribed displacement of a finger.
 
 use alloc::collections::BTreeMap;
 

@@ -150,7 +150,7 @@ impl BandedTangent {
         moved(self.factors.null_vectors(), &motion)
     }
 
-    /// The twist `q = T⁻¹W` under the load W at zero offsets of all contacts, with the tangent stiffness T.
+    /// The twist `q = T⁻¹W` under the load W at zero offsets (commands minus clearances and slips) of all contacts, with the tangent stiffness T.
     pub(super) fn solve(&self, load: &Vector) -> Vector {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }

@@ -1,8 +1,8 @@
 //! With every contact in a known state all laws are linear: one linear `d x d` system gives the twist of the object and the contact forces.
 //!
 //! A contact in a known state is a few springs r, each stretched along a vector s_r and pushing along p_r:
-//! `F_i = Σ_r p_r (s_r · v_i)`. Each vector contains the square root of the spring's stiffness. The stretch `v_i = a_i - G_iᵀq` follows from
-//! offset a_i, grasp map G_i and twist q.
+//! `F_i = Σ_r p_r (s_r · v_i)`. Each vector contains the square root of the spring's stiffness. The stretch `v_i = a_i - G_iᵀq` follows from offset
+//! a_i (commanded displacement minus clearance and slip), grasp map G_i and twist q.
 //!
 //! With a row for each spring, let A = s Gᵀ, B = p Gᵀ and α = s·a. The scaled spring forces x_r = s_r · v_i then satisfy
 //! `x = α - A q`, and balance the load W if `Bᵀx = -W`. Thus x is an oblique projection of α (an orthogonal projection if nothing slides). A and B

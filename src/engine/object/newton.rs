@@ -1,8 +1,9 @@
 //! Newton's method for equilibrium. The force of each contact is a function of its own stretch alone, and the stretch follows from the twist of
 //! the object.
 //!
-//! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the offset a_i and the grasp map G_i. The stretch gives the contact force F_i and
-//! the contact state. Equilibrium under the load W is therefore a system of d piecewise smooth equations, one for each coordinate of the twist:
+//! The twist q gives each contact its stretch `a_i - G_iᵀq`, from the offset a_i (commanded displacement minus clearance and slip) and the grasp map
+//! G_i. The stretch gives the contact force F_i and the contact state. Equilibrium under the load W is therefore a system of d piecewise smooth
+//! equations, one for each coordinate of the twist:
 //!
 //! ```text
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ

@@ -227,8 +227,8 @@ impl<'g> Problem<'g> {
     }
 
     /// Contact states proposed for a rate problem, which determines derivatives of forces and twist along a load path. Contacts on the edge of
-    /// their cone slide, contacts at the apex of their cone open, and all others stick. This is the most common solution of a rate problem, and
-    /// one linear solve checks it.
+    /// their cone slide, contacts at the apex of their cone (zero force) open, and all others stick. This is the most common solution of a rate
+    /// problem, and one linear solve checks it.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }

@@ -73,8 +73,8 @@ impl Problem<'_> {
         largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
 
-    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m. a_i is its offset, G_i its grasp map, and q the twist. The rounding
-    /// error of this stretch is proportional to the bound.
+    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m. a_i is its offset (command minus clearance and slip), G_i its grasp
+    /// map, and q the twist. The rounding error of this stretch is proportional to the bound.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.offsets[contact], twist)

@@ -1,8 +1,9 @@
 //! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets,
-//! G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
-//! working precision, and the linear problem is solved for them again (iterative refinement):
+//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets
+//! (commanded displacements minus clearances and slips), G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and
+//! equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again (iterative
+//! refinement):
 //!
 //! ```text
 //! e_r = s_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i p_r x_r + W
@@ -20,8 +21,8 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load; in the rate problem their
-/// rates.
+/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load; in the rate problem (for
+/// derivatives along a load path) their rates.
 #[derive(Debug, Clone)]
 pub(crate) struct ForcesAndTwist {
     /// The contact force F_i of each contact in its contact frame, N.
@@ -53,7 +54,7 @@ pub(crate) struct Unbalanced {
 
 impl LinearProblem {
     /// Contact forces and the twist of least norm under these offsets and this load; [`Unbalanced`] if no forces balance the load. `sites` are the
-    /// contacts and drives from which this [`LinearProblem`] was made.
+    /// contacts, and the drives of joints and tendons, from which this [`LinearProblem`] was made.
     pub(crate) fn solve(
         &self,
         sites: &[Site],

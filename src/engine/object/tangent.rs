@@ -81,7 +81,8 @@ impl Problem<'_> {
 /// The tangent stiffness C_i of a contact, N/m: the derivative of its force with respect to its stretch, in its contact frame.
 pub(crate) type SpringTangent = SMatrix<f64, 3, 3>;
 
-/// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over the contacts and drives `sites`; `springs(i)` returns C_i of contact i.
+/// The tangent stiffness `T = Σ G_i C_i G_iᵀ` of the object, summed over `sites`, the contacts and the drives of joints and tendons; `springs(i)`
+/// returns C_i of contact i.
 pub(crate) fn tangent_stiffness(sites: &[Site], springs: &(dyn Fn(usize) -> SpringTangent + Sync)) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));

@@ -2,8 +2,8 @@
 //! force.
 //!
 //! If friction limits do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The stretch is
-//! `a_i - G_iᵀq`, with the offset a_i, the grasp map G_i and the twist q of the object. Forces balance the load W at the twist that minimises an
-//! energy:
+//! `a_i - G_iᵀq`, with the offset a_i (commanded displacement minus clearance and slip), the grasp map G_i and the twist q of the object. Forces
+//! balance the load W at the twist that minimises an energy:
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      at the q for which  Σ φ_i(a_i - G_iᵀq) - W·q  is least

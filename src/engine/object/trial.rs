@@ -1,4 +1,5 @@
-//! The elastic trial: the linear problem in which every contact sticks, except those whose law says that they stay open.
+//! The elastic trial: the linear problem in which every contact sticks, except those whose law says that they stay open. Drives of joints and tendons
+//! are treated like contacts. A command is a prescribed displacement of a finger.
 
 use alloc::sync::Arc;
 

@@ -8,10 +8,11 @@
 //! n·u(q) - a_n >= 0                                                                        open
 //! ```
 //!
-//! G_i is the grasp map, k the normal stiffness, a_n the commanded normal offset, and n·u(q) the normal motion of a contact. These conditions do not
-//! fix the direction of friction. They are linear, Γ x + w = 0 with unknowns x >= 0, columns γ of the matrix Γ and a vector w. At the x >= 0 for
-//! which Γ x + w is smallest, this residual y has y·γ >= 0 for all columns γ. It proves that no x solves the conditions if y·w > 0 (Farkas). Along a
-//! line of loads w is linear. Thus y·w >= 0 at the first load and y·w > 0 at the last prove that no load between them can be balanced.
+//! G_i is the grasp map, k the normal stiffness, a_n the commanded normal offset (commanded displacement minus clearance), and n·u(q) the normal
+//! motion of a contact. These conditions do not fix the direction of friction. They are linear, Γ x + w = 0 with unknowns x >= 0, columns γ of the
+//! matrix Γ and a vector w. At the x >= 0 for which Γ x + w is smallest, this residual y has y·γ >= 0 for all columns γ. It proves that no x solves
+//! the conditions if y·w > 0 (Farkas). Along a line of loads w is linear. Thus y·w >= 0 at the first load and y·w > 0 at the last prove that no load
+//! between them can be balanced.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

@@ -2,14 +2,14 @@
 //!
 //! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y of the
 //! object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. In an equilibrium under the load W, the stretches `v_i = a_i - G_iᵀq` (offset a_i,
-//! grasp map G_i, twist q) and the contact forces F_i satisfy
+//! i.e. commanded displacement minus clearance and slip, grasp map G_i, twist q) and the contact forces F_i satisfy
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
 //! for every q. A label restricts the state of a contact, or the direction of its friction. If, under the labels of a case, no contact's term on the
-//! left side can be positive, the case has no equilibrium.
+//! left side can be positive, the case has no equilibrium. In the elastic trial state every contact sticks.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;

@@ -12,7 +12,7 @@
 //!
 //! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
 //! along `e_n - μ u_t/|u_t|`. This generator is added to the generators of the sum. The sum is then minimised again, until no generator does negative
-//! work along the residual.
+//! work along the residual. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
 
 use nalgebra::SVector;
 

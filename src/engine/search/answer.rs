@@ -1,4 +1,5 @@
-//! The result of a search for an equilibrium under a load, and the work that it took.
+//! The result of a search for an equilibrium under a load, and the work that it took. Drives of joints and tendons are treated like contacts. Free
+//! motions stretch no spring; along neutral motions forces change but stay in balance.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,5 @@
-//! Solves the linear problem of proposed contact states and checks their conditions, whichever method of the search proposes them.
+//! Solves the linear problem of proposed contact states and checks their conditions, whichever method of the search proposes them. Drives of joints
+//! and tendons are treated like contacts.
 
 use core::cell::OnceCell;
 

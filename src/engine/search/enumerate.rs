@@ -8,7 +8,8 @@ use crate::numerics::paired;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The number of combinations of states of all contacts and drives. It is a floating-point number, since integers would overflow with few contacts.
+/// The number of combinations of states of all contacts and of the drives of joints and tendons. It is a floating-point number, since integers would
+/// overflow with few contacts.
 pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }

@@ -2,7 +2,7 @@
 //! or a proof.
 //!
 //! The elastic trial, in which everything sticks, is tried before the first rung. A rung costs more than the rungs before it, or ends the search less
-//! often.
+//! often. The kinematic form is the complementarity problem for gaps and slips, the force form that for contact forces.
 
 use super::answer::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution};
 use super::candidate::{RejectedStates, admit};

@@ -1,4 +1,5 @@
-//! A record of which method (rung) of the search ladder ends each search with an equilibrium or a proof, for the report `rungs`.
+//! A record of which method (rung) of the search ladder ends each search with an equilibrium or a proof, for the report `rungs`. In the elastic
+//! trial, which precedes the ladder, every contact sticks.
 
 use crate::numerics::mapped;
 

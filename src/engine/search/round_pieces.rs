@@ -52,7 +52,7 @@ impl RoundPieces {
                 let rubs = local.may_slide() && tangential(force).amax() > 0.0;
                 return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Sticking };
             }
-            // At the apex of a polygonal cone a contact may be in the state `Open` although its law keeps it closed.
+            // At the apex of a polygonal cone (zero force) a contact may be in the state `Open` although its law keeps it closed.
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).list();
@@ -72,8 +72,9 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);
-            // A twist longer than this multiple of the initial twist and offsets is refused, since hardly a digit of the contacts' stretches is then
-            // correct. Near a jamming angle the twist may become that long, and another method may still find an equilibrium close by.
+            // A twist longer than this multiple of the initial twist and offsets (commands minus clearances) is refused, since hardly a digit of the
+            // contacts' stretches is then correct. Near a jamming angle the twist may become that long, and another method may still find an
+            // equilibrium close by.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }

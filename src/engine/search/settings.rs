@@ -1,10 +1,11 @@
-//! Settings of searches and load paths.
+//! Settings of searches for the equilibrium of a grasp under a load, and of load paths (equilibria while loads and finger commands change). In the
+//! elastic trial, from which searches start, every contact sticks.
 
 use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;
 use crate::numerics::Space;
 
-/// Limits and tolerances of searches and load paths, with sound defaults.
+/// Limits and tolerances of searches for an equilibrium and of load paths, with sound defaults.
 ///
 /// ```
 /// use grasp_lcp::{PolygonFit, PolygonCone, Settings};

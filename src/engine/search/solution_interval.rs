@@ -1,4 +1,5 @@
-//! If a solution is one end of an interval of solutions with equal forces, adds the motion along that interval to its free motions.
+//! If a solution is one end of an interval of solutions with equal forces, adds the motion along that interval to its free motions (which no spring
+//! resists).
 //!
 //! If friction is at its limit at every contact that could resist a motion, forces do not determine the object's position along this motion. At one
 //! end of the interval of positions one of these contacts has not slipped, and may be taken as sticking. The solution with this contact sticking

@@ -24,9 +24,9 @@ pub(super) const SEVERAL_CONTACTS: usize = 8;
 /// equilibria are missed.
 pub(super) const MOST_WORK: usize = 500_000_000;
 
-/// An artificial viscous motion leads from the elastic trial towards an equilibrium (`object/relaxing`), and Newton's method continues from
-/// points of this motion. Newton's method has found that equilibrium if its result differs from its start by less than this fraction of the
-/// displacement so far.
+/// An artificial viscous motion leads from the elastic trial (every contact sticks) towards an equilibrium (`object/relaxing`), and Newton's method
+/// continues from points of this motion. Newton's method has found that equilibrium if its result differs from its start by less than this fraction
+/// of the displacement so far.
 ///
 /// If smaller, that equilibrium is refused if the motion is slow and more of it remains than its steps suggest. If larger, other equilibria, to
 /// which only a jump of Newton's method leads, are taken for it.

@@ -1,5 +1,5 @@
-//! Tests of [`yields`], a proof about a rate problem: if every contact that may slide or open does so, no forces balance offsets and load. If the
-//! proof succeeds, no combination of contact states may be an equilibrium.
+//! Tests of [`yields`], a proof about a rate problem (for derivatives of forces and motion along a load path): if every contact that may slide or
+//! open does so, no forces balance offsets and load. If the proof succeeds, no combination of contact states may be an equilibrium.
 
 use core::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
 //! The step along a straight line of contact forces at which a contact leaves its state: sticking, sliding or open. While a load grows and all
-//! contacts keep their states, the contact forces follow such a line.
+//! contacts keep their states, the contact forces follow such a line. The apex of a friction cone is zero force.
 
 use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;

@@ -1,8 +1,9 @@
 //! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
 //! The forces of an equilibrium, and their rates as the load grows, solve problems of the same kind. In the equilibrium problem every contact has its
-//! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded, and an open contact is absent. A contact with its
-//! force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole cone again.
+//! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded: it neither opens nor slides. An open contact is
+//! absent: it has no force. A contact with its force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole
+//! cone again.
 
 use nalgebra::SVector;
 

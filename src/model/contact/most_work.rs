@@ -9,8 +9,8 @@
 //! slides     c_t·K_t p
 //! ```
 //!
-//! The generators are scaled to length one in energy units. If none of these values is positive, the contact does no positive work in any state that
-//! the label allows.
+//! The generators are scaled to length one in energy units (stretches times K^{1/2}, forces times K^{-1/2}). If none of these values is positive, the
+//! contact does no positive work in any state that the label allows.
 //!
 //! In the law for rates, a contact on an edge `μ F_n >= h·F_t` has other generators: forces along the edge both ways, forces into the cone, and slips
 //! along h.

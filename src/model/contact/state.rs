@@ -68,8 +68,8 @@ impl State {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// A slide on the round cone with friction along a tangent. Any earlier slip is already part of the contact's offset (its commanded
-    /// displacement), so the slip per force λ is 0.
+    /// A slide on the round cone with friction along a tangent. Any earlier slip is already subtracted in the contact's offset (commanded
+    /// displacement minus clearance and slip), so the slip per force λ is 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

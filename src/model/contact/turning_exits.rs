@@ -2,7 +2,7 @@
 //!
 //! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and friction
 //! margins `μ F_n - h·F_t` at facets with normal h, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree
-//! two.
+//! two. The apex of a friction cone is zero force.
 
 use nalgebra::SVector;
 

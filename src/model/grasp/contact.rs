@@ -1,4 +1,4 @@
-//! A contact: its point, compliance and friction, and the command of its finger.
+//! A contact: its point, compliance and friction, and the command of its finger. A command is a prescribed displacement of a finger.
 
 use alloc::sync::Arc;
 
@@ -121,16 +121,17 @@ impl<const C: usize> Contact<C> {
     }
 
     setters! {
-        /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the contact
-        /// refer to this body.
+        /// Names the body into which the normal of the contact points, one of [several bodies](super::Bodies). Forces and displacements of the
+        /// contact refer to it.
         pub fn on(mut self, body: impl Into<String>) { self.on = Some(body.into().into()); }
 
         /// Names the body on the other side of the contact, one of [several bodies](super::Bodies), in place of the ground or a finger. The body
         /// stiffness of the contact then belongs to the body named by [`on`](Self::on), its finger stiffness to the body named here.
         pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
-        /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The lip presses with
-        /// this force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose lip is a ring of points.
+        /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The rim of the
+        /// suction cup presses with this force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose
+        /// rim, called lip, is a ring of points.
         pub fn suction(mut self, force: f64) { self.suction = force; }
 
         /// Sets the name for messages and tables.

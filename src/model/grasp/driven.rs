@@ -1,4 +1,5 @@
-//! Commands and torques of a grasp, and copies of the grasp with other commands or torques.
+//! Commands and torques of a grasp, and copies of the grasp with other commands or torques. A drive is the spring of a joint or tendon; the engine
+//! treats it like a contact.
 
 use alloc::borrow::Cow;
 

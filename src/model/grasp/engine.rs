@@ -1,4 +1,5 @@
-//! The engine of a grasp: its validated contacts, and the data from which equilibria are computed.
+//! The engine of a grasp: its validated contacts, and the data from which equilibria are computed. A command is a prescribed displacement of a
+//! finger.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -37,8 +38,8 @@ pub(crate) struct Engine {
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: CachedValue,
-    /// Contact states of a similar grasp in equilibrium under its base load. Searches for an equilibrium of many coordinates begin near these states.
-    /// Empty if no such states are known.
+    /// Contact states of a similar grasp in equilibrium under its base load, which acts before the asked load grows. Searches for an equilibrium of
+    /// many coordinates begin near these states. Empty if no such states are known.
     pub(crate) near: Vec<State>,
 }
 

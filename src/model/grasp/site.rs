@@ -1,5 +1,5 @@
 //! One site: a contact, or a drive of a hand, i.e. the spring of a joint or tendon with its motor. The engine treats both as points with springs and
-//! a contact law.
+//! a contact law. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
 
 use crate::numerics::{DoubleDouble, Map, Size, Space, Vector, WHOLE};
 use alloc::sync::Arc;

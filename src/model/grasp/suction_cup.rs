@@ -1,4 +1,4 @@
-//! Suction cups: a lip, and the vacuum inside it.
+//! Suction cups: a lip (the rim), and the vacuum inside it.
 
 use core::f64::consts::PI;
 
@@ -20,7 +20,8 @@ use crate::prelude::*;
 /// | a moment about an axis in the plane of the lip | V R/2 | one point opens |
 /// | a moment about the normal | μ V R | the whole lip slides |
 ///
-/// A real lip lets air in as soon as its first point opens, which is the onset. In this model the vacuum is lost when the whole lip is open:
+/// A real lip lets air in as soon as its first point opens, which is the onset (the first slip or opening). In this model the vacuum is lost when the
+/// whole lip is open:
 ///
 /// | question | answer |
 /// |---|---|

@@ -1,4 +1,5 @@
-//! Pull of the vacuums on the object: a constant load in addition to the caller's load.
+//! Pull of the vacuums on the object: a constant load in addition to the caller's load. In the engine's coordinates moments and rotations refer to
+//! the centroid of the contacts.
 
 use super::contact::Contact;
 use super::engine::Engine;

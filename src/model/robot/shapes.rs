@@ -1,4 +1,4 @@
-//! Collision shapes of links, converted to triangle meshes that can touch a part.
+//! Collision shapes of links, converted to triangle meshes that can touch a part (the mesh of an object to be held).
 
 use core::f64::consts::{PI, TAU};
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! A pad that moves along its closing direction until it touches a part.
+//! A pad that moves along its closing direction until it touches a part (the mesh of an object to be held). A command is a prescribed displacement of
+//! a finger.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,4 @@
-//! The visible edges of a part: lines at which its faces meet at an angle, or end.
+//! The visible edges of a part (the mesh of an object to be held): lines at which its faces meet at an angle, or end.
 
 use crate::numerics::moved;
 

@@ -1,4 +1,4 @@
-//! Readers of STL, as text or binary, and of OBJ.
+//! Readers of STL, as text or binary, and of OBJ. They make a part, the mesh of an object to be held.
 
 use std::fs;
 use std::path::Path;

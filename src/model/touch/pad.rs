@@ -1,4 +1,5 @@
-//! Pads: the surface with which a finger or a jaw touches.
+//! Pads: the surface with which a finger or a jaw touches. A pad moves along its closing direction until it touches a part (the mesh of an object to
+//! be held).
 
 use core::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The contacts of a pad on a part, and the quality of the fit.
+//! The contacts of a pad on a part (the mesh of an object to be held), and the quality of the fit.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,5 @@
-//! A matrix that maps vectors along the axes of a contact to vectors over the coordinates of a grasp.
+//! A matrix that maps vectors along the axes of a contact to vectors over the coordinates of a grasp. The coordinates of a grasp describe the motion
+//! of the object, of joints and of further bodies.
 
 use crate::numerics::by_axis;
 use core::ops::{Index, IndexMut, Mul, Range};

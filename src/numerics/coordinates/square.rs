@@ -1,4 +1,4 @@
-//! A square matrix over coordinates.
+//! A square matrix over coordinates. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 
 use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 

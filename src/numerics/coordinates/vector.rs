@@ -1,4 +1,4 @@
-//! A vector over coordinates.
+//! A vector over coordinates. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 
 use crate::numerics::by_axis;
 use core::ops::{Deref, Index, IndexMut};

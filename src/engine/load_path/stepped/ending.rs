@@ -1,4 +1,5 @@
-//! The end of a path followed in steps, where no further step is possible: a loss of equilibrium, or undecided.
+//! The end of a path followed in steps, where no further step is possible: a loss of equilibrium, or undecided. A leg is a section of the load
+//! program.
 
 use super::stepped_path::SteppedFollower;
 use crate::contact::Law;

@@ -1,4 +1,5 @@
-//! The equilibrium at the end of a step, along which the stretch of every contact is assumed to change linearly.
+//! The equilibrium at the end of a step, along which the stretch of every contact is assumed to change linearly. The offset of a contact's springs is
+//! the command of its finger (a displacement) minus clearance and accumulated slip.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,4 @@
-//! Speeds of the object as the load grows, towards the end of a path.
+//! Speeds of the object as the load grows, towards the end of a path. A leg is a section of the load program.
 //!
 //! If no equilibrium exists beyond some load, the speed of the object may grow without bound towards this load. It grows as a power of the
 //! distance δ of the load from this limit. With the displacement q and some p > 0:

@@ -1,4 +1,5 @@
-//! The equilibrium at a point of a path followed in steps, and the contacts that are then on the edge of their cones.
+//! The equilibrium at a point of a path followed in steps, and the contacts that are then on the edge of their cones. A leg is a section of the load
+//! program.
 
 use nalgebra::SVector;
 
@@ -17,7 +18,8 @@ impl SteppedState {
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is already subtracted from the offsets of the contact springs, so a sliding contact keeps only its direction of sliding.
+        // All slip so far is already subtracted from the offsets (command minus clearance) of the contact springs, so a sliding contact keeps only
+        // its direction of sliding.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,

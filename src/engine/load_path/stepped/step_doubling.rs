@@ -1,4 +1,5 @@
-//! The states at the ends of a step that is made in two halves and at once.
+//! The states at the ends of a step that is made in two halves and at once. The path takes the halves; a second path, which measures errors, makes
+//! the same steps at once.
 
 use super::one_step::SteppedState;
 use crate::numerics::Each;

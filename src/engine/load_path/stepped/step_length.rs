@@ -1,4 +1,5 @@
-//! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits.
+//! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits. A leg is a section of the
+//! load program. A second path has the same steps, each made at once.
 
 use super::one_step::SteppedState;
 use super::step_doubling::StepDoubling;

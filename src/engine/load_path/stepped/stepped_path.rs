@@ -1,4 +1,5 @@
-//! The follower of a load program in steps, i.e. the part of a [`SteppedPath`] that advances: what it stores, and its start.
+//! The follower of a load program in steps, i.e. the part of a [`SteppedPath`] that advances: what it stores, and its start. A leg is a section of
+//! the load program.
 
 use nalgebra::SVector;
 

@@ -3,7 +3,8 @@
 //! A hinge of the plane or a ball joint is modelled by one bonded contact, a hinge in space by two. A slide is modelled by frictionless contacts that
 //! are kept closed, with normals across its direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along
 //! its line that is kept closed, and a cable is a contact along its line that only pulls. The normal of a spring or a cable points from the start of
-//! the line to its end: a positive normal force pulls the first body towards the end.
+//! the line to its end: a positive normal force pulls the first body towards the end. A bonded contact neither opens nor slips; a contact that is
+//! kept closed may slip, but not open.
 
 use nalgebra::SVector;
 

@@ -142,8 +142,9 @@ impl PlacedBodies {
         }
     }
 
-    /// Relative motion at a contact due to the bodies other than the object, per unit of each of their coordinates. It is the displacement of the
-    /// surface behind the contact less that of the surface into which the normal points. Coordinates are counted after the object's.
+    /// For each coordinate of the two bodies of a contact, without the object: its index, counted after the object's coordinates, and the relative
+    /// displacement at the contact per unit of it. The relative displacement is that of the body on the other side of the contact, less that of the
+    /// body into which the normal points.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();

@@ -1,4 +1,5 @@
-//! Assembly of the coordinates, contacts and drives of a grasp from a hand.
+//! Assembly of the coordinates, contacts and drives of a grasp from a hand. A command is a prescribed displacement of a finger, joint or tendon. In
+//! the engine's coordinates moments and rotations refer to the centroid of the contacts.
 
 use nalgebra::DMatrix;
 

@@ -92,7 +92,8 @@ impl Drive {
         if !slips {
             return site;
         }
-        // The friction cone is replaced by a square with corners on the tangents, where |F_t| = μ F_n. The drive thus slips exactly at its bound.
+        // The section of the friction cone is a square instead of a circle. Its corners lie on the tangents, at |F_t| = μ F_n. The force of the drive
+        // acts along the first tangent, thus towards a corner, so that the drive slips exactly at its bound.
         let square = || alloc::sync::Arc::new(Polygon::new(space, &PolygonCone::square()));
         (site.friction, site.polygon) = (Coulomb::new(1.0), (space == Space::Spatial).then(square));
         site

@@ -1,4 +1,5 @@
-//! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that make them press.
+//! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that make them press. A command is a prescribed
+//! displacement of a contact or joint.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -1,4 +1,5 @@
-//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies.
+//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. In the engine's coordinates moments and
+//! rotations refer to the centroid of the contacts.
 
 use alloc::sync::Arc;
 use core::fmt;
