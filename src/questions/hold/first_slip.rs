@@ -1,5 +1,5 @@
-//! The first slip of a verdict: all contacts that leave their states at the least load factor, up to rounding. The load factor is the multiple of the
-//! growing load that acts; 1 is the whole load.
+//! The first slip of a verdict: all contacts that leave their states (open, sticking, sliding) at the least load factor, up to rounding. The load
+//! factor is the multiple of the growing load that acts: 0 at rest, 1 under the whole load. A jump is a sudden motion under constant load.
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::Engine;
