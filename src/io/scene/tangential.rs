@@ -1,4 +1,4 @@
-//! Whether an answer depends on the stiffness of contacts along their tangents.
+//! Whether an answer depends on the stiffness of contacts along their tangents. A setup is a grasp with its questions.
 
 use super::setup::Setup;
 use crate::ask::Grasp;
