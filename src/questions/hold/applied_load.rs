@@ -1,6 +1,6 @@
 //! The verdict on a load. The load path is followed from the base load (load factor 0) to the whole load (factor 1), and on to the factor
 //! `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small within
-//! the limits of rotation, slip and opening up to which the linear theory is trusted.
+//! the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
 
 use core::mem::{Discriminant, discriminant};
 

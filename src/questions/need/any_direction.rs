@@ -1,6 +1,7 @@
 //! The trial of an amount (such as a squeeze) under a force of any direction. It has a closed form while everything sticks; otherwise many directions
 //! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost. The weakest
-//! direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load.
+//! direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load. An amount is sufficient
+//! if the grasp meets the demand with it.
 
 use super::loading::{Loading, force_at};
 use super::question::Demand;

@@ -1,6 +1,7 @@
 //! The trial of an amount (of squeeze, friction, load, arm or angle) under loads that are applied and removed again and again. The amount is
 //! sufficient if the object comes to rest (from some cycle on nothing slides), or, with a weaker demand, does not walk (move on by the same motion in
-//! every period). A leg is a section of the load program, a period one cycle or several cycles after which the motion repeats itself.
+//! every period). A leg is a section of the load program, a period one cycle or several cycles after which the motion repeats itself. Motions are
+//! small within the limits up to which the linear theory is trusted.
 
 use core::f64::consts::TAU;
 

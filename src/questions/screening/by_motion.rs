@@ -1,5 +1,6 @@
 //! Contact forces while every contact sticks, computed from the motion of the object. This is the method for pairs in space, and for three and more
-//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
+//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers. A lane is the place of one grasp in a vector, whose
+//! numbers are computed side by side.
 //!
 //! First the commands (displacements that the fingers would make without the object) stretch the springs with the object held in place. Then the
 //! object is released and moves by `q = T⁻¹ w`, with the stiffness matrix T and the wrench w that was not balanced. If stiffnesses differ much, T

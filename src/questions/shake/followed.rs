@@ -1,6 +1,7 @@
 //! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
 //! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts. The object walks
-//! if it moves on by the same motion in every cycle.
+//! if it moves on by the same motion in every cycle. A drive is a motor, clutch or tendon of a joint; motions are small within the limits up to which
+//! the linear theory is trusted.
 
 use super::cycle::Cycle;
 use super::period_search::PeriodSearch;

@@ -1,5 +1,5 @@
 //! The static theorem of shakedown. It gives the greatest factor on repeated loads at which no contact slides under any of the loads, for suitable
-//! constant slips of the contacts.
+//! constant slips of the contacts. A drive is a motor, clutch or tendon of a joint.
 //!
 //! While all contacts are closed and stick with constant slips s, contact forces under the constant base load W₀ plus λ times load W_k are `F(W₀) + λ
 //! F(W_k) - P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its
