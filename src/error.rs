@@ -1,4 +1,5 @@
-//! Errors for malformed input. That no equilibrium exists is not an error but an answer, [`crate::equilibrium::Outcome`].
+//! Errors for malformed input. That no equilibrium exists is not an error but an answer, [`crate::equilibrium::Outcome`]. A leg is a section of a
+//! load program, a ramp a load that grows in proportion; an unknown is a number of the grasp that `identify` estimates.
 
 use core::fmt;
 

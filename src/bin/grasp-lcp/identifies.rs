@@ -1,4 +1,5 @@
-//! The command `identify`: reads a table of observed slips, and the unknowns to be estimated from them.
+//! The command `identify`: reads a table of observed slips, and the unknowns to be estimated from them. A slip is a load under which a contact, or
+//! the object, was observed to slide.
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;

@@ -1,4 +1,4 @@
-//! Answers in words and tables.
+//! Answers in words and tables. A drive is a motor or a tendon of a joint.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

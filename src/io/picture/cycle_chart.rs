@@ -1,4 +1,5 @@
-//! Slips of contacts while a load repeats, and the loop of friction against slip in the last cycle.
+//! Slips of contacts while a load repeats, and the loop of friction against slip in the last cycle. The base load acts before the repeated loads and
+//! stays constant.
 
 use nalgebra::SVector;
 

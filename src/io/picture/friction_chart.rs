@@ -1,5 +1,6 @@
 //! Friction force of each contact along a load path, as a fraction of its limit μ F_n; a soft fingertip counts as one contact. A leg is one stage of
-//! a load program, along which load and commands change linearly, or the load turns.
+//! a load program, along which load and commands change linearly, or the load turns. A jump is a sudden motion under constant load, a drive a motor
+//! or tendon of a joint.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;

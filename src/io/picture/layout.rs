@@ -1,6 +1,7 @@
 //! Sizes and positions of the elements of pictures, one list for each kind of picture.
 //!
-//! Lengths are in pixels unless they are said to be fractions of the span of a grasp, which is its largest extent along an axis.
+//! Lengths are in pixels unless they are said to be fractions of the span of a grasp, which is its largest extent along an axis. A fingertip is a
+//! contact with all its points; a still picture is an SVG of a grasp in space.
 
 use super::palette::Rgb;
 use super::sheet::PaperPoint;

@@ -1,4 +1,5 @@
-//! Lines, arrows, areas and dots, painted from back to front.
+//! Lines, arrows, areas and dots, painted from back to front. The depth of a stroke is its position towards the eye, in pixels; what is nearer to the
+//! eye is painted later and covers the rest. Pictures of planar grasps lie at depth zero.
 
 use super::palette::{Ink, Rgb, WHITE};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -48,12 +49,12 @@ impl Painting {
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
-    /// Paints a dashed line just behind depth zero.
+    /// Paints a dashed line just behind all strokes at depth zero, so that they cover it.
     pub(super) fn dashes(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }
 
-    /// Paints a dashed line at depth zero.
+    /// Paints a dashed line at depth zero, among the other strokes of a planar picture.
     pub(super) fn dashed_line(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((0.0, Shape::Dashes { ends, ink, width }));
     }

@@ -1,4 +1,5 @@
-//! Charts of the friction force of each contact, as a fraction of its limit μ F_n, while the load turns, grows, or follows a program.
+//! Charts of the friction force of each contact, as a fraction of its limit μ F_n, while the load turns, grows, or follows a program. A ramp is a
+//! load, or commands, that grow in proportion to a factor; a command is the displacement that a finger would make without the object.
 
 use super::chart::Chart;
 use super::friction_chart::DrawnProgram;

@@ -64,8 +64,8 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     lines
 }
 
-/// The caution about an equilibrium whose motion is not small; `None` if the motion is small, or if one of the sentences in `said` contains the
-/// caution.
+/// The caution about an equilibrium whose motion is not small, i.e. exceeds the limits up to which the linear theory is trusted. `None` if the motion
+/// is small, or if one of the sentences in `said` contains the caution.
 pub(super) fn caution<'w, const C: usize>(
     state: Option<&Equilibrium<C>>,
     mut said: impl Iterator<Item = &'w str>,

@@ -1,4 +1,5 @@
-//! Translates the questions of a scene into calls of methods of the scene's [`Grasp`], and answers them.
+//! Translates the questions of a scene into calls of methods of the scene's [`Grasp`], and answers them. A setup is a grasp with its questions, in
+//! the plane or in space.
 
 use super::answer::Answer;
 use super::labels::SceneNames;

@@ -1,4 +1,5 @@
-//! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips.
+//! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips. A setup is a grasp with its questions; a leg
+//! is a section of a load program.
 
 use serde::Serialize;
 

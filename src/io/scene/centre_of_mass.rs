@@ -1,5 +1,6 @@
-//! Completes loads on all bodies in the text of a scene (feature `json`). A force that is shared by mass acts at the common centre of mass unless a
-//! point is given. An acceleration without a mass accelerates the common mass of all bodies. The scene's gravity pulls at masses in loads, too.
+//! Completes the loads of questions in the text of a scene (feature `json`). If all bodies share a load, each in proportion to its mass, a force or a
+//! mass without a point acts at their common centre of mass. An acceleration without a mass accelerates the masses of the bodies. A mass that a load
+//! states is pulled by the scene's gravity, unless the load has a gravity of its own.
 
 use serde_json::{Map, Value};
 

@@ -1,5 +1,5 @@
-//! The answer to `compare`: the equilibrium, and the minimum of energy from the quadratic program of "Position Control for Multifingered Robot
-//! Hand" (see `paper-notes.md`).
+//! The answer to `compare`: the equilibrium, and the minimum of energy from the quadratic program of "Position Control for Multifingered Robot Hand"
+//! (see `paper-notes.md`). The base load acts before the load grows.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Converts answers that the caller got from a grasp to the form in which a scene writes answers.
+//! Converts answers that the caller got from a grasp to the form in which a scene writes answers. A setup is a grasp with its questions.
 
 use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};

@@ -1,4 +1,4 @@
-//! Loads of several bodies that grow together with the load of a question.
+//! Loads of several bodies that grow together with the load of a question. The base load acts before that load grows.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

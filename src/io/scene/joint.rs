@@ -1,4 +1,4 @@
-//! Joints in the text of a scene.
+//! Joints in the text of a scene. The drive of a joint is a motor that acts like a spring towards its commanded position.
 
 use crate::numerics::by_axis;
 use std::sync::Arc;

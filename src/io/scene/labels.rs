@@ -1,4 +1,4 @@
-//! Labels of contacts as the scene names them, for the answers of its grasp.
+//! Labels of contacts (number, and name if the user gave one) as the scene counts them, for the answers of its grasp.
 
 use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome, WorkDone};

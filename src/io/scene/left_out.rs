@@ -1,4 +1,5 @@
-//! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them.
+//! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them. A setup is a grasp
+//! with its questions. Motions are small within the limits up to which the linear theory is trusted.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;

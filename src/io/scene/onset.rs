@@ -1,4 +1,4 @@
-//! Answers about first slip: its load factor under a growing load, or its angle under a turning load.
+//! Answers about first slip: its load factor under a growing load, or its angle under a turning load. A drive is a motor or a tendon of a joint.
 
 use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,5 @@
-//! The weight that the scene's gravity gives to the bodies. Questions may tilt it; loads that contain the weight again are refused.
+//! The weight that the scene's gravity gives to the bodies. Questions may tilt it; loads that contain the weight again are refused. A setup is a
+//! grasp with its questions; the base load acts before the load of a question.
 
 use std::borrow::Cow;
 

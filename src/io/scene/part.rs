@@ -1,4 +1,4 @@
-//! A part as a mesh in a file, and pads that touch it in place of contact points (feature `mesh`).
+//! A part as a mesh in a file, and pads that touch it in place of contact points (feature `mesh`). A setup is a grasp with its questions.
 
 use std::path::Path;
 use std::sync::Arc;

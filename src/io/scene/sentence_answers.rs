@@ -1,4 +1,5 @@
-//! Answers that begin with a sentence: to `hold`, `need`, `improve`, `identify` and about repeated loads.
+//! Answers that begin with a sentence: to `hold`, `need`, `improve`, `identify` and about repeated loads. An amount is a value of the quantity that
+//! `need` seeks, an unknown a number of the grasp that `identify` estimates.
 
 use std::fmt;
 

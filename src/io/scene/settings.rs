@@ -1,4 +1,4 @@
-//! Settings in the text of a scene; settings that the scene does not give have the crate's defaults.
+//! Settings in the text of a scene; settings that the scene does not give have the crate's defaults. A leg is a section of a load program.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};

@@ -1,5 +1,5 @@
 //! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, angles in degrees, normals that point outwards, and contacts that
-//! are given twice.
+//! are given twice. The base load of a question acts before its other loads.
 
 use core::f64::consts::TAU;
 

@@ -1,4 +1,5 @@
-//! Whether an answer depends on the stiffness of contacts along their tangents.
+//! Whether an answer depends on the stiffness of contacts along their tangents. A setup is a grasp with its questions. Motions are small within the
+//! limits up to which the linear theory is trusted.
 
 use super::setup::Setup;
 use crate::ask::Grasp;

@@ -1,4 +1,4 @@
-//! Options of a stream.
+//! Options of a stream. A leg is a section of a load program, whose load path is followed from event to event.
 
 /// Options of a stream.
 ///

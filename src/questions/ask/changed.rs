@@ -1,4 +1,5 @@
-//! Copies of a grasp with other data – commands, torques, friction, squeeze – and the same settings.
+//! Copies of a grasp with other data – commands, torques, friction, squeeze – and the same settings. A command is the displacement that a finger
+//! would make without the object.
 
 use crate::numerics::IntoList;
 use alloc::sync::Arc;

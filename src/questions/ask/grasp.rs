@@ -1,4 +1,5 @@
-//! A grasp, and the questions that it answers.
+//! A grasp, and the questions that it answers. The base load acts before a load grows. At first slip the first contact stops sticking, at gross slip
+//! every contact that presses slides. Motions are small within the limits of rotation, slip and opening up to which the linear theory is trusted.
 
 use alloc::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! Loads on several bodies that grow in proportion to the load on the object, which is the body that loads act on.
+//! Loads on several bodies that grow in proportion to the load on the object, which is the body that loads act on. The base load acts before these
+//! loads grow.
 
 use alloc::borrow::Cow;
 use alloc::collections::BTreeMap;

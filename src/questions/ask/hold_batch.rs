@@ -1,7 +1,7 @@
 //! Verdicts on many grasps, on all cores. A row of the batch is one grasp with its base load and its growing load.
 //!
 //! In most rows every contact sticks, and [`screening`](crate::screening) shows this quickly: the first slip lies beyond the whole load, and the
-//! rotation stays within the limit of small motions. For all other rows a load path is computed.
+//! rotation stays within the limit of small motions (up to which the linear theory is trusted). For all other rows a load path is computed.
 
 use core::ops::Range;
 

@@ -1,4 +1,5 @@
-//! The load factor or the angle at which the first contact stops sticking.
+//! The load factor or the angle at which the first contact stops sticking. A ramp is a load, or commands of fingers, that grow in proportion to a
+//! load factor.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;

@@ -1,4 +1,4 @@
-//! Load paths of load programs, followed from event to event or in steps, and loads that repeat.
+//! Load paths of load programs, followed from event to event or in steps, and loads that repeat. A leg is a section of a load program.
 
 use super::grasp::Grasp;
 use crate::error::Error;

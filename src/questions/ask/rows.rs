@@ -1,4 +1,5 @@
-//! Rows of a batch, each a grasp with its loads, and the first slips that screening computes for the rows.
+//! Rows of a batch, each a grasp with its loads, and the first slips that screening computes for the rows. The base load acts before the other load
+//! grows.
 
 use crate::numerics::{IntoList, Space};
 use core::ops::Range;

@@ -1,4 +1,4 @@
-//! Derivatives of answers (equilibria, load factors at first slip) with respect to the data of the grasp.
+//! Derivatives of answers (equilibria, load factors at first slip) with respect to the data of the grasp. A motion is free if no spring resists it.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;

@@ -1,4 +1,5 @@
-//! The least factor of the squeeze with which all contacts stick, and the direction in which the least force makes a contact stop sticking.
+//! The least factor of the squeeze with which all contacts stick, and the direction in which the least force makes a contact stop sticking. The base
+//! load is constant and acts together with that force.
 
 use super::grasp::Grasp;
 use crate::error::Error;

@@ -1,4 +1,4 @@
-//! Static questions: which loads some contact forces could balance.
+//! Static questions: which loads some contact forces could balance. The base load is constant and acts before the loads of a question.
 
 use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};

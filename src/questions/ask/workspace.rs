@@ -1,4 +1,5 @@
-//! Memory for one first slip after another, for loops that must not wait for an allocator.
+//! Memory for one first slip after another, for loops that must not wait for an allocator. A ramp is a load that grows in proportion, in addition to
+//! a constant base load.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Settings;

@@ -1,5 +1,5 @@
 //! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, while load and commands change linearly
-//! with the factor.
+//! with the factor. A command is the displacement that a finger would make without the object, a ramp a load that grows in proportion.
 
 use nalgebra::SVector;
 

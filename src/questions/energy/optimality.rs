@@ -1,9 +1,9 @@
 //! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
 //!
-//! Let K be the stiffness, a the offsets of the contacts (command less clearance), G the grasp map and q the motion of the object. A = K^{1/2}Gᵀ has
-//! an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. The state in which everything sticks has the motion q⁰ and, in energy
-//! coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E.
-//! The rows of the friction constraints N x >= 0 have unit length. The quadratic program is
+//! Let K be the stiffness, a the offsets of the contacts (command, the displacement of the finger without the object, less clearance), G the grasp
+//! map and q the motion of the object. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. The state in which
+//! everything sticks has the motion q⁰ and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and
+//! normal stiffnesses k_n, act along the columns of E. The rows of the friction constraints N x >= 0 have unit length. The quadratic program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -230,7 +230,8 @@ impl<'g> EnergyProgram<'g> {
             return None;
         }
         let mut travelled = Vector::zeros();
-        // A second pass of this correction removes the rounding errors that the first pass leaves in the binding constraints.
+        // The first pass leaves rounding errors in the equations N x = 0. The second pass solves the same equations for these errors and removes
+        // them.
         for _ in 0..2 {
             let (change, lambda) = parts.of_transpose(&-values(rows.iter().copied(), forces));
             let moved = Vector::from_fn(size, |k| change[k]);

@@ -1,5 +1,6 @@
 //! The verdict on a load. The load path is followed from the base load (load factor 0) to the whole load (factor 1), and on to the factor
-//! `Settings::most_load` or to the loss of equilibrium.
+//! `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small within
+//! the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -255,7 +256,8 @@ impl Engine {
         }
     }
 
-    /// The loss on the path on which the base load grows from zero together with the commands. `None` if this path ends without a loss.
+    /// The loss of equilibrium on a path of its own, on which the base load and the commands (prescribed displacements of fingers) grow together from
+    /// zero. `None` if this path reaches both in full.
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };

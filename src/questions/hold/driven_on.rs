@@ -1,9 +1,10 @@
 //! Whether forces drive an object on along a motion that nothing resists. A part that two fingertips pinch below its centre of mass turns over,
 //! although every contact sticks; a part that is pinched above its centre of mass hangs.
 //!
-//! Along a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability: see
+//! Along such a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability: see
 //! `equilibrium/left_out`. Where it is stable, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. For a weight W
-//! that hangs at the distance l below a hinge, and a force F to the side of it, this is the angle `F l / (W l)`.
+//! that hangs at the distance l below a hinge, and a force F to the side of it, this is the angle `F l / (W l)`. Motions are small within the limits
+//! of rotation, slip and opening up to which the linear theory is trusted.
 
 use nalgebra::{DMatrix, SVector};
 

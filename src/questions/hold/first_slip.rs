@@ -1,5 +1,5 @@
-//! The first slip of a verdict: all contacts that leave their states at the least load factor, up to rounding. The load factor is the multiple of the
-//! growing load that acts; 1 is the whole load.
+//! The first slip of a verdict: all contacts that leave their states (open, sticking, sliding) at the least load factor, up to rounding. The load
+//! factor is the multiple of the growing load that acts: 0 at rest, 1 under the whole load. A jump is a sudden motion under constant load.
 
 use crate::equilibrium::{ContactState, DriveState, Equilibrium};
 use crate::grasp::{Engine, PartLabel};
@@ -11,9 +11,9 @@ use crate::prelude::*;
 use super::verdict::FirstSlip;
 
 impl Engine {
-    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. It also lists contacts that begin to slide
-    /// at `events` whose load factors differ from that of the first slip by rounding alone, up to the first jump. At load factor 0 it lists contacts
-    /// that slide in `start`, the equilibrium at the start of the path. `None` if `onset` names no such contacts.
+    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. It also lists contacts that begin to
+    /// slide at `events` whose load factors differ from that of the first slip by rounding alone, up to the first jump. At load factor 0 it lists
+    /// contacts that slide in `start`, the equilibrium at the start of the path. `None` if `onset` names no such contacts.
     pub(crate) fn first_slip(
         &self,
         onset: &Onset<3>,

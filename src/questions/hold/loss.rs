@@ -1,5 +1,6 @@
 //! Computes [`Lost`], the field of a verdict about the loss of equilibrium or the end of small motions. The load factor is the multiple of the
-//! growing load that acts; 1 is the whole load.
+//! growing load that acts; 1 is the whole load. At gross slip every contact that presses slides. Motions are small within the limits of rotation,
+//! slip and opening up to which the linear theory is trusted; at rest means at load factor 0.
 
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ContactState, Equilibrium, TooFar};

@@ -22,9 +22,10 @@
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here μ is the coefficient of friction, a_n the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. Thus `h` is an
-//! upper bound of the negative work of all contacts. Let v be the motion of the loss. As q grows from the motion at the loss, the terms of opposed
-//! contacts in h change in opposite senses, until one contact opens. The neighbourhood has the radius at which h could first reach `W·v`.
+//! Here μ is the coefficient of friction, a_n the normal command (displacement that the finger would make without the object, m), k_n the normal
+//! stiffness (N/m) and `( )₊` the positive part. Thus `h` is an upper bound of the negative work of all contacts. Let v be the motion of the loss. As
+//! q grows from the motion at the loss, the terms of opposed contacts in h change in opposite senses, until one contact opens. The neighbourhood has
+//! the radius at which h could first reach `W·v`.
 
 mod applied_load;
 mod caught_jump;

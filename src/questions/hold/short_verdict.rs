@@ -1,5 +1,6 @@
 //! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria. The load factor is the multiple of the
-//! growing load that acts; 1 is the whole load.
+//! growing load that acts; 1 is the whole load. The base load acts already at load factor 0. At gross slip every contact that presses slides. A drive
+//! is a motor, clutch or tendon of a joint, and yields at its limit.
 
 use core::fmt;
 

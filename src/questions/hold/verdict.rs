@@ -1,5 +1,6 @@
 //! The verdict on a load that grows from zero in addition to the base load. The load factor is the multiple of the growing load that acts; 1 is the
-//! whole load.
+//! whole load. A jump is a sudden motion under constant load. Motions are small within the limits of rotation, slip and opening up to which the
+//! linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};

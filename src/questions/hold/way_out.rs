@@ -1,4 +1,5 @@
-//! The motion of a loss in everyday words: the object lifts off, slides out, tips over or turns, or several bodies move apart.
+//! The motion of a loss (the end of equilibrium under a growing load) in everyday words: the object lifts off, slides out, tips over or turns, or
+//! several bodies move apart.
 
 use nalgebra::SVector;
 

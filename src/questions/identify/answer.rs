@@ -1,5 +1,6 @@
 //! Estimates of unknown data of a grasp (friction, squeeze, carried forces, stiffness), with standard errors. They are computed from loads at which
-//! the grasp was observed to slip.
+//! the grasp was observed to slip. A carried force is the normal force of a contact before the load of a slip grows. The loss is the function of the
+//! residuals that the search minimises.
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;

@@ -1,4 +1,5 @@
-//! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first.
+//! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first. An unknown is a number of the grasp, such as
+//! a coefficient of friction. The loss is the function of the residuals that a fit minimises; scatter is the standard deviation of slips.
 //!
 //! If several contacts may slip first, the derivatives of the predicted load with respect to the unknowns jump at a kink: on each side of it the load
 //! depends on the data of one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends.

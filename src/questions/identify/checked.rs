@@ -1,6 +1,6 @@
 //! Checks of a question of identification (which data of a grasp explain its observed slips). They return errors for questions that no search can
 //! answer. A layout is an arrangement of the contact points, with a grasp of its own. An unknown is a number of the grasp, such as a coefficient of
-//! friction.
+//! friction. A carried force is the normal force of a contact before the load of a slip grows; the base load acts then, too.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;

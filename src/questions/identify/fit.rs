@@ -1,6 +1,7 @@
 //! The search for the unknowns with the least Huber loss, by damped Gauss-Newton steps in the logarithms of the unknowns. This loss is quadratic in
 //! small residuals and linear in large ones. An unknown is a number of the grasp, such as a coefficient of friction. A slip is a load or angle at
-//! which a contact, or the object, was observed to slip. A known sum is a sum of unknowns that is known from another measurement.
+//! which a contact, or the object, was observed to slip. A known sum is a sum of unknowns that is known from another measurement. The scatter of a
+//! slip is its relative standard deviation.
 
 use nalgebra::{DMatrix, DVector};
 

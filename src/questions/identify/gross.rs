@@ -1,4 +1,5 @@
-//! Prediction of gross slip, the loss of the object, and of its derivatives with respect to the unknowns, such as coefficients of friction.
+//! Prediction of gross slip (the loss of the object: it slides at all contacts, tips over or leaves otherwise), and of its derivatives with respect
+//! to the unknowns, such as coefficients of friction.
 //!
 //! The observer sees an object slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that the model
 //! predicts is therefore the first event at which the object leaves.

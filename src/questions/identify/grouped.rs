@@ -1,4 +1,5 @@
-//! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator.
+//! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator. A known sum is a sum of unknowns that is known
+//! from another measurement.
 //!
 //! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. A prime denotes the transpose. The rows of U_g are
 //! the derivatives of the predictions of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns

@@ -1,4 +1,5 @@
-//! The last motion of the object at gross slip, and the derivatives of the load factor at gross slip with respect to the unknowns.
+//! The last motion of the object at gross slip (the loss of the object), and the derivatives of the load factor at gross slip with respect to the
+//! unknowns, such as coefficients of friction.
 //!
 //! Let W₀ be the constant load and W the growing load. At contact i let nᵢ be the wrench of a unit force along the normal, the columns of Tᵢ the
 //! wrenches of unit forces along the tangents, μᵢ the coefficient of friction, Nᵢ the normal force and kᵢ the normal stiffness. If the last motion m

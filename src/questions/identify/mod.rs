@@ -39,18 +39,20 @@
 //!
 //! # Errors
 //!
-//! The errors are those of the linearised problem at the solution. If the scatter of slips is not given, it is estimated from the residuals, and
-//! confidence intervals use Student's distribution. So they do if the residuals exceed a given scatter at 95 %: only the ratios of given standard
-//! deviations are then used, and their common factor is [`Identified::misfit`]. The singular values of all derivatives show directions, in the logarithms of the unknowns, along
-//! which no predicted slip changes. Such a direction is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
+//! The errors are those of the linearised problem at the solution. If the scatter of slips (their relative standard deviation) is not given, it is
+//! estimated from the residuals, and confidence intervals use Student's distribution. So they do if the residuals exceed a given scatter at 95 %:
+//! only the ratios of given standard deviations are then used, and their common factor is [`Identified::misfit`]. The singular values of all
+//! derivatives show directions, in the logarithms of the unknowns, along which no predicted slip changes. Such a direction is a
+//! [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is
 //! rougher one way, or a finger that slides along the object. Their mean is then less certain than their number suggests. For slips with
 //! [groups](Slip::in_group) the errors come from the sums of residuals over each group, whatever error the slips of a group share. Let the rows of X
 //! be derivatives of the predicted slips with respect to the unknowns, both in logarithms, divided by standard deviations, and X_g the rows of group
-//! g. Rows `x_k` are the derivatives of known sums. `ψ` is Huber's psi: residuals divided by standard deviations, clamped where Huber's loss becomes
-//! linear. The number c is the mean derivative of ψ with respect to these residuals, and H the derivative of fitted values with respect to observed
-//! ones. With a prime for the transpose, the covariance is the sandwich of Liang and Zeger (Biometrika 73, 1986)
+//! g. Rows `x_k` are the derivatives of known sums (sums of unknowns that are known from other measurements). `ψ` is Huber's psi: residuals divided
+//! by standard deviations, clamped where Huber's loss becomes linear. The number c is the mean derivative of ψ with respect to these residuals, and H
+//! the derivative of fitted values with respect to observed ones. With a prime for the transpose, the covariance is the sandwich of Liang and Zeger
+//! (Biometrika 73, 1986)
 //!
 //! ```text
 //! V = B⁻¹ (Σ_g X_g' A_g ψ_g ψ_g' A_g X_g + Σ_k x_k' x_k) B⁻¹,   B = c Σ_g X_g' X_g + Σ_k x_k' x_k,   A_g = (1 - H_gg)^(-1/2)

@@ -1,6 +1,7 @@
 //! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns. An unknown is a number of
 //! the grasp, such as a coefficient of friction. A slip is a load or angle at which a contact, or the object, was observed to slip. A known sum is a
-//! sum of unknowns that is known from another measurement.
+//! sum of unknowns that is known from another measurement. A carried force is the normal force of a contact before the load of a slip grows. The
+//! squeeze is all that presses without a load.
 
 use nalgebra::DMatrix;
 

@@ -1,4 +1,4 @@
-//! The wrenches of a contact on the object as the object leaves at gross slip.
+//! The wrenches of a contact on the object as the object leaves at gross slip (the loss of the object).
 
 use nalgebra::{DMatrix, DVector, SVector};
 

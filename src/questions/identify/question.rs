@@ -1,5 +1,6 @@
 //! The question of identification: the unknowns, the observed slips, other layouts, and known sums. An unknown is a number of the grasp, such as a
-//! coefficient of friction, a layout an arrangement of the contact points.
+//! coefficient of friction, a layout an arrangement of the contact points, a known sum a sum of unknowns that is known from another measurement. A
+//! carried force is the normal force of a contact before the load of a slip grows.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;

@@ -1,4 +1,5 @@
-//! An observed slip: a load or an angle at which the first contact, or the whole object, slid.
+//! An observed slip: a load or an angle at which the first contact, or the whole object, slid. A layout is one arrangement of the contact points,
+//! with a grasp of its own. The squeeze is all that presses without a load. The scatter of a slip is its relative standard deviation.
 
 use nalgebra::SVector;
 
@@ -103,7 +104,7 @@ impl<const C: usize> Slip<C> {
         /// and the scatter of the slip is the scatter of this factor.
         pub fn squeezed(mut self, factor: f64) { self.squeeze = Some(factor); }
 
-        /// This slip in another layout: 0 is the grasp of the question. Then come the layouts of
+        /// This slip in another layout (arrangement of the contact points): 0 is the grasp of the question. Then come the layouts of
         /// [`Identify::with_points`](super::Identify::with_points), numbered from 1, and after them those of
         /// [`Identify::and_layouts`](super::Identify::and_layouts).
         pub fn in_layout(mut self, layout: usize) { self.layout = Some(layout); }

@@ -1,5 +1,5 @@
 //! Limits of the identification of unknowns from observed slips: a value below one of them is taken as zero, or the search stops. An unknown is a
-//! number of the grasp, such as a coefficient of friction.
+//! number of the grasp, such as a coefficient of friction. The loss is the function of the residuals that the search minimises.
 //!
 //! All these limits are dimensionless: they apply to logarithms of unknowns, or to fractions of the largest value of the same kind.
 

@@ -1,5 +1,5 @@
 //! An unknown number of the grasp, to be estimated from observed slips. A slip is a load or angle at which a contact, or the object, was observed to
-//! slip.
+//! slip. A layout is one arrangement of the contact points; the squeeze is all that presses without a load.
 
 use crate::ask::Grasp;
 use crate::error::Error;

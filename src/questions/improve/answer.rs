@@ -1,5 +1,6 @@
 //! The answer of the search for better finger places. A place is the position of a contact on its curve or surface, a squeeze the normal force of its
-//! command; a design point is one choice of both.
+//! command; a design point is one choice of both. The goal is the value that the search maximises; the base load acts before the loads of the
+//! question grow.
 
 use nalgebra::SVector;
 

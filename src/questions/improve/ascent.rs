@@ -1,5 +1,6 @@
 //! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
-//! the normal force of its command; a design point is one choice of both.
+//! the normal force of its command; a design point is one choice of both. The goal is the value that the search maximises; the base load acts before
+//! the loads of the question grow. Multipliers are those of the conditions and limits that are active at an optimum.
 
 use nalgebra::DVector;
 
@@ -278,8 +279,9 @@ impl AscentProblem<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.design_space.question.steps() {
-                    // The learnt curvature may be wrong at this design point, so that no step gains although a direction of ascent exists. Before the
-                    // ascent ends without an optimum, the curvature is reset and steps are tried again.
+                    // The curvature (the Hessian of the Lagrangian, estimated from earlier steps) may be wrong at this design point, so that no step
+                    // gains although a direction of ascent exists. Before the ascent ends without an optimum, the curvature is reset and steps are
+                    // tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;

@@ -1,6 +1,7 @@
 //! The Hessian of minus the Lagrangian of the search: the event values and constraints, weighted by their multipliers, as a function of places and
-//! squeezes of contacts. It is learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps
-//! this matrix positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
+//! squeezes of contacts. An event is a sticking condition under a load, its value the load factor that breaks it, or its margin. The Hessian is
+//! learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps this matrix positive
+//! semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
 

@@ -1,6 +1,7 @@
 //! For each contact and load, the value of each sticking condition (for the goal of first slip the load factor that breaks it), and its derivatives
 //! with respect to places and squeezes. A place is the position of a contact on its curve or surface, a squeeze the normal force of its command; a
-//! design point is one choice of both.
+//! design point is one choice of both. The goal is the value that the search maximises. The base load acts before the loads of the question grow; at
+//! rest means under it.
 
 use core::f64::consts::TAU;
 

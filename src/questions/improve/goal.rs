@@ -1,9 +1,9 @@
 //! The goal: the value that is maximised over places and squeezes.
 //!
-//! Let F⁰ be the contact force under the base load, F¹ the change of this force due to a load, and a the coefficients of a facet of the friction
-//! cone, so that the contact sticks while `a·F >= 0` for its force F. The margin under the base load is `r = a·F⁰`, and the load adds `s = a·F¹`,
-//! usually negative. The value of the goal of first slip is the load factor τ at which the margin vanishes, `r + τ s = 0`. The value of the goal of a
-//! reserve is the margin under the load, `r + s`.
+//! Let F⁰ be the contact force under the base load (which acts before the loads of the question grow), F¹ the change of this force due to a load, and
+//! a the coefficients of a facet of the friction cone, so that the contact sticks while `a·F >= 0` for its force F. The margin under the base load is
+//! `r = a·F⁰`, and the load adds `s = a·F¹`, usually negative. The value of the goal of first slip is the load factor τ at which the margin vanishes,
+//! `r + τ s = 0`. The value of the goal of a reserve is the margin under the load, `r + s`.
 
 /// The value that the search for places and squeezes of the fingers maximises. Each load has such a value, and the least of them is maximised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -66,7 +66,8 @@ impl Improve<3> {
         let loaded = LoadSet::of(grasp.engine.space().axes(), self, &loads);
         let (design_space, as_given) = DesignSpace::of(&grasp, self)?;
         let ascent_problem = AscentProblem { design_space: &design_space, loaded: &loaded, grasp: &grasp };
-        // Some contacts of the given grasp may touch without force. Some starts leave these contacts idle; others let them press, too.
+        // Some contacts of the given grasp may touch without force. Some starts leave these contacts idle (open until a load pushes them); others let
+        // them press, too.
         let idle = ascent_problem.idle(&as_given)?;
         let given = as_given.with_idle(&idle);
         let before = ascent_problem.before(&given)?;

@@ -1,4 +1,5 @@
-//! The loads of a question, and the load factor of first slip of a grasp under them.
+//! The loads of a question, and the load factor of first slip of a grasp under them: the multiple of a load at which the first contact stops
+//! sticking. The base load acts before the other loads grow. The goal, first slip or a reserve of friction, is the value that the search maximises.
 
 use super::goal::ImproveGoal;
 use super::question::Improve;

@@ -1,4 +1,5 @@
-//! The question of finger placement: its loads, the places and squeezes that may change, and upper limits of the squeezes.
+//! The question of finger placement: its loads, the places and squeezes (normal forces of commands) that may change, and upper limits of the
+//! squeezes. A command is the displacement that a finger would make without the object.
 
 use nalgebra::SVector;
 

@@ -19,7 +19,8 @@ use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
 /// The data of the quadratic program of one step. `factors` are the values of the events (sticking conditions under loads). They are divided by the
-/// load factor of first slip, or for a reserve by the greatest contact force under the base load. Variables are divided by their units.
+/// load factor of first slip. If the least margin under the loads (the reserve) is maximised, they are divided by the greatest contact force under
+/// the base load instead. Variables are divided by their units.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,

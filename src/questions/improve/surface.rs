@@ -1,4 +1,4 @@
-//! Curves and surfaces that contacts may move along.
+//! Curves and surfaces that contacts may move along. The goal of the search for better places is a late first slip, or a large reserve of friction.
 
 use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;

@@ -1,8 +1,8 @@
 //! Limits of the search for finger places: at which an ascent has reached an optimum, and below which a gain is rounding. A place is the position of
 //! a contact on its curve or surface, a squeeze the normal force of its command; a design point is one choice of both.
 //!
-//! Places and squeezes are divided by the unit of their variable. Gains are divided by the load factor of first slip, or for a reserve by the
-//! greatest contact force under the base load.
+//! Places and squeezes are divided by the unit of their variable. Gains are divided by the load factor of first slip. If the reserve (the least
+//! margin of a contact force to the edge of its cone) is maximised, they are divided by the greatest contact force under the base load.
 
 /// A design point is called an optimum to first order if its residual of first-order optimality is at most this number.
 ///

@@ -1,4 +1,5 @@
-//! The answer to [`Improve`](super::Improve) in a sentence, as one would say it to a colleague.
+//! The answer to [`Improve`](super::Improve) in a sentence, as one would say it to a colleague. A design point is one choice of the places and
+//! squeezes (normal forces of commands) of all fingers; at rest means before the loads grow.
 
 use core::fmt;
 

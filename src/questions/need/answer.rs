@@ -1,4 +1,8 @@
 //! The answer to a [`Need`](super::Need): the least or greatest amount of a quantity that meets a demand.
+//!
+//! An amount (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it. A safe amount is sufficient also
+//! with less friction and squeeze (the field `lower`), or with larger loads (the field `safety`). The squeeze is all that presses without a load,
+//! such as commands (prescribed displacements of fingers) and constant forces.
 
 use core::fmt;
 

@@ -1,5 +1,7 @@
 //! The trial of an amount (such as a squeeze) under a force of any direction. It has a closed form while everything sticks; otherwise many directions
-//! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost.
+//! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost. The weakest
+//! direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load. An amount is sufficient
+//! if the grasp meets the demand with it.
 
 use super::loading::{Loading, force_at};
 use super::question::Demand;
@@ -114,7 +116,8 @@ impl Loading {
         }))
     }
 
-    /// The result for the direction in which motions are largest while everything sticks.
+    /// The result for that direction of a force of this size at `point` in which it causes the largest motions while everything sticks, relative to
+    /// the limits of small motions.
     fn farthest(&self, base: &Wrench<3>, size: f64, point: [f64; 3]) -> Result<Trial, Error> {
         let Some((most, direction)) = self.grasp.farthest_direction(base, point)? else {
             return Ok(Trial::always());

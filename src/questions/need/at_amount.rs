@@ -53,7 +53,7 @@ impl Need<3> {
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
                 // `most` is the size of the force that makes a contact slide in the weakest direction. Multiplied by the factor `part`, that force
-                // has the size of the question.
+                // has the size given in the question, times `times`.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {

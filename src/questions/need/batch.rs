@@ -1,8 +1,10 @@
-//! Needed amounts of many grasps, on all cores.
+//! Needed amounts of many grasps, on all cores: for each grasp the least multiple of its squeeze, or the greatest multiple of its load, with which it
+//! meets the demand (everything sticks, or the object is held). An amount is sufficient if the grasp meets the demand with it.
 //!
 //! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
 //! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at which
-//! equilibrium is lost is used instead; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`].
+//! equilibrium is lost is used instead; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`]. At rest means
+//! before the load acts. Motions are small within the limits of rotation, slip and opening up to which the linear theory is trusted.
 
 use core::ops::Range;
 

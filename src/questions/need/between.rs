@@ -1,5 +1,6 @@
 //! The search for a sufficient amount (of squeeze, friction, load, arm or angle) between amounts that turned out to be insufficient: the grasp does
-//! not meet the demand with them.
+//! not meet the demand with them. The carried part (or fraction) of the load is the load factor up to which the demand is met. At rest means before
+//! the loads of the question act.
 
 use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NARROW, NEAR_DOUBLINGS};

@@ -2,7 +2,8 @@
 //! sufficient if the grasp meets the demand with it. At rest means under the loads that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
-//! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts.
+//! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
+//! load is the load factor up to which the demand is met.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -65,7 +66,8 @@ impl SearchPlan {
 impl BoundScan {
     /// Tries `scan` new amounts, half of them on each side of a bound of the sufficient amounts, within the range in which contact forces can balance
     /// the loads. The amounts in `known` are included. One more amount, 16 times as large or as small as the bound, is tried on the harder side (less
-    /// squeeze, more load), and on the easier side if `far`. Nothing is tried if `plan.is_monotone`.
+    /// squeeze, more load), and on the easier side if `far`. Nothing is tried if `plan.is_monotone`: every easier amount than a sufficient one is
+    /// then sufficient, too.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,

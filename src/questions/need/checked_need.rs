@@ -1,4 +1,6 @@
-//! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads.
+//! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads. An amount
+//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it; a safe amount is sufficient also with less
+//! friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
 
 use alloc::borrow::Cow;
 

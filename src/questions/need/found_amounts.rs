@@ -1,8 +1,9 @@
-//! Completes the answer of a `need` after a search has found sufficient amounts (of squeeze, friction, load, arm or angle). An amount is sufficient if
-//! the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
+//! Completes the answer of a `need` after a search has found sufficient amounts (of squeeze, friction, load, arm or angle). An amount is sufficient
+//! if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
-//! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
+//! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
+//! is sufficient also with less friction and squeeze, or with larger loads. At rest means before the loads of the question act.
 
 use super::answer::{Amount, FarEnd};
 use super::bound_scan::{BoundScan, between_known};

@@ -3,7 +3,8 @@
 //! that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
-//! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
+//! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
+//! is sufficient also with less friction and squeeze, or with larger loads.
 
 use super::answer::{Amount, Needed, Quantity};
 use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};

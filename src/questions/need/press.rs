@@ -1,5 +1,6 @@
 //! The normal forces with which contacts press under a squeeze, and sentences about these forces. At rest means under the loads that act before the
-//! loads of the question.
+//! loads of the question. The squeeze is all that presses without a load: commands (displacements that fingers would make without an object),
+//! constant forces, vacuums and torques of joints.
 
 use nalgebra::SVector;
 

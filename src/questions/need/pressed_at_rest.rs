@@ -1,5 +1,5 @@
 //! The normal forces with which the contacts press at rest, for a given multiple of the squeeze. At rest means under the loads that act before the
-//! loads of the question.
+//! loads of the question. The squeeze is all that presses without a load. A drive (motor, clutch or tendon of a joint) yields at its limit.
 
 use super::checked_need::{CheckedNeed, Sought};
 use super::press::{ContactPress, force_set, pressure_of_cup};
@@ -52,7 +52,8 @@ pub(super) fn presses(
         if *load != base && set.peek().is_some() && set.all(|press| press.force <= 0.0) {
             continue;
         }
-        // The drive of a contact that is held by a given force is always at its limit, so this contact is not listed.
+        // A contact that presses with a given constant force is modelled by a drive that is always at its limit. This says nothing about the squeeze,
+        // so the contact is not listed.
         let mut at_their_limit = Vec::new();
         for joint in &state.joints {
             if joint.state == DriveState::Yields {

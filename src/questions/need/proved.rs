@@ -52,8 +52,8 @@ fn only_amount(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Am
     }))
 }
 
-/// The bracket at the proved end of the range, if all tried amounts are sufficient; `to` is the last amount tried. Beyond the proved end no contact
-/// forces balance the loads.
+/// The bracket (a sufficient amount and its insufficient neighbour) at the end of the range of amounts that no proof excludes, if all tried amounts
+/// are sufficient; `to` is the last amount tried. Beyond this proved end no contact forces balance the loads.
 pub(super) fn at_proved_end(
     to: f64,
     plan: &SearchPlan,

@@ -1,5 +1,5 @@
 //! The range of amounts for which contact forces inside their cones could balance all loads. With an amount outside this range the object is not
-//! held. An amount is a multiple of the squeeze or load, a coefficient of friction, or an arm.
+//! held. An amount is a multiple of the squeeze or load, a coefficient of friction, or an arm. At rest means before the other loads act.
 //!
 //! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex, so the range is an interval. A motion v may prove
 //! that W(x) is unbalanced. Along v no contact force does negative work, but the load does positive work, W(x)·v > 0. Then v proves the same for

@@ -1,5 +1,7 @@
-//! The trial of an amount under loads that are applied and removed again and again. A leg is a section of the load program, a period one cycle or
-//! several cycles after which the motion repeats itself.
+//! The trial of an amount (of squeeze, friction, load, arm or angle) under loads that are applied and removed again and again. The amount is
+//! sufficient if the object comes to rest (from some cycle on nothing slides), or, with a weaker demand, does not walk (move on by the same motion in
+//! every period). A leg is a section of the load program, a period one cycle or several cycles after which the motion repeats itself. Motions are
+//! small within the limits up to which the linear theory is trusted.
 
 use core::f64::consts::TAU;
 
@@ -17,7 +19,8 @@ use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
 
 impl Loading {
-    /// Determines whether the object comes to rest, or does not walk, while the loads are applied and removed in turn for ever.
+    /// Determines whether the amount is sufficient: while the loads are applied and removed in turn for ever, the object comes to rest
+    /// ([`Demand::Rests`]), or does not walk ([`Demand::Stays`]).
     pub(super) fn again_and_again(&self, demand: Demand) -> Result<Trial, Error> {
         let Some((base, legs)) = self.cycle() else {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
@@ -62,8 +65,8 @@ impl Loading {
     }
 }
 
-/// For an insufficient amount, a number below 1 that guides the search in place of the carried part of the load. It is larger the later the object is
-/// lost, or the less the object moves per period.
+/// For an insufficient amount, a number below 1 that guides the search for a sufficient amount. It replaces the carried part of the load, the load
+/// factor up to which a load that is applied once is held. It is larger the later the object is lost, or the less the object moves per period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
     // A loss gives less than one half; walking and sliding to and fro give more. Thus an increasing number leads the search from loss to walking to
     // rest.

@@ -2,7 +2,8 @@
 //! of the bound, the least or greatest sufficient amount. `threshold` narrows this bracket.
 //!
 //! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, smaller if
-//! the greatest is sought; harder amounts are the opposite. The carried part of the load is the load factor up to which the demand is met.
+//! the greatest is sought; harder amounts are the opposite. The carried part of the load is the load factor up to which the demand is met. Motions
+//! are small within the limits up to which the linear theory is trusted.
 
 use super::between::refined;
 use super::range::Range;

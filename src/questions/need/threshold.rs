@@ -1,7 +1,8 @@
 //! The bracket of the bound, and how it is narrowed. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand
 //! with it; the bound is the least or greatest sufficient amount. A bracket consists of one sufficient and one insufficient amount. The carried part
 //! of the load is the load factor up to which the demand is met with an amount. At rest means under the loads that act before the loads of the
-//! question. A measure is a number that is zero at the bound unless it jumps there: the carried part less 1, or the second margin of a trial.
+//! question. A measure is a number that is zero at the bound unless it jumps there: the carried part less 1, or the second margin of a trial. Full
+//! trials enumerate contact states in the search for equilibria, quick trials do not.
 
 use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
@@ -46,9 +47,9 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // With a force of any direction, a full trial may find a direction in which the presumed amount is insufficient. Later quick trials include
-        // this direction, and each further direction changes the bound less. Therefore an amount nearer to the sufficient end of the bracket by the
-        // fraction [`AT_A_JUMP`] is tried, too; if it is sufficient, it is the answer.
+        // Quick trials give the `presumed` bracket. With a force of any direction, a full trial may find a direction in which its sufficient amount
+        // is insufficient. Later quick trials include this direction, and each further direction changes the bound less. Therefore an amount nearer
+        // to the sufficient end of the bracket by the fraction [`AT_A_JUMP`] is tried, too; if it is sufficient, it is the answer.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {

@@ -1,5 +1,6 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): whether the grasp meets the demand with it, and the distance to the bound, the
-//! least or greatest sufficient amount. At rest means under the loads that act before the loads of the question.
+//! least or greatest sufficient amount. At rest means under the loads that act before the loads of the question. The carried part of the load is the
+//! load factor up to which the demand is met with an amount. Motions are small within the limits up to which the linear theory is trusted.
 
 use core::cell::{Cell, RefCell};
 

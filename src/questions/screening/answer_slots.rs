@@ -1,4 +1,5 @@
-//! The memory in which the kernels of screening store the answers to one question for the grasps of one block.
+//! The memory in which the kernels of screening store the answers to one question for the grasps of one block. A block holds as many grasps as a
+//! vector has numbers (lanes). A pull is a load that grows from a base load.
 
 use super::lanes::Packed;
 

@@ -1,4 +1,4 @@
-//! Answers the questions of screening for consecutive grasps of a batch, on one thread.
+//! Answers the questions of screening for consecutive grasps of a batch, on one thread. A block holds as many grasps as a vector has numbers.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_POINTS, MOST_SCREENED};

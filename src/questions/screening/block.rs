@@ -1,4 +1,4 @@
-//! The data of several grasps, side by side in the lanes of vectors.
+//! The data of several grasps, side by side in the lanes of vectors. A command is the displacement that a finger would make without the object.
 
 use super::lanes::Packed;
 

@@ -1,10 +1,11 @@
 //! Contact forces while every contact sticks, computed from the motion of the object. This is the method for pairs in space, and for three and more
-//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers.
+//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers. A lane is the place of one grasp in a vector, whose
+//! numbers are computed side by side.
 //!
-//! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, with the stiffness
-//! matrix T and the wrench w that was not balanced. If stiffnesses differ much, T loses the contribution of the soft contacts. The balance of forces
-//! shows the loss, and the step is repeated for the residual. Forces that satisfy both the balance and the spring law are right, however inaccurate T
-//! is.
+//! First the commands (displacements that the fingers would make without the object) stretch the springs with the object held in place. Then the
+//! object is released and moves by `q = T⁻¹ w`, with the stiffness matrix T and the wrench w that was not balanced. If stiffnesses differ much, T
+//! loses the contribution of the soft contacts. The balance of forces shows the loss, and the step is repeated for the residual. Forces that satisfy
+//! both the balance and the spring law are right, however inaccurate T is.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout, MOST_SCREENED, entries};
@@ -26,8 +27,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         );
     }
 
-    /// Computes the contact forces that commands and a load cause together; the moment of the load is about the centroid of the contacts. If
-    /// `commands` is `None`, the load acts alone, and its moment is about the origin.
+    /// Computes the contact forces while every contact sticks. With `commands`, commands and the load act together, and the moment of `load` is given
+    /// about the centroid of the contacts. With `None` the load acts alone, and its moment is given about the origin of the coordinates.
     #[inline(never)]
     pub(super) fn sticking<V: Vectors>(
         &self,

@@ -1,4 +1,5 @@
-//! The margin of sticking at the contact that leaves its friction cone first, and the derivatives of this margin.
+//! The margin of sticking at the contact that leaves its friction cone first, and the derivatives of this margin. A command is the displacement that
+//! a finger would make without the object.
 
 use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;

@@ -1,4 +1,5 @@
-//! One grasp, checked and prepared for screening.
+//! One grasp, checked and prepared for screening. A command is the displacement that a finger would make without the object; at first slip the first
+//! contact stops sticking.
 
 use super::block::MOST_SCREENED;
 use super::gradient::GradientOf;

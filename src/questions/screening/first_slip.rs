@@ -1,4 +1,4 @@
-//! The first slip of one grasp: a load factor, or a code if there is no first slip, and its verdict.
+//! The first slip of one grasp: a load factor, or a code if there is no first slip, and its verdict. The base load acts at load factor 0.
 
 use core::fmt;
 

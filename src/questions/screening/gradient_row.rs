@@ -1,4 +1,5 @@
-//! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers.
+//! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone
+//! when it stops sticking; a command is the displacement that a finger would make without the object.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count, entries};

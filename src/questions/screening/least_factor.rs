@@ -1,4 +1,5 @@
-//! The least factor of the commands with which all contacts of a grasp stick under each load of a list.
+//! The least factor of the commands with which all contacts of a grasp stick under each load of a list. A command is the displacement that a finger
+//! would make without the object.
 //!
 //! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
 //! commands. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin `n - |t|` is concave in s. Therefore it is not negative in an

@@ -2,9 +2,9 @@
 //!
 //! Planners ask for this load most often. Screening answers without allocating and almost without branches. It computes the contact forces as if
 //! every contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at
-//! which a contact stops sticking. In the formulas W is the load, τ the load factor, a the commands, and s the factor on the given commands. F_i is
-//! the force of contact i. In the first formula F_i⁰ is its value under the base load W₀ and F_i' its rate. In the second formula F_iᵃ is due to the
-//! commands alone, and F_iᵂ to the load and the clearances alone.
+//! which a contact stops sticking. In the formulas W is the load, τ the load factor, a the commands (displacements that the fingers would make
+//! without the object), and s the factor on the given commands. F_i is the force of contact i. In the first formula F_i⁰ is its value under the base
+//! load W₀ and F_i' its rate. In the second formula F_iᵃ is due to the commands alone, and F_iᵂ to the load and the clearances alone.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|

@@ -1,7 +1,8 @@
 //! Displacements of the object at its contacts while every contact sticks, computed from contact forces and compliances.
 //!
-//! The springs give the displacement of the object at each contact, `u = a - C F`, with the command a, the compliance C and the force F.
-//! Displacements at both ends of an edge e between contacts differ by `ω × e`, from which the rotation ω follows.
+//! The springs give the displacement of the object at each contact, `u = a - C F`, with the command a (the displacement that the finger would make
+//! without the object), the compliance C and the force F. Displacements at both ends of an edge e between contacts differ by `ω × e`, from which the
+//! rotation ω follows.
 
 use super::block::{Block, Commanded, MOST_SCREENED, entries};
 use super::finger::{Force, world};

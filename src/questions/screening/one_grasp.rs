@@ -1,4 +1,5 @@
-//! One grasp prepared for screening: its data, springs, and the contact forces due to its commands.
+//! One grasp prepared for screening: its data, springs, and the contact forces due to its commands. A command is the displacement that a finger would
+//! make without the object.
 
 use nalgebra::SMatrix;
 

@@ -8,7 +8,8 @@
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
 //! ```
 //!
-//! The distance of the contact points on the object stays constant, which fixes λ for the commands a_i:
+//! The distance of the contact points on the object stays constant, which fixes λ for the commands a_i (displacements that the fingers would make
+//! without the object):
 //!
 //! ```text
 //! Σ p_i·(a_i - C_i F_i) = 0

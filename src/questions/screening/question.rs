@@ -1,4 +1,5 @@
-//! A question of screening, such as the first slip under a load, and the block of grasps for which it is answered.
+//! A question of screening, such as the first slip under a load, and the block of grasps for which it is answered. A block holds as many grasps as a
+//! vector has numbers (lanes). A command is the displacement that a finger would make without the object.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};

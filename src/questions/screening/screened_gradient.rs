@@ -1,4 +1,5 @@
-//! Access to the derivatives of load factors at first slip.
+//! Access to the derivatives of load factors at first slip. A gradient belongs to one grasp under one load: the load factor at which the first
+//! contact stops sticking, and its derivatives with respect to all data. The base load acts at load factor 0.
 
 use super::first_slip::SlipCode;
 use super::gradient_row::GradientRow;
@@ -45,7 +46,7 @@ impl<const C: usize> ScreenedGradients<C> {
         Some(ScreenedGradient { contacts: self.contacts, row })
     }
 
-    /// All gradients, in the order of the load factors.
+    /// All gradients, one for each grasp and load, in the order of the load factors from screening.
     pub fn iter(&self) -> impl Iterator<Item = ScreenedGradient<'_, C>> {
         let contacts = self.contacts;
         let rows = self.numbers.chunks_exact(GradientRow::<C>::numbers(contacts));

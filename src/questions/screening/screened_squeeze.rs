@@ -1,4 +1,5 @@
-//! The answer of screening for the least factor of the commands of one grasp.
+//! The answer of screening for the least factor of the commands of one grasp. A command is the displacement that a finger would make without the
+//! object.
 
 use core::fmt;
 

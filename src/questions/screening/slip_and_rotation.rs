@@ -1,4 +1,5 @@
-//! First slip, and the rotation of the object up to the whole load, for a batch of grasps, each under its own load.
+//! First slip, and the rotation of the object up to the whole load, for a batch of grasps, each under its own load. The base load acts at load factor
+//! 0.
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;

@@ -1,4 +1,5 @@
-//! Contact forces while all contacts stick, under loads and commands, by one of three methods.
+//! Contact forces while all contacts stick, under loads and commands, by one of three methods. A command is the displacement that a finger would make
+//! without the object.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};

@@ -8,8 +8,8 @@
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²
 //! ```
 //!
-//! The lengths of the edges on the object stay constant, which fixes λ for the commands a. With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for
-//! each edge from its tail to its head:
+//! The lengths of the edges on the object stay constant, which fixes λ for the commands a (displacements that the fingers would make without the
+//! object). With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for each edge from its tail to its head:
 //!
 //! ```text
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
@@ -41,9 +41,9 @@ pub(super) const N: usize = 3;
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
-    /// The normal `m = e_1 × e_2` of the triangle, m².
+    /// The normal vector `m = e_1 × e_2` of the triangle; its length, in square metres, is twice the area.
     pub(super) across: [X; C],
-    /// `1 / |m|²`, with the normal m of the triangle, m⁻⁴.
+    /// `1 / |m|²` with this normal vector m, in 1/metre⁴.
     pub(super) one_over_square: X,
     /// The products `n_i·e_j` of the normal of contact i with the edge that ends at the contact.
     ends: [X; N],

@@ -21,8 +21,8 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The margins of measured contact forces of one grasp, the load factor of first slip under an expected load, and the extra squeeze that this load
-/// needs.
+/// The margins of measured contact forces of one grasp, the load factor of first slip under an expected load, and the extra squeeze (relative
+/// increase of all commands) that this load needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,

@@ -1,5 +1,6 @@
-//! One cycle of loads: the states at its beginning and end, and the slips between them. A jump is a motion under constant load from one equilibrium
-//! to another.
+//! One cycle of loads: the states at its beginning and end, and the slips between them. A state has the contact forces, gaps and slips at an instant
+//! between two cycles. A jump is a motion under constant load from one equilibrium to another. An object walks if it moves on by the same motion in
+//! every cycle. A drive is a motor, clutch or tendon of a joint.
 
 use super::tolerances::{SAME_CYCLE, SLIP_OF_JUMPS};
 use nalgebra::{DVector, SVector};

@@ -1,5 +1,7 @@
 //! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
-//! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts.
+//! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts. The object walks
+//! if it moves on by the same motion in every cycle. A drive is a motor, clutch or tendon of a joint; motions are small within the limits up to which
+//! the linear theory is trusted.
 
 use super::cycle::Cycle;
 use super::period_search::PeriodSearch;
@@ -240,7 +242,8 @@ impl<'g> FollowedCycles<'g, '_> {
         (happens_there && is_one).then_some(limit)
     }
 
-    /// Whether the object, or a body, has walked from rest farther than the extent of its contacts, so that its motion is no longer small.
+    /// Whether the object, or a body, has walked from rest farther than its contact points extend (their root mean square distance from their
+    /// centroid). Its motion is then no longer small.
     fn has_walked_out(&self, cycle: &Cycle) -> bool {
         let is_out = |moved: &BodyMotion<3>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)

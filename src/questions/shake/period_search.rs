@@ -1,7 +1,7 @@
 //! Detection of periods that last several load cycles. If friction falls as contacts begin to slide, a slip in one cycle may not occur in the next.
 //!
-//! The state after each cycle is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo
-//! factorization algorithm*, 1980). Thus every period is found, with a single state in store.
+//! The state after each cycle (contact forces and gaps) is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent,
+//! *An improved Monte Carlo factorization algorithm*, 1980). Thus every period is found, with a single state in store.
 
 use super::cycle::Cycle;
 

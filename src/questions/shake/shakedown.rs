@@ -1,10 +1,10 @@
 //! The static theorem of shakedown. It gives the greatest factor on repeated loads at which no contact slides under any of the loads, for suitable
-//! constant slips of the contacts.
+//! constant slips of the contacts. A drive is a motor, clutch or tendon of a joint.
 //!
-//! While all contacts are closed and stick with constant slips s, contact forces under the base load W₀ plus λ times load W_k are `F(W₀) + λ F(W_k) -
-//! P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its slips keep
-//! all contact forces inside their cones. Hence the greatest λ for which such an s exists is an upper bound: with a larger λ the grasp never comes to
-//! rest. A linear program finds it. The multipliers of the linear program prove that no other slips allow a larger λ.
+//! While all contacts are closed and stick with constant slips s, contact forces under the constant base load W₀ plus λ times load W_k are `F(W₀) + λ
+//! F(W_k) - P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its
+//! slips keep all contact forces inside their cones. Hence the greatest λ for which such an s exists is an upper bound: with a larger λ the grasp
+//! never comes to rest. A linear program finds it. The multipliers of the linear program prove that no other slips allow a larger λ.
 //!
 //! If slips change no normal force, the grasp does come to rest for every λ up to this bound (Melan's theorem for friction). This does not hold if
 //! friction falls as contacts slide. If slips change normal forces, the order of the loads matters, which [`shake`](super) follows.

@@ -1,4 +1,6 @@
-//! The behaviour of a grasp under a repeated load, and numbers about the cycles that were followed.
+//! The behaviour of a grasp under a repeated load, and numbers about the cycles that were followed. A period is the number of cycles after which the
+//! motion repeats itself; a jump is a sudden motion under constant load. The extent of the contacts of an object is the root mean square distance of
+//! their points from their centroid.
 
 use crate::equilibrium::{Equilibrium, TooFar};
 use crate::grasp::{BodyMotion, Motion, PartLabel, WholeContact, Wrench};

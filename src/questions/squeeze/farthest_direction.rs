@@ -1,4 +1,5 @@
-//! The direction in which the least force through a point makes a motion exceed its limit of small motions, while everything sticks.
+//! The direction in which the least force through a point makes a motion exceed its limit of small motions (up to which the linear theory is
+//! trusted), while everything sticks.
 //!
 //! Let x be the force, and s the vector of a rotation, slip or opening that must not exceed its limit L. While everything sticks s is affine in x: `s
 //! = a + B x`, where a is its value under the base load. The shortest x with `|s| = L` satisfies `x = λ Bᵀs` with a multiplier λ. In the singular

@@ -1,4 +1,5 @@
-//! The least factor of commands and vacuums with which all contacts touch and stick under every one of a set of loads.
+//! The least factor of commands and vacuums with which all contacts touch and stick under every one of a set of loads. A command is the displacement
+//! that a finger would make without the object.
 
 use super::loads::Loads;
 use super::parts::{Condition, ForceParts};

@@ -1,5 +1,5 @@
-//! The least squeeze with which all contacts stick, and the weakest direction (in which the least force makes a contact stop sticking), both computed
-//! without sampling.
+//! The least squeeze (factor of commands and vacuums) with which all contacts stick, and the weakest direction (in which the least force makes a
+//! contact stop sticking), both computed without sampling.
 //!
 //! While all contacts stick, the contact forces are affine in the load and in the commands. Let F be the force of a contact (normal component first),
 //! and a the coefficients of a facet of its friction cone. The contact sticks if `a·F >= 0` for each facet. The round cone has a facet `a = (μ, -cos

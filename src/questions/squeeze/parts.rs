@@ -1,4 +1,5 @@
-//! Finds the sticking condition that is broken most under a set of loads, if all commands and vacuums are multiplied by a factor.
+//! Finds the sticking condition that is broken most under a set of loads, if all commands and vacuums are multiplied by a factor. A command is the
+//! displacement that a finger would make without the object.
 
 use nalgebra::SVector;
 

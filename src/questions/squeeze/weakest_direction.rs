@@ -1,4 +1,5 @@
-//! The least force, over all directions, that makes a contact stop sticking when it acts at a given point.
+//! The least force, over all directions, that makes a contact stop sticking when it acts at a given point. The base load is constant and acts before
+//! that force. A drive is a motor, clutch or tendon of a joint.
 
 use crate::numerics::IntoList;
 use core::f64::consts::FRAC_PI_2;

@@ -1,4 +1,5 @@
-//! The uncertain data of a grasp on which contact forces depend, each with its standard deviation.
+//! The uncertain data of a grasp on which contact forces depend, each with its standard deviation. The squeeze is all that presses without a load,
+//! such as commands of fingers and constant forces.
 
 use super::contact_errors::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;

@@ -1,5 +1,5 @@
 //! A grasp in which all contacts stick under a base load. The file finds the probability that one of them stops sticking before a further load is
-//! applied in full.
+//! applied in full. A source is one cause of contact forces. A drive is a motor, clutch or tendon of a joint.
 //!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. Thus, if all contacts stick under the base load
 //! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops

@@ -1,4 +1,4 @@
-//! Accuracies of the load factors and failure probabilities of a reserve.
+//! Accuracies of the load factors and failure probabilities of a reserve: the load up to which all contacts stick with a required probability.
 
 /// Relative accuracy of the load factor at which the failure probability equals the allowed one.
 ///

@@ -1,4 +1,4 @@
-//! Charts of the friction force of each contact along a load path, as a fraction of its limit.
+//! Charts of the friction force of each contact along a load path, as a fraction of its limit. The base load acts before the load grows.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};

@@ -1,4 +1,5 @@
-//! The equilibria that pictures show for an answer; the grasp alone if the answer has no equilibrium.
+//! The equilibria that pictures show for an answer; the grasp alone if the answer has no equilibrium. The base load acts before the load of the
+//! question grows.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};

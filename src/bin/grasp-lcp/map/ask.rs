@@ -25,7 +25,7 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
 
 /// The first slip under a force that grows in one direction of the map.
 pub(crate) struct FirstSlipForce {
-    /// The force at first slip, or at which the grasp gives way, N; infinite if no contact ever slips, NaN if unknown.
+    /// The force at first slip, or at which the grasp gives way (nothing resists more of it), N; infinite if no contact ever slips, NaN if unknown.
     pub(crate) force: f64,
     /// The contacts that stop sticking and how (slide, open), in words; or the reason why there is no first slip.
     pub(crate) contacts: String,

@@ -2,8 +2,8 @@
 //!
 //! First slip and the weakest direction are computed directly. The map also has a smaller force, which allows for uncertain friction, stiffness and
 //! clamping force. Under it these data may deviate by a number of standard deviations before a contact slides. In each direction the load path is
-//! followed from event to event, with slip memory, to the load at which equilibrium is lost. The answer distinguishes limit loads, beyond which no
-//! equilibrium exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
+//! followed from event to event, with the slips so far, to the load at which equilibrium is lost. The answer distinguishes limit loads, beyond which
+//! no equilibrium exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
 
 mod ask;
 mod data_deviations;

@@ -1,4 +1,4 @@
-//! The map of all directions in space: maps of the sphere and a table.
+//! The map of all directions in space: maps of the sphere and a table. The base load acts in addition to the force of the map.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! The picture of a planar grasp: object, fingers, friction cones, contact forces, load.
+//! The picture of a planar grasp: object, fingers, friction cones, contact forces, load. A fingertip is a contact with all its points.
 
 mod names;
 

@@ -1,4 +1,5 @@
-//! Names of fingertips, bodies and joints on a picture of a grasp, where they hide as little as possible.
+//! Names of fingertips, bodies and joints on a picture of a grasp, where they hide as little as possible. A fingertip is a contact with all its
+//! points.
 
 use nalgebra::Vector2;
 

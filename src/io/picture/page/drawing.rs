@@ -1,5 +1,5 @@
 //! The geometry of a spatial grasp for both its HTML page and its still picture (SVG). It has points in the coordinates of the grasp, and the scales
-//! of forces, moments and displacements.
+//! of forces, moments and displacements. A fixture is something that does not move, such as a table.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::{Vector3, Vector6};

@@ -1,4 +1,5 @@
-//! A picture of the motion by which a spatial object is lost: the outlines of the object, displaced along this motion.
+//! A picture of the motion by which a spatial object is lost: the outlines of the object, displaced along this motion. The span is the largest extent
+//! of the grasp along an axis.
 
 use nalgebra::{Point3, Vector3};
 

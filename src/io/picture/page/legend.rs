@@ -1,4 +1,4 @@
-//! The legend of a still picture: the meaning of its marks, and its scales in words.
+//! The legend of a still picture (SVG): the meaning of its marks (arrows, cones, lines and dots), and its scales in words.
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;

@@ -1,4 +1,5 @@
-//! The marks of a spatial picture, in the coordinates of the grasp: the marks of the grasp alone, and the marks of each answer.
+//! The marks of a spatial picture, in the coordinates of the grasp: the marks of the grasp alone, and the marks of each answer. A mark is a line, an
+//! arrow, a cone, a dot or a name; a fixture is something that does not move, a fingertip a contact with all its points.
 
 use nalgebra::{Matrix3, Vector3};
 

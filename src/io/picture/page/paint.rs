@@ -1,4 +1,4 @@
-//! Projection of marks onto paper.
+//! Projection of marks (lines, arrows, cones, areas and dots of a spatial picture) onto paper.
 
 use std::f64::consts::TAU;
 
