@@ -20,14 +20,14 @@
 //! println!("{}", gripper.hold(weight)?); // HOLDS, everything sticks: 10 N (2.5 times this load) until it is lost, as left and right slide
 //!
 //! // How hard must it press?
-//! println!("{}", gripper.need(&Need::squeeze(weight))?); // NEEDS 4 N at left and right so that it holds and nothing slides. …
+//! println!("{}", gripper.need(&Need::squeeze(weight))?); // NEEDS 4 N at left and right, at most 23.9999 N, so that it holds …
 //!
 //! // Where does the object go, and with which forces?
 //! let outcome = gripper.solve(weight)?;
 //! let state = outcome.equilibrium().expect("it holds");
 //! assert!((state.twist.translation()[1] + 4.0 / 1600.0).abs() < 1e-15);
 //! # assert!(gripper.hold(weight)?.to_string().starts_with("HOLDS, everything sticks: 10 N (2.5 times this load)"));
-//! # assert!(gripper.need(&Need::squeeze(weight))?.to_string().starts_with("NEEDS 4 N at left and right so that it holds and nothing slides"));
+//! # assert!(gripper.need(&Need::squeeze(weight))?.to_string().starts_with("NEEDS 4 N at left and right, at most 23.9999 N, so that it holds and nothing slides"));
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 //!

@@ -46,6 +46,6 @@
 //!
 //! // What vacuum do 10 N in the plane of the lip take? 10 N / μ.
 //! let needed = plate.need(&Need::squeeze(Wrench::force([10.0, 0.0, 0.0])).if_lower_by(0.0, 0.0))?;
-//! assert!(needed.to_string().starts_with("NEEDS 23.5785 kPa (16.6667 N) at cup so that it holds and nothing slides\n  with less: SLIPS OUT"), "{needed}");
+//! assert!(needed.to_string().starts_with("NEEDS 23.5786 kPa (16.6667 N) at cup so that it holds and nothing slides\n  with less: SLIPS OUT"), "{needed}");
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```

@@ -42,7 +42,7 @@ use crate::prelude::*;
 /// assert!((cup.force() - 75.398).abs() < 1e-3);
 /// let plate = Grasp::new(cup.contacts(&lip)?)?;
 /// let hangs = plate.hold(Wrench::force([0.0, 0.0, -19.62]))?;
-/// assert_eq!(hangs.to_string(), "HOLDS, everything sticks: 75.3982 N (3.84293 times this load) until it is lost, as cup opens");
+/// assert_eq!(hangs.to_string(), "HOLDS, everything sticks: 75.3982 N (3.84292 times this load) until it is lost, as cup opens");
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

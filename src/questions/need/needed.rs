@@ -34,7 +34,7 @@ impl<const C: usize> Grasp<C> {
     /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
     /// let needed = gripper.need(&Need::squeeze(Wrench::force([0.0, -12.0])).if_lower_by(0.1, 0.0))?;
     /// assert!((needed.amount.bound().expect("1.2 times as much") - 1.2).abs() < 1e-12);
-    /// assert!(needed.to_string().starts_with("NEEDS 12 N at left and right so that it holds and nothing slides\n  if friction is 10 % less: 13.3333 N"), "{needed}");
+    /// assert!(needed.to_string().starts_with("NEEDS 12 N at left and right so that it holds and nothing slides\n  if friction is 10 % less: 13.3334 N"), "{needed}");
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
