@@ -42,7 +42,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold suction.json
-//! HOLDS, everything sticks: 37.2115 N (1.68979 times this load) until the first slip (cup), 41.6218 N (1.89006 times) until cup slips by more than 2 mm
+//! HOLDS, everything sticks: 37.2115 N (1.68978 times this load) until the first slip (cup), 41.6218 N (1.89005 times) until cup slips by more than 2 mm
 //! ```
 //!
 //! A vacuum of 60 kPa on 1257 mm² pulls with 75.4 N. The first slip is at the point of the lip where pull, shear and peel add up; see
@@ -64,7 +64,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides
+//! NEEDS 152.233 N at upper clamp and 95.1455 N at side clamp (0.190291 times the squeeze given) so that it holds, 0.534873 times the squeeze given so that nothing slides
 //!   if friction is 10 % less and the squeeze is 5 % less: 1.09928 times as much
 //!   with less: under a force along (-0.292867, 0.956153): TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip)
 //! ```
@@ -73,7 +73,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need mug.json squeeze --mass 0.4 --at 0.006,0,-0.02
-//! NEEDS 3.49237 N at thumb, 2.01635 N at index and 2.01635 N at middle (0.349227 times the squeeze given), at most 5.96783 times the squeeze given, so that it holds and nothing slides
+//! NEEDS 3.49238 N at thumb, 2.01636 N at index and 2.01636 N at middle (0.349228 times the squeeze given), at most 5.96783 times the squeeze given, so that it holds and nothing slides
 //!   if friction is 10 % less and the squeeze is 5 % less: 1.16959 times as much
 //!   with less: TURNS OUT at 3.924 N of 3.924 N: the object turns about thumb, index and middle slide
 //!   with more than 59.68 N at thumb, 34.4568 N at index and 34.4568 N at middle (5.96783 times the squeeze given): BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists
@@ -112,7 +112,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold hand.json
-//! HOLDS, everything sticks: 7.09705 N (1.77426 times this load) until the first slip (right motor gives way), 8.33333 N (2.08333 times) until it is lost
+//! HOLDS, everything sticks: 7.09704 N (1.77426 times this load) until the first slip (right motor gives way), 8.33333 N (2.08333 times) until it is lost
 //! ```
 //!
 //! The motor stalls at 0.5 N m. Its finger of 60 mm then presses with at most 8.33 N. That is 2.08 times the load of 4 N, once the other finger has
@@ -122,7 +122,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 23.1986° anticlockwise and holds, 12.9946° and nothing slides
+//! TAKES 23.1985° anticlockwise and holds, 12.9946° and nothing slides
 //!   if friction is 10 % less: 23.1986°
 //!   with more: TIPS OVER at 23.1986°: the object tips over about left edge, right edge opens
 //! ```

@@ -20,7 +20,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold vice.json
-//! HOLDS, everything sticks: 283.495 N (1.13398 times this load) until the first slip (fixed jaw), 300 N (1.2 times) until it is lost
+//! HOLDS, everything sticks: 283.494 N (1.13397 times this load) until the first slip (fixed jaw), 300 N (1.2 times) until it is lost
 //! ```
 //!
 //! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. The screw pushes it along its guide, and it turns a little
@@ -55,7 +55,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold row.json
-//! HOLDS, everything sticks: 27.7895 N (4.72128 times this load) until the first slip (joint a–b and joint b–c), 40 N (6.79579 times) until it is lost
+//! HOLDS, everything sticks: 27.7894 N (4.72128 times this load) until the first slip (joint a–b and joint b–c), 40 N (6.79578 times) until it is lost
 //! ```
 //!
 //! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N is 8.2 times its weight. The parts turn before friction of the joints is used up,
@@ -65,7 +65,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 21.8014° anticlockwise and holds, 17.5855° and nothing slides
+//! TAKES 21.8014° anticlockwise and holds, 17.5854° and nothing slides
 //!   if friction is 10 % less: 19.7989°
 //!   with more: SLIPS OUT at 21.8014°: lower and upper move along −x; tray slides
 //! ```
@@ -115,7 +115,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold wedge.json --force -2000,0 --at 0.5,0.05 --together-with machine=0,-500@0.12,0.3
-//! HOLDS, but wall slides from the start; lost at 2585.05 N (1.29253 times this load)
+//! HOLDS, but wall slides from the start; lost at 2585.05 N (1.29252 times this load)
 //! ```
 //!
 //! While the wedge is driven in, 500 N more are put on the machine: `2000 λ = (1800 + 500 λ) tan(α + 2φ)`.

@@ -16,7 +16,7 @@ const IN_A_SHOP: [(&str, &[&str], &[&str]); 8] = [
     (
         "chuck",
         &["30 N m (1.5 times this load)", "the first slip"],
-        &["1333.33 N at jaw 1, jaw 2", "and jaw 3"],
+        &["1333.34 N at jaw 1, jaw 2", "and jaw 3"],
     ),
     // The bolts hold a shear force of μ times the force of both bolts.
     (
@@ -25,14 +25,14 @@ const IN_A_SHOP: [(&str, &[&str], &[&str]); 8] = [
         &["NEEDS 7500 N at", "at bolt 1 and bolt 2"],
     ),
     // The straps hold μ (m g + 2 T sin 60°) = 4069.6 N. The needed tension is T = (0.8/0.3 - 1) m g / 2 sin 60°.
-    ("tie-down", &["lost at 4069.58 N"], &["4719.84 N at strap left"]),
+    ("tie-down", &["lost at 4069.57 N"], &["4719.84 N at strap left"]),
     // The ropes pull each arm with 100 N sideways, 150 mm above the pin, and with 100 N down, 200 mm beside the pin. The jaws are 300 mm below the
     // pin. So they press with 166.7 N, and need friction 0.6.
     ("tongs", &["HOLDS, everything sticks"], &["NEEDS a coefficient", "friction of 0.6 "]),
     // The largest torque is μ R N (1 + √2), because each flank of the V presses with N/√2.
     ("v-jaws", &["lost at 7.72548 N m"], &["517.767 N at flat jaw"]),
     // Four cups carry 4 * 60 kPa * π (40 mm)² = 1206.4 N.
-    ("cups", &["HOLDS, everything sticks: 1206.37 N"], &["NEEDS 22.1685 kPa", "(111.431 N) at cup 1"]),
+    ("cups", &["HOLDS, everything sticks: 1206.37 N"], &["NEEDS 22.1686 kPa", "(111.432 N) at cup 1"]),
     // Moments about the front support balance: 19.62 N act 50 mm behind it, and 49.05 N 20 mm in front of it.
     ("shelf", &["HOLDS, everything sticks"], &["TAKES an arm", "of 0.17 m"]),
 ];

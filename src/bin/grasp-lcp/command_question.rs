@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::loads::OptionVectors;
 use crate::own_masses::{of_own_masses, refuse_mass, tilted};
 use crate::scene_loads::{SceneLoads, first_base};
+use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::improve::{Improve, ImproveGoal};
 use grasp_lcp::load_path::Leg;
 use grasp_lcp::scene::{Question, Setup};
@@ -20,6 +21,7 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     match question {
         Some(question) => {
             warn_of_load_left_out(setup, &question);
+            warn_of_weight_that_grows(setup, asked);
             setup.questions = vec![question];
         }
         None if setup.questions.iter().any(|question| is_of_kind(question, asked)) => {
@@ -49,6 +51,24 @@ fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
         let load = setup.words(Words::default()).load(&base);
         eprintln!(
             "warning: the load acts alone, without that at rest of the scene's question {number}, {load}"
+        );
+    }
+}
+
+/// Warns that multiples of the load multiply the weight of `--mass`, too, if the arm accelerates and nothing but the load presses. A box that stands on
+/// a belt tips over at some acceleration, although a larger multiple of weight and inertia together holds.
+fn warn_of_weight_that_grows(setup: &Setup<3>, asked: &Command) {
+    let load = match asked {
+        Command::Hold { load, .. } => load,
+        Command::Need { need_arguments, .. } => &need_arguments.load,
+        _ => return,
+    };
+    let accelerates = load.acceleration.as_ref().is_some_and(|acceleration| acceleration.0.len() > 1);
+    let at_rest =
+        || setup.grasp().ok()?.solve(Wrench::ZERO).ok()?.equilibrium().map(Equilibrium::largest_force);
+    if load.mass.is_some() && accelerates && at_rest() == Some(0.0) {
+        eprintln!(
+            "warning: weight and inertia of --mass grow together, and multiples of this load multiply both; to accelerate what stands there already, give its weight as --base and m·a as --force"
         );
     }
 }

@@ -51,14 +51,12 @@ impl OptionVectors {
 
     /// The load of a mass on the grasp: its weight minus mass times acceleration.
     pub(crate) fn pull_of_mass(self, load: &LoadArguments) -> Result<Wrench, Failure> {
-        let given = load.gravity.as_ref().map(|gravity| gravity.along_axes(self.axes, "gravity"));
-        let gravity = given.transpose()?.unwrap_or(self.gravity);
-        let mut arm = ArmMotion::still().gravity(gravity);
+        let mut arm = self.still();
+        if let Some(gravity) = &load.gravity {
+            arm = arm.gravity(gravity.along_axes(self.axes, "gravity")?);
+        }
         if let Some(acceleration) = &load.acceleration {
             arm = arm.accelerated(acceleration.along_axes(self.axes, "acceleration")?);
-            if load.mass.is_some() && gravity != [0.0; 3] {
-                eprintln!("warning: {GROW_TOGETHER}");
-            }
         }
         let about_axes = |numbers: Option<&Numbers>, option: &str| {
             numbers.map_or(Ok([0.0; 3]), |numbers| self.about_axes(numbers, option))
@@ -150,6 +148,3 @@ impl OptionVectors {
         })
     }
 }
-
-/// The warning about a mass that the arm accelerates: what stands on a support and is pushed can tip over although a larger multiple of both holds.
-const GROW_TOGETHER: &str = "weight and inertia of --mass grow together, and multiples of this load multiply both; to accelerate what stands there already, give its weight as --base and m·a as --force";

@@ -77,7 +77,7 @@ impl Setup<3> {
                 continue;
             }
             let grasp = self.grasp_of(grasp, question)?;
-            let Ok(Outcome::Equilibrium(state)) = grasp.solve(&base) else { continue };
+            let Ok(Outcome::Equilibrium(state)) = grasp.solve(base) else { continue };
             if state.too_far == Some(TooFar::Buckles) {
                 return Ok(Some(Warning::BucklesAtRest));
             }

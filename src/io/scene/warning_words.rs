@@ -10,6 +10,7 @@ const OPPOSITE_IN_ONE_PLACE: &str =
     "press against each other in one place: the object has no thickness there; are their points right?";
 const ALIKE_IN_ONE_PLACE: &str =
     "are in one place, with parallel normals: a finger that is there twice is twice as stiff";
+const BUCKLES_AT_REST: &str = "BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists; answers for small motions do not apply";
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -18,9 +19,7 @@ impl fmt::Display for Warning {
             Self::NothingPresses => f.write_str(
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
             ),
-            Self::BucklesAtRest => f.write_str(
-                "BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists; answers for small motions do not apply",
-            ),
+            Self::BucklesAtRest => f.write_str(BUCKLES_AT_REST),
             Self::NoGravity => f.write_str(
                 "bodies have a `mass`, but the scene has no `gravity`: nothing weighs, and nothing else presses",
             ),

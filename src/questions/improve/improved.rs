@@ -146,7 +146,7 @@ impl Improve<3> {
             answer.residual = Some(last.step.residual);
             answer.in_the_way = in_the_way(&design_space, &design, &last);
         }
-        if let Outcome::Equilibrium(state) = answer.placed_inside(&grasp)?.solve(&self.base())? {
+        if let Outcome::Equilibrium(state) = answer.placed_inside(&grasp)?.solve(self.base())? {
             answer.too_far = state.too_far;
         }
         Ok(answer)

@@ -16,6 +16,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[expect(clippy::struct_excessive_bools, reason = "each says another fact of the question")]
 #[non_exhaustive]
 pub struct Needed {
     /// The sought quantity.
