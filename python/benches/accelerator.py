@@ -2,9 +2,10 @@
 
     python python/benches/accelerator.py            # a million scenes a line
     python python/benches/accelerator.py --quick    # small, for a processor in CI
+    python python/benches/accelerator.py --compare jax torch    # compares a million grasps with the crate in these, too
 
-Statuses and factors of random and degenerate grasps are compared with those of the crate. In numpy the program makes the same operations in the
-same order, so that statuses agree also where rounding decides, and factors to the last bit.
+Statuses and factors of random and degenerate grasps are compared with those of the crate. The program makes the same operations in the same order,
+and each result is rounded, so that statuses agree also where rounding decides, and factors to the last bit.
 """
 
 from __future__ import annotations
@@ -23,6 +24,8 @@ from grasp_lcp._arrays.program import Kind, among_rows
 from grasp_lcp._arrays.program import onsets as array_program
 
 Data = dict[str, np.ndarray]
+Answers = Callable[[Data], tuple[np.ndarray, ...]]
+"""Type of a function from data to factors and statuses."""
 
 SIZES = [(2, 2), (2, 3), (2, 5), (3, 2), (3, 3), (3, 4), (3, 5)]
 """Numbers of axes and of contacts."""
@@ -127,6 +130,48 @@ def in_numpy(data: Data) -> tuple[np.ndarray, np.ndarray]:
     return found.factor, found.status
 
 
+def precision_of(jax: Any) -> Any:
+    """The context of a precision, which older versions of JAX keep elsewhere."""
+    return jax.enable_x64 if hasattr(jax, "enable_x64") else jax.experimental.enable_x64
+
+
+def in_jax(axes: int, contacts: int) -> Answers:
+    """The array program in JAX, compiled as a whole."""
+    import jax
+
+    from grasp_lcp.jax import onset_factor
+
+    asked = jax.jit(lambda given: onset_factor(**given, native=True, with_status=True))
+
+    def in_double(data: Data) -> Any:
+        with precision_of(jax)(True):
+            return tuple(np.asarray(each) for each in asked(data))
+
+    return in_double
+
+
+def in_torch(axes: int, contacts: int) -> Answers:
+    """The array program in PyTorch."""
+    import torch
+
+    from grasp_lcp.torch import onset_factor
+
+    place = "cuda" if torch.cuda.is_available() else "cpu"
+
+    def asked(data: Data) -> Any:
+        with torch.no_grad():
+            found = onset_factor(
+                **{name: torch.as_tensor(each, device=place) for name, each in data.items()}, native=True, with_status=True
+            )
+        return tuple(each.cpu().numpy() for each in found)
+
+    return asked
+
+
+ANSWERS_IN: dict[str, Callable[[int, int], Answers]] = {"numpy": lambda axes, contacts: in_numpy, "jax": in_jax, "torch": in_torch}
+"""The program that answers grasps of one number of axes and contacts."""
+
+
 @dataclass
 class Differences:
     """How answers of the array program differ from those of the crate."""
@@ -138,31 +183,34 @@ class Differences:
     """Rows with a finite factor from both."""
     bits: int = 0
     """Factors that differ in some bit."""
+    far: int = 0
+    """Factors that differ by more than 1e-12 of their size."""
 
     def add(self, others: Differences) -> None:
         """Counts them, too."""
-        for name in ("rows", "statuses", "factors", "bits"):
+        for name in ("rows", "statuses", "factors", "bits", "far"):
             setattr(self, name, getattr(self, name) + getattr(others, name))
 
 
-def compared(data: Data) -> Differences:
-    """The differences for grasps with these data."""
-    factor, status = in_numpy(data)
+def compared(data: Data, answers: Answers | None = None) -> Differences:
+    """The differences for grasps with these data, in numpy unless other answers are given."""
+    factor, status = (answers or in_numpy)(data)
     asked = onsets(**data)
     both = (status == OnsetStatus.LEAVES) & (asked.status == OnsetStatus.LEAVES)
     bits = both & (factor != asked.factor)
-    return Differences(len(factor), int((status != asked.status).sum()), int(both.sum()), int(bits.sum()))
+    far = np.abs(factor[both] - asked.factor[both]) > 1e-12 * asked.factor[both]
+    return Differences(len(factor), int((status != asked.status).sum()), int(both.sum()), int(bits.sum()), int(far.sum()))
 
 
-def print_differences(rows: int) -> Differences:
-    """A line for each number of contacts."""
+def print_differences(rows: int, name: str = "numpy") -> Differences:
+    """A line for each number of contacts, with ``rows`` grasps of each kind."""
     total = Differences()
-    print("differences of the array program, in numpy, to the crate")
+    print(f"differences of the array program, in {name}, to the crate")
     for axes, contacts in SIZES:
-        here = Differences()
+        here, answers = Differences(), ANSWERS_IN[name](axes, contacts)
         for number, kind in enumerate(KINDS):
             rng = np.random.default_rng([axes, contacts, number])
-            here.add(compared(grasps(kind, axes, contacts, rows, rng)))
+            here.add(compared(grasps(kind, axes, contacts, rows, rng), answers))
         total.add(here)
         print(f"  {contacts} contacts in {'plane' if axes == 2 else 'space'}: {_shown(here)}", flush=True)
     print(f"  all: {_shown(total)}", flush=True)
@@ -170,7 +218,7 @@ def print_differences(rows: int) -> Differences:
 
 
 def _shown(d: Differences) -> str:
-    return f"{d.rows} grasps, {d.statuses} statuses differ; {d.factors} factors, {d.bits} differ in some bit"
+    return f"{d.rows} grasps, {d.statuses} statuses differ; {d.factors} factors, {d.far} differ by more than 1e-12, {d.bits} differ in some bit"
 
 
 def best_of(run: Callable[[], Any], times: int) -> float:
@@ -191,8 +239,7 @@ def paced_by_jax(rows: int, sizes: list[int], times: int) -> None:
 
     from grasp_lcp.jax import onset_factor
 
-    # The context of a precision, which older versions of JAX keep elsewhere.
-    in_precision = jax.enable_x64 if hasattr(jax, "enable_x64") else jax.experimental.enable_x64
+    in_precision = precision_of(jax)
     jax.config.update("jax_enable_x64", True)
     device = jax.devices()[0]
     print(f"JAX {jax.__version__} on {device.device_kind} ({device.platform}), {rows} grasps in space")
@@ -266,7 +313,12 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--quick", action="store_true", help="few grasps of three contacts")
     parser.add_argument("--rows", type=int, help="grasps of each line of throughput")
+    parser.add_argument("--compare", nargs="+", choices=ANSWERS_IN, help="only print differences to the crate, in these")
     given = parser.parse_args()
+    if given.compare:
+        for name in given.compare:
+            print_differences(-(-(given.rows or 1_000_000) // (len(SIZES) * len(KINDS))), name)
+        return
     sizes, rows = ([3], 20_000) if given.quick else ([3, 5], 1_000_000)
     rows = given.rows or rows
     print_differences(500 if given.quick else 10_000)

@@ -56,6 +56,26 @@ def test_statuses_and_factors_are_those_of_the_crate(report: ModuleType, axes: i
         assert found.statuses == found.bits == 0, (kind, found)
 
 
+@pytest.mark.parametrize(("axes", "contacts"), [(2, 2), (2, 3)])
+def test_jax_compiles_to_the_bits_of_the_crate(report: ModuleType, axes: int, contacts: int) -> None:
+    """No product is contracted with a sum. In double precision nothing else may differ."""
+    pytest.importorskip("jax")
+    answers = report.in_jax(axes, contacts)
+    for number, kind in enumerate(report.KINDS):
+        found = report.compared(report.grasps(kind, axes, contacts, 300, np.random.default_rng([axes, contacts, number])), answers)
+        assert found.statuses == found.bits == 0, (kind, found)
+
+
+@pytest.mark.parametrize(("axes", "contacts"), [(2, 2), (2, 3), (2, 5), (3, 2), (3, 3), (3, 4), (3, 5)])
+def test_torch_has_the_bits_of_the_crate(report: ModuleType, axes: int, contacts: int) -> None:
+    """Sums over contacts have the order of the crate, and square roots are rounded correctly."""
+    pytest.importorskip("torch")
+    answers = report.in_torch(axes, contacts)
+    for number, kind in enumerate(report.KINDS):
+        found = report.compared(report.grasps(kind, axes, contacts, 300, np.random.default_rng([axes, contacts, number])), answers)
+        assert found.statuses == found.bits == 0, (kind, found)
+
+
 @pytest.mark.parametrize("kind", ["loaded", "even", "infinite or no friction", "slim"])
 @pytest.mark.parametrize(
     ("axes", "contacts", "stacked"), [(2, 2, False), (2, 3, True), (3, 2, False), (3, 3, False), (3, 3, True), (3, 5, False)]
@@ -302,7 +322,9 @@ def test_jax_spreads_rows_over_devices() -> None:
 def test_the_report_runs() -> None:
     done = subprocess.run([sys.executable, str(REPORT), "--quick", "--rows", "2000"], check=True, capture_output=True, text=True)
     all_of_them = next(line for line in done.stdout.splitlines() if line.startswith("  all: "))
-    assert ", 0 statuses differ; " in all_of_them and all_of_them.endswith(" factors, 0 differ in some bit"), done.stdout
+    assert ", 0 statuses differ; " in all_of_them and all_of_them.endswith(" factors, 0 differ by more than 1e-12, 0 differ in some bit"), (
+        done.stdout
+    )
 
 
 def test_the_example_climbs_and_certifies() -> None:

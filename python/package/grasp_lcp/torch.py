@@ -115,7 +115,32 @@ def _unit(given: Tensor) -> Tensor:
     largest = given.detach().abs().amax(dim=-1, keepdim=True)
     scaled = given / torch.where(largest > 0, largest, torch.ones_like(largest))
     square = (scaled * scaled).sum(dim=-1, keepdim=True)
-    return torch.where(known, scaled / torch.where(square == 0, torch.ones_like(square), square).sqrt(), torch.full_like(given, torch.nan))
+    return torch.where(known, scaled / _root(torch.where(square == 0, torch.ones_like(square), square)), torch.full_like(given, torch.nan))
+
+
+def _root(of: Tensor) -> Tensor:
+    """The square root, rounded correctly. On a CPU PyTorch may return a neighbour of the nearest number."""
+    root = of.sqrt()
+    if of.dtype != torch.float64 or of.device.type != "cpu":
+        return root
+    near = root.detach()
+    # The square in two parts, after Veltkamp and Dekker.
+    split = near * (2.0**27 + 1.0)
+    high = split - (split - near)
+    low = near - high
+    square = near * near
+    error = ((high * high - square) + 2.0 * high * low) + low * low
+    change = ((of.detach() - square) - error) / (2.0 * near)
+    return root + torch.where(change.isfinite(), change, 0.0)
+
+
+class _Namespace:
+    """PyTorch with square roots that are rounded correctly."""
+
+    sqrt = staticmethod(_root)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(torch, name)
 
 
 def _load(given: Tensor, axes: int) -> Tensor:
@@ -169,7 +194,7 @@ class _ArrayProgram(Function):
 
     @staticmethod
     def forward(kind: Any, *data: Tensor) -> Any:
-        found = onsets(torch, torch.finfo(data[0].dtype).eps, kind, _rows(data), among_rows)
+        found = onsets(_Namespace(), torch.finfo(data[0].dtype).eps, kind, _rows(data), among_rows)
         return tuple(each.reshape(data[0].shape[:-2]) for each in found)
 
     @staticmethod

@@ -23,6 +23,9 @@ OPENS_ONLY = -1.0
 STAYS = 0.0
 """Code in place of a friction coefficient: the contact never stops sticking."""
 
+FEW = 5
+"""The largest number of contacts that are always added in the order of the crate. More along one axis are added in any order, at once."""
+
 
 class Tolerances(NamedTuple):
     """The numbers of ``screening/tolerances.rs``, and their counterparts in single precision.
@@ -86,8 +89,10 @@ class Sites:
         return 3 * (self.axes - 1)
 
     def total(self, *terms: Each, start: Row = None) -> Row:
-        """The sum over contacts of one or several terms for each contact, in the order in which the crate adds them."""
-        if self.stacked:
+        """The sum over contacts of one or several terms for each contact, of :data:`FEW` contacts in the order in which the crate adds them."""
+        if self.stacked and self.count <= FEW:
+            terms = tuple([each[0][i] for i in range(self.count)] for each in terms)
+        elif self.stacked:
             summed = kept(self.xp, self.xp.sum(sum_of(each[0] for each in terms), axis=0))
             return summed if start is None else start + summed
         rows = [term for contact in zip(*terms, strict=True) for term in contact]
