@@ -39,3 +39,26 @@ fn the_values_of_the_sentence_give_the_promised_grasp() {
     let promised = improved.after.expect("sticks");
     assert!((onset.factor().expect("slides") / promised - 1.0).abs() < 1e-6, "{words}");
 }
+
+/// Jaws with tangential springs of 1 kN/m on arms of 0.03 m resist turning with 1.8 N m. Pressed with N they take 0.06 m times N of that, all of it
+/// from 30 N on. With a load of 1 N at the height h above them it is 1 N times h more.
+#[test]
+fn a_grasp_that_buckles_is_not_praised() {
+    let grasp =
+        Grasp::new([jaw([-0.03, 0.0], 2e3, 0.5, 8.0), jaw([0.03, 0.0], 2e3, 0.5, 8.0)]).expect("two jaws");
+    let improved = |most: f64, height: f64| {
+        let question = Improve::new(Wrench::force_at([0.0, -1.0], [0.0, height])).pressing_at_most(most);
+        grasp.improve(&question).expect("asked well")
+    };
+    for (most, height, buckles) in
+        [(29.0, 0.0, false), (31.0, 0.0, true), (25.0, 0.29, false), (25.0, 0.31, true)]
+    {
+        let found = improved(most, height);
+        assert_eq!(found.too_far.is_some(), buckles, "{found}");
+        assert_eq!(
+            found.to_string().starts_with("BUCKLES at rest or under these loads: "),
+            buckles,
+            "{found}"
+        );
+    }
+}

@@ -43,3 +43,24 @@ fn a_force_that_may_point_up() -> Result<(), Error> {
     assert!((end.sufficient / expected - 1.0).abs() < 1e-5, "{} {expected} {needed}", end.sufficient);
     Ok(())
 }
+
+/// Jaws with springs of 10 kN/m on arms of 0.04 m buckle from 400 N on. A weight that turns does not hide that it acts at the centre.
+#[test]
+fn jaws_of_a_scene_before_they_turn() {
+    let needed = |pressed: f64| {
+        let jaw = |x: f64| serde_json::json!({ "point": [x, 0], "normal": [-x.signum(), 0], "friction": 0.5, "stiffness": 1e4, "pressed_with": pressed });
+        let turn = serde_json::json!({ "weight": [0, -5], "at": [0, 0] });
+        let setup = serde_json::json!({
+            "contacts": [jaw(-0.04), jaw(0.04)], "questions": [{ "need": { "quantity": "angle", "turn": turn } }]
+        });
+        let setup: grasp_lcp::scene::Setup<2> = serde_json::from_value(setup).expect("a scene");
+        let answers = setup.answers().expect("well posed");
+        setup.questions[0].first_line(&answers[0], grasp_lcp::words::Words::default())
+    };
+    assert!(needed(396.0).starts_with("TAKES any: it holds up to 360°"), "{}", needed(396.0));
+    let buckles = needed(404.0);
+    assert!(
+        buckles.starts_with("NO angle does, since it does not hold before it turns: BUCKLES"),
+        "{buckles}"
+    );
+}

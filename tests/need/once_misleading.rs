@@ -276,3 +276,20 @@ fn the_number_in_words_suffices() -> Tested {
     }
     Ok(())
 }
+
+/// A force of 12 N beside two jaws, which carry it within ±0.14/3 m of their middle. Counted from 55 mm beside it, that is from 1/120 m on.
+#[test]
+fn the_least_arm_is_named() -> Tested {
+    let jaw = |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(4e5, 3e5).friction(0.5);
+    let grasp = planar::Grasp::new([jaw(-0.04).pressed_with(26.0), jaw(0.04).pressed_with(26.0)])?;
+    let force = |x: f64| planar::Wrench::force_at([0.0, -12.0], [x, 0.0]);
+    let needed = grasp.need(&Need::arm(force(-0.055), force(1.0) - force(0.0)))?;
+    let Amount::Bound { sufficient, until: Some(until), .. } = &needed.amount else { panic!("{needed}") };
+    assert!((sufficient - (0.055 + 0.14 / 3.0)).abs() < 1e-9, "{needed}");
+    assert!((until.sufficient - (0.055 - 0.14 / 3.0)).abs() < 1e-6, "{needed}");
+    assert!(
+        needed.to_string().starts_with("TAKES an arm of 0.00833334 m to 0.101666 m and holds"),
+        "{needed}"
+    );
+    Ok(())
+}

@@ -27,7 +27,7 @@ fn beside_any_amount() -> Tested {
     let needed = told(1.6)?;
     let angle = needed.safe.as_ref().and_then(Amount::bound).expect("a bound");
     assert!((1.6 * 4.905 * (angle.cos() + 0.5 * angle.sin()) - 8.0).abs() < 1e-8, "{needed}");
-    assert!(needed.to_string().contains("; if the load is 1.6 times as large: 2.31342°"), "{needed}");
+    assert!(needed.to_string().contains("; if the load is 1.6 times as large: 2.31343°"), "{needed}");
     assert!(!told(1.4)?.to_string().contains("if the load"));
     Ok(())
 }

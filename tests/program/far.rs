@@ -60,3 +60,15 @@ fn answers_in_brief_say_so() {
         assert_eq!(far, is_far, "{reply}");
     }
 }
+
+/// Springs of 1.5 kN/m in series with 30 kN/m resist turning with 4.5714 N m, of which the jaws of 8 N take 0.64 N m. A weight of 5 N on top takes the
+/// rest at a height of 0.786286 m.
+#[test]
+fn a_weight_high_above_its_jaws() {
+    let box_ = crate::scene("box");
+    let answer = text(&run(&["need", &box_, "arm", "--force", "0,-5", "--along", "0,1"]).stdout);
+    assert!(
+        answer.starts_with("TAKES an arm of 0.78628") && answer.contains("with more: BUCKLES"),
+        "{answer}"
+    );
+}

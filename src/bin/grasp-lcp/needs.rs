@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use grasp_lcp::spatial::{Need, Wrench};
 use grasp_lcp::words::printable;
 
-use crate::arguments::{NeedArguments, Numbers, SoughtQuantity};
+use crate::arguments::{LoadArguments, NeedArguments, Numbers, SoughtQuantity};
 use crate::failure::Failure;
 use crate::loads::OptionVectors;
 use crate::own_masses::{accelerated, of_own_masses, tilted};
@@ -83,6 +83,9 @@ impl OptionVectors {
                 let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let there = std::array::from_fn(|a| at[a] + along[a] / length);
                 let force = self.total_force(given)?;
+                // The force acts at a known point, so that buckling is asked, too.
+                let placed = LoadArguments { at: Some(Numbers(at[..self.axes].to_vec())), ..given.clone() };
+                let load = self.wrench(&placed, beside)?;
                 let per_metre = Wrench::force_at(force, there) + Wrench::force_at(force, at) * -1.0;
                 return Ok((Need::arm(load.ok_or_else(missing)?, per_metre), None));
             }

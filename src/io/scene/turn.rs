@@ -110,8 +110,10 @@ impl<const C: usize> WrittenTurn<C> {
         let (force, at) =
             (vector_of_field(Some(force), axes, name)?, vector_of_field(self.at.as_ref(), axes, "at")?);
         let turn = Turn::<3>::force_at(force, at, self.axis()?).map_err(|error| error.to_string())?;
-        let [constant, cosine, sine] =
-            turn.parts().each(|part| Wrench::among(space, &part.coordinates(space)));
+        let narrowed = |part: Wrench<3>| {
+            Wrench::among(space, &part.coordinates(space)).acting_at(part.points_of_action())
+        };
+        let [constant, cosine, sine] = turn.parts().map(narrowed);
         Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
     }
 

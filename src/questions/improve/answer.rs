@@ -30,7 +30,8 @@ pub struct Improved<const C: usize> {
     /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// The reason why the best grasp says little at rest: a motion that is not small, or [buckling](TooFar::Buckles). `None`, and omitted, without one.
+    /// The reason why the best grasp says little, at rest or under a load of the question: a motion that is not small, or
+    /// [buckling](TooFar::Buckles). `None`, and omitted, without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.

@@ -146,8 +146,15 @@ impl Improve<3> {
             answer.residual = Some(last.step.residual);
             answer.in_the_way = in_the_way(&design_space, &design, &last);
         }
-        if let Outcome::Equilibrium(state) = answer.placed_inside(&grasp)?.solve(self.base())? {
-            answer.too_far = state.too_far;
+        let best = answer.placed_inside(&grasp)?;
+        let mut whole_loads = vec![self.base()];
+        if let Loads::Each(list) = &loads {
+            whole_loads.extend(mapped(list, &|load| self.base() + *load));
+        }
+        for load in whole_loads {
+            if let (Outcome::Equilibrium(state), None) = (best.solve(load)?, &answer.too_far) {
+                answer.too_far = state.too_far;
+            }
         }
         Ok(answer)
     }

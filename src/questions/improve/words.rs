@@ -7,6 +7,7 @@ use super::answer::{ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
 use crate::grasp::inside;
 use crate::hold::LossVerb;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{largest, mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
@@ -28,7 +29,12 @@ impl Improved<3> {
             return write!(f, "NO GRASP on these surfaces was found that {does}");
         };
         if let Some(far) = &self.too_far {
-            write!(f, "{} at rest: {}. Otherwise ", LossVerb::from(far), far.reason(words))?;
+            write!(
+                f,
+                "{} at rest or under these loads: {}. Otherwise ",
+                LossVerb::from(far),
+                far.reason(words)
+            )?;
         }
         let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
         let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };
@@ -71,13 +77,11 @@ impl Improved<3> {
     /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both `pressed_with` 10
     /// N". Empty if nothing changed.
     fn changes_text(&self, words: Words) -> String {
-        let mut far = 0.0_f64;
-        for placed in &self.contacts {
-            far = far.max(placed.moved);
-        }
+        let size = largest(&self.contacts, &|placed| placed.point.amax());
+        let far = largest(&self.contacts, &|placed| placed.moved);
         let (mut moves, mut pressed): (Vec<&Placed<3>>, Vec<&Placed<3>>) = (Vec::new(), Vec::new());
         for placed in &self.contacts {
-            if placed.moved > ALIKE_IN_WORDS * far && far > 0.0 {
+            if placed.moved > ALIKE_IN_WORDS * far && placed.moved > NEGLIGIBLE * size {
                 moves.push(placed);
             }
             if placed.pressed_with.is_some() {

@@ -330,6 +330,11 @@ impl Loading {
                 Onset::NoBase(none) => Trial::insufficient(self.said(none), NOT_AT_REST),
             });
         }
+        // The path begins with the load in place. If it cannot be put on from rest, no angle is reached.
+        let put_on = self.grasp.hold(turn.load_at(0.0))?;
+        if put_on.holds() == Some(false) {
+            return Ok(Trial::nothing(self.said(&put_on)));
+        }
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
         if let Some(end) = path.end_of_theory() {

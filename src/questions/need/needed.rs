@@ -62,8 +62,14 @@ impl Need<3> {
         if !is_squeezed {
             safety.lower[1] = 0.0;
         }
-        let trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
+        let mut trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
         let amount = amount(&trials, asked.demand, SearchExtent::Around)?;
+        // If the first amount is too large to hold, the amount with which nothing slides is sought from the largest one that holds.
+        if let Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } = &amount
+            && asked.quantity().is_least()
+        {
+            trials.start = trials.start.min(end.sufficient);
+        }
         let sticks = match asked.demand {
             Demand::Held => Some(self::amount(&trials, Demand::Sticks, SearchExtent::Towards)?),
             _ => None,

@@ -61,7 +61,8 @@ impl Needed {
                 write!(f, "{LINE}with {}: {otherwise}", best.trim_end_matches(','))
             }
             Amount::Undecided { at, doubt } => {
-                write!(f, "UNDECIDED at {}: {doubt}", self.amount_text(Words::of(f), *at, &[]))
+                let at = self.amount_text(Words::of(f), *at, &[]);
+                write!(f, "UNDECIDED at {}: {doubt}", at.trim_end_matches(','))
             }
         }
     }
@@ -263,9 +264,11 @@ impl Needed {
             }
             Some(Amount::Bound { sufficient: sticks, presses, until, .. }) => {
                 let much = self.interval_text(words, (*sticks, presses), until.as_ref());
+                let is_apart = !self.amount.takes(*sticks, is_least);
+                let apart = if is_apart { " (not held in between)" } else { "" };
                 write!(
                     f,
-                    ", {much} {}",
+                    ", {much} {}{apart}",
                     if is_least { "so that nothing slides" } else { "and nothing slides" }
                 )
             }
@@ -324,13 +327,13 @@ impl Needed {
         is_too_far && self.quantity == Quantity::Arm && demand == Demand::Held
     }
 
-    /// The interval from `until` to `sufficient` as text: "from an arm of 0.25 m on (small motions: up to 54 m)".
+    /// The interval from `until` to `sufficient` as text: "from an arm of 0.25 m to 54 m, where motions cease to be small".
     fn in_small_motions(&self, words: Words, until: &FarEnd, sufficient: f64) -> String {
         let [from, to] = [
             self.amount_text(words.upwards(), until.sufficient, &[]),
             self.short(words.rounded_to(2).downwards(), sufficient, &[]),
         ];
-        format!("from {from} on (small motions: up to {to})")
+        format!("from {from} to {to}, where motions cease to be small")
     }
 
     /// Text before the safe amount. A larger load is asked for by name, so that its amount stands in the first line.
