@@ -211,7 +211,8 @@ def need_batch(
     """The least multiple of the squeeze with which each of many grasps holds its load, or the greatest multiple of the load; see :meth:`Grasp.need`.
 
     With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and each row needs one load path up to
-    the loss. Rows whose amount depends on a base load, a clearance or the limits of small motions are searched as by :meth:`Grasp.need`.
+    the loss. Rows whose amount depends on a base load, a clearance or the limits of small motions are searched as by :meth:`Grasp.need`. As in
+    :func:`hold_batch`, neither buckling nor turning over is asked for, and a squeeze may be too large to hold.
 
     :param quantity: ``"squeeze"`` or ``"load"``.
     :param sticks: whether nothing may slide.

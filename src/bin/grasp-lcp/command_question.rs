@@ -299,7 +299,9 @@ impl OptionVectors {
 
     /// The constant load of the option `--base`: a force, N, that acts at the point `at`, as a wrench about the origin. Zero without this option.
     pub(crate) fn base(self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench, Failure> {
-        base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
+        let Some(base) = base else { return Ok(Wrench::ZERO) };
+        // Without `--at` the base load acts at the origin as at a known point, so that it is asked whether the grasp buckles at rest.
+        Ok(Wrench::force_at(base.along_axes(self.axes, "base")?, self.point(at)?))
     }
 
     fn follow(

@@ -338,8 +338,8 @@ impl Loading {
         let mut path = self.grasp.follow(turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run_while_small();
         if let Some(end) = path.end_of_theory() {
-            let caution = end.what.caution(self.words);
-            let why: &dyn fmt::Display = if end.what.is_motion() { &end.what } else { &caution };
+            let reason = end.what.reason(self.words);
+            let why: &dyn fmt::Display = if end.what.is_motion() { &end.what } else { &reason };
             return Ok(ends_at(end.fraction * turn.angle(), &LossVerb::from(&end.what), why));
         }
         Ok(match path.end() {

@@ -154,7 +154,9 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
         None => {
             let each: Vec<_> =
                 mapped(&pressing, &|press| format!("{} at {}", press.in_words(words), press.part.text()));
-            format!("{} ({times})", listed(&each))
+            // Where a force at rest is not the one that is set, typing it in as `pressed_with` gives another grasp.
+            let at_rest = if pressing.iter().all(|press| press.names_itself()) { "" } else { " at rest" };
+            format!("{}{at_rest} ({times})", listed(&each))
         }
     }
 }
