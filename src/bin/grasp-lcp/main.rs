@@ -73,7 +73,7 @@ fn asked() -> Result<ExitCode, Failure> {
 fn parse_arguments() -> Result<Arguments, clap::Error> {
     let mut words: Vec<_> = std::env::args_os().collect();
     let parsed = Arguments::try_parse_from(&words);
-    // For `identify`, a table in the place of the scene parses without error. The scene is therefore searched for even if parsing succeeds.
+    // `identify` takes two files, a scene and a table of measurements. If they are swapped, parsing succeeds; the scene is then moved to its place, too.
     if parsed.as_ref().is_ok_and(|arguments| !matches!(arguments.command, Command::Identify { .. })) {
         return parsed;
     }

@@ -230,7 +230,7 @@ impl<'g> PiecewiseFollower<'g> {
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
             // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the jump's
-            // leg is kept: the place is stored like an integration step of length zero.
+            // leg is kept with this point of the path, as it is kept at the end of an integration step, here one of length zero.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }

@@ -44,7 +44,7 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses loads on other bodies that cannot grow in proportion to the question's load.
+    /// Refuses loads on further bodies if the question's load cannot carry them along in proportion, as a load of zero cannot.
     pub(super) fn check_growing(&self, question: &Question<3>) -> Result<(), Error> {
         let Some((name, base, load, others)) = growing(question) else { return Ok(()) };
         others.keys().try_for_each(|name| self.has_body(name))?;

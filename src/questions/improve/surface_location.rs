@@ -137,7 +137,7 @@ mod tests {
     use super::super::surface::Surface;
     use super::*;
 
-    /// Two segments meet in a corner; they are 1e-10 m to 1e16 m long.
+    /// Two segments of one length meet in a corner. Lengths of 1e-10 m, 1 m and 1e16 m give the same answers.
     #[test]
     fn only_an_end_has_parts_beside_it_whatever_the_unit() {
         for unit in [1e-10, 1.0, 1e16] {

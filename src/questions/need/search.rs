@@ -136,8 +136,8 @@ impl SearchPlan {
     }
 
     /// Estimates of the bound of the sufficient amounts, in the order in which they are tried. First come estimates from the carried part of the load
-    /// at both ends of a bracket. Then follow amounts next to the end of the range that a proof gives, and next to the likely least coefficient of
-    /// friction.
+    /// at both ends of a bracket. Then follow amounts on both sides of the proved end of the range, beyond which forces cannot balance the loads. If
+    /// friction is sought, amounts next to the likely least coefficient are included.
     fn guesses(
         &self,
         (sufficient, trial): (f64, &Trial),

@@ -81,7 +81,7 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances the forces due to the commands are `squeezed`, which are copied so that answers agree to the last bit.
+        // Without clearances the forces due to commands are copied from `squeezed`, the forces at rest. Both then agree to the last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {

@@ -92,7 +92,7 @@ struct FollowedCycles<'g, 's> {
     followed: usize,
     /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
     cycles_gone: usize,
-    /// The motion that first ceased to be small in the cycles followed so far, a leak, or buckling.
+    /// Why the cycles followed so far say little: the first motion that was not small, a suction cup that leaks, or buckling. `None` without a reason.
     too_far: Option<TooFar>,
 }
 
@@ -352,7 +352,7 @@ enum Extrapolation<'g> {
     Further {
         /// The cycle after the skipped cycles, computed to confirm the extrapolation.
         cycle: Box<Cycle>,
-        /// The load path after `cycle`.
+        /// The load path as it stands at the end of `cycle`, from which further cycles can be followed.
         cycles: Box<Cycles<'g>>,
         /// Number of cycles between the present state and the beginning of `cycle`, which need not be followed.
         passed: usize,
