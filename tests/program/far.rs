@@ -65,8 +65,8 @@ fn answers_in_brief_say_so() {
 /// rest at a height of 0.786286 m.
 #[test]
 fn a_weight_high_above_its_jaws() {
-    let box_ = crate::scene("box");
-    let answer = text(&run(&["need", &box_, "arm", "--force", "0,-5", "--along", "0,1"]).stdout);
+    let jaws = crate::scene("box.json");
+    let answer = text(&run(&["need", &jaws, "arm", "--force", "0,-5", "--along", "0,1"]).stdout);
     assert!(
         answer.starts_with("TAKES an arm of 0.78628") && answer.contains("with more: BUCKLES"),
         "{answer}"
