@@ -3,7 +3,7 @@
 
 use grasp_lcp::equilibrium::TooFar;
 use grasp_lcp::hold::{LossVerb, ShortVerdict, Verdict};
-use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Leg, Link, Wrench};
+use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Leg, Link, Ramp, Wrench};
 use grasp_lcp::{Error, Settings, spatial};
 
 const LENGTH: f64 = 0.1;
@@ -119,6 +119,26 @@ fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
             spatial::Grasp::new(bar)?.hold(spatial::Wrench::force_at([0.0, 0.0, -1.0], [0.0; 3]))?;
         settle(verdict.to_string(), verdict.holds(), ShortVerdict::from(&verdict).motion);
     }
+    Ok(())
+}
+
+/// Forces at rest that take 1.2 times what resists, and a weight F at rest. Hung at the depth h it adds F h, which steadies the bar beyond `F h = 0.4 k
+/// a²`. If only its line is known, the bar may buckle, and the verdict claims neither that it holds nor that it is lost.
+#[test]
+fn a_weight_at_rest_steadies_only_where_it_is_known_to_hang() -> Result<(), Error> {
+    let (stiffness, half) = (2e3, 0.05);
+    let bar = [-half, half].map(|x| {
+        let finger = Contact::new([x, 0.0], [-x.signum(), 0.0]).series_stiffness(1e5, stiffness);
+        finger.friction(0.5).pressed_with(1.2 * stiffness * half)
+    });
+    let grasp = Grasp::new(bar)?;
+    let (weight, load) = ([0.0, -20.0], Wrench::force_at([0.0, -1.0], [0.0; 2]));
+    let hung = |depth: f64| grasp.hold(Ramp::load(Wrench::force_at(weight, [0.0, -depth]), load));
+    let needed = 0.4 * stiffness * half * half / 20.0;
+    assert_eq!([0.99, 1.01].map(|part| hung(part * needed).unwrap().holds()), [Some(false), Some(true)]);
+    let unknown = grasp.hold(Ramp::load(Wrench::force(weight), load))?;
+    assert_eq!((unknown.holds(), unknown.sticks()), (None, None), "{unknown}");
+    assert!(unknown.to_string().starts_with("BUCKLES unless the load acts where it steadies"), "{unknown}");
     Ok(())
 }
 

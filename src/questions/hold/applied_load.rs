@@ -204,8 +204,12 @@ impl Engine {
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        let by_the_load =
-            rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
+        // Where the points of action are known, buckling is decided above; a fraction of -1, which leaves the load out, would contradict that.
+        let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
+        let by_the_load = rest
+            .zip(there)
+            .and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there))
+            .filter(is_open);
         let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
         let by_all = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
         // A grasp that buckles before the whole load acts is not also reported as near to buckling.

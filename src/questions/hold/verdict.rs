@@ -83,10 +83,11 @@ pub struct Verdict<const C: usize> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Whether the whole load is held; `None` if that is undecided.
+    /// Whether the whole load is held; `None` if that is undecided, or if [`Self::left_out`] is -1 or less, so that the grasp may buckle.
     #[must_use]
     pub fn holds(&self) -> Option<bool> {
         match self.holding {
+            _ if self.leaves_buckling_open() => None,
             Holding::Sticks | Holding::Slides { .. } => Some(true),
             Holding::TurnsOver { .. }
             | Holding::Loose

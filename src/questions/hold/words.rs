@@ -36,6 +36,13 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         if let Some(swing) = &self.swing {
             return write_swing(f, swing);
         }
+        if self.leaves_buckling_open() {
+            write!(
+                f,
+                "BUCKLES unless the load acts where it steadies the object, which is not known without its point of action: {}. Otherwise ",
+                self.taken_by_forces()
+            )?;
+        }
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
@@ -114,27 +121,31 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
+    /// Whether the forces take all resistance away, and only the unknown point of action of the load can still steady the object.
+    pub(super) fn leaves_buckling_open(&self) -> bool {
+        let is_held = matches!(self.holding, Holding::Sticks | Holding::Slides { .. });
+        is_held && self.left_out.is_some_and(|part| part <= -1.0)
+    }
+
+    /// The clause about forces that take away resistance, as they turn with the parts; their fraction is [`Verdict::left_out`].
+    fn taken_by_forces(&self) -> String {
+        let (part, words) = (self.left_out.unwrap_or_default(), Words::with_digits(2));
+        let (verb, times) = if part > 0.0 {
+            ("add", format!("{} % to", words.number(100.0 * part)))
+        } else if part > -1.0 {
+            ("take", format!("{} % of", words.number(-100.0 * part)))
+        } else {
+            let times = words.number(-part);
+            ("take", if times == "1" { "all of".to_owned() } else { format!("{times} times") })
+        };
+        format!("as the forces turn with the parts they act on, they {verb} {times} what resists")
+    }
+
     /// Writes the caution about the geometric stiffness ([`Verdict::left_out`]), which small motions neglect, if the verdict has that number.
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some(part) = self.left_out else { return Ok(()) };
-        let words = Words::with_digits(2);
-        if part <= -1.0 {
-            let times = match words.number(-part) {
-                one if one == "1" => "all of".to_owned(),
-                times => format!("{times} times"),
-            };
-            return write!(
-                f,
-                ". CAUTION, left out: as the forces turn with the parts they act on, they take {times} what resists, so that nothing stays"
-            );
-        }
-        let percent = words.number(100.0 * part.abs());
-        let does = if part < 0.0 { ("take", "of") } else { ("add", "to") };
-        write!(
-            f,
-            ". CAUTION, left out: as the forces turn with the parts they act on, they {} {percent} % {} what resists",
-            does.0, does.1
-        )
+        let Some(part) = self.left_out.filter(|_| !self.leaves_buckling_open()) else { return Ok(()) };
+        let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
+        write!(f, ". CAUTION, left out: {}{nothing_stays}", self.taken_by_forces())
     }
 
     /// The sentence about a lost load: the verb, the load at the loss, the jumps before the loss, and the motion of the object.
