@@ -53,7 +53,7 @@
 //!
 //! ```text
 //! $ grasp-lcp shake ../box.json --mass 0.2 --acceleration 19.6
-//! RESTS: nothing ever slides
+//! RESTS: nothing slides as the load repeats
 //! ```
 //!
 //! `grasp-lcp draw fixture.json` draws the slip of each contact over the cycles, and the final loop of friction against slip, whose area is the heat.

@@ -86,7 +86,7 @@ fn a_motor_that_slips() -> Result<(), Error> {
         Ok(grasp.shake(Wrench::ZERO, &Leg::there_and_back(Wrench::force([push, 0.0])))?.to_string())
     };
     // Both motors have a torque of 0.287 N m. A push changes each torque by less than 0.03 m times the push, so that 7.1 N are needed for 0.5 N m.
-    assert_eq!(says(7.0)?, "RESTS: nothing ever slides");
-    assert_eq!(says(8.0)?, "RESTS: no contact ever slides, but right motor yields");
+    assert_eq!(says(7.0)?, "RESTS: nothing slides as the load repeats");
+    assert_eq!(says(8.0)?, "RESTS: no contact slides as the load repeats, but right motor yields");
     Ok(())
 }

@@ -218,8 +218,10 @@ class Verdict(Sentence):
 
     @property
     def holds(self) -> bool | None:
-        """Whether the grasp holds the whole load; None if undecided."""
-        return None if self.outcome == "undecided" else self.outcome in ("sticks", "slides")
+        """Whether the grasp holds the whole load; None if undecided, or if :attr:`left_out` is -1 or less, so that the grasp may buckle."""
+        if self.outcome in ("sticks", "slides"):
+            return None if (self.left_out or 0.0) <= -1.0 else True
+        return None if self.outcome == "undecided" else False
 
     def __bool__(self) -> bool:
         """As :attr:`holds`, and False if undecided, for ``if grasp.hold(load):``."""
