@@ -59,7 +59,8 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             if part <= shortest {
                 if point.size <= SOLVED_ROUNDING * point.terms {
-                    // No fraction of the step reduces the residual enough, and the residual is at the level of rounding errors.
+                    // The line search has failed: no fraction of the step reduces the residual enough. Since the residual is at the level of rounding
+                    // errors, Newton's method ends.
                     break;
                 }
                 next = self.iterate_at(&point.r + &step);
@@ -86,13 +87,13 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, residual, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The Newton step; it is zero along forces that the equations do not determine, as those of redundant contacts. `None` if the step is not
-    /// finite.
+    /// The Newton step. Forces that the equations do not determine, such as those of redundant contacts, do not change in it. `None` if the step is
+    /// not finite.
     fn step(&self, point: &Iterate<C>) -> Option<DVector<f64>> {
         let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
         for (i, change) in point.changes.iter().enumerate() {
-            // The Jacobian of the residual r − Π(r − ρ (W r + q)) with respect to the forces r.
+            // The Jacobian of the residual r − Π(r − ρ (W r + q)) with respect to the forces r, row by row; `change` is the derivative of Π.
             for a in 0..C {
                 for column in 0..size {
                     let row = (0..C).map(|b| change[(a, b)] * self.problem.w[(C * i + b, column)]);
@@ -109,8 +110,8 @@ impl<'a, const C: usize> Newton<'a, C> {
     }
 }
 
-/// Least-squares solution of A x ≈ b by Gram–Schmidt orthogonalisation of b and the columns, the longest first. Unknowns that A does not determine
-/// are zero.
+/// Least-squares solution x of A x ≈ b by Gram–Schmidt orthogonalisation of the columns of A, the longest remaining column first. Unknowns that A
+/// does not determine are zero.
 fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
     let size = b.len();
     let mut columns: Vec<Vec<f64>> = numbered(size, &|j| a.as_slice()[size * j..][..size].to_vec());

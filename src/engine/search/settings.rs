@@ -48,8 +48,8 @@ pub struct Settings {
     /// contacts slide on the round cone; refused steps are included. The same number (default 20 000) limits the jumps from static to kinetic
     /// friction. A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
-    /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
-    /// of at most 1 the search stops at this load itself.
+    /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load in the question (default 100). With a
+    /// value of at most 1 the search stops at this load itself.
     pub most_load: f64,
     /// Upper limit of the number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
