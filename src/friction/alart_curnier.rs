@@ -23,8 +23,8 @@ use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// The projection Π of a trial value ζ = r − ρ u onto the contact force of a contact with friction μ. Returns Π(ζ) and its derivative with
-/// respect to ζ; `trial` is ζ.
+/// The law r = Π(ζ) of a contact with friction μ. Returns the contact force Π(ζ) and its derivative with respect to ζ, for the value ζ = r − ρ u,
+/// which is `trial`.
 pub(super) fn answer<const C: usize>(
     trial: &SVector<f64, C>,
     mu: f64,

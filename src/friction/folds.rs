@@ -40,8 +40,8 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // Shortest step along the path; the path ends where a step would have to be shorter. In this unit of length a step of 1 changes the forces by
-        // about their own size, or ln τ by 1.
+        // Shortest step along the path; the path ends where a step would have to be shorter. A step of length 1 changes the forces by about their own
+        // size, or ln τ by 1.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);

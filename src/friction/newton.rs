@@ -13,13 +13,14 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,
-    /// The residual r − Π(ζ): r are the forces, Π is the return map, and ζ = r − ρ u are its trial values for the velocities u.
+    /// The residual r − Π(ζ) of the law r = Π(ζ), with the forces r, the velocities u and ζ = r − ρ u. The map Π takes ζ to the force of the contact
+    /// (see `alart_curnier`).
     residual: DVector<f64>,
     /// Derivative of each contact's return map Π, from the trial value ζ to the force, with respect to ζ.
     changes: Vec<SMatrix<f64, C, C>>,
     /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts; ρ converts velocities to forces.
     size: f64,
-    /// Norm, as for `size`, of the forces r and the scaled velocities ρ u together: the terms whose differences are the residual.
+    /// Norm of the terms whose differences are the residual: the forces r and the scaled velocities ρ u. It has the same weights 1/ρ as `size`.
     terms: f64,
 }
 

@@ -126,7 +126,7 @@ impl<'g> StoredPiece<'g> {
         (place.unwrap_or(self.to), which)
     }
 
-    /// The first point of a piece along which the load turns where a motion exceeds its limit. Each motion is a harmonic function of the angle,
+    /// For a piece along which the load turns: the first point where a motion exceeds its limit. Each motion is a harmonic function of the angle,
     /// which its values at three angles determine. `None` if no motion exceeds its limit, or if the load does not turn along the piece.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;

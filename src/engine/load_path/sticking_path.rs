@@ -52,8 +52,8 @@ impl StickingPath<'_> {
                 let stays = |found: &SearchSolution| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // Whether the contact neither slides nor opens. A contact that carries no force under the base load, and opens as soon as the
-                        // asked load grows, did not stick before, and is not counted either.
+                        // The path goes on if the contact sticks or was open already. It also goes on if the contact opens under the base load: such
+                        // a contact carries no force and did not stick before.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };

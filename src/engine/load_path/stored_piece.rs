@@ -215,7 +215,7 @@ impl<'g> StoredPiece<'g> {
         // All these steps have failed. The object may move in this step while the load is constant up to rounding; the state then does not depend on
         // the load factor, and every state of the step is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        // Fractions of the leg closer to each other than this have equal loads up to the rounding with which forces balance them.
+        // At fractions of the leg that differ by less than this, the loads are equal up to rounding.
         let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }

@@ -33,8 +33,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Tries one step along the arc. The step ends early if an event comes first. If its error is too large, the step is refused: the path does
-    /// not advance, and the next step is shorter. Returns whether the leg is complete. The error is the end of the path.
+    /// Tries one step along the arc. The step ends early if an event comes first. If the integration error of the step is too large, the step is
+    /// refused: the path does not advance, and the next step is shorter. Returns whether the leg is complete; an `Err` is the end of the path.
     pub(super) fn advance_along_arc(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         // An object that snaps over to another equilibrium may come to rest under the load at the end of the leg. The leg is then complete.
         if self.factor >= 1.0 {
@@ -232,7 +232,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to their active
-    /// sets. Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
+    /// sets. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum of the load factor.
     fn finish_step(
         &mut self,
         run: &ProgramRun<'g>,
@@ -324,7 +324,7 @@ impl<'g> PiecewiseFollower<'g> {
 /// vanishes. `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A decreasing normal force below this fraction of the terms whose sum it is, is followed to zero along the tangent.
+    // A decreasing normal force is followed to zero along the tangent once it is below this fraction of the terms whose sum it is.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }

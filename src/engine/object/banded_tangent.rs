@@ -125,8 +125,8 @@ impl BandedTangent {
         Some(Self { numbers, springs: lists, stretches, pushes, factors })
     }
 
-    /// Moves the object until forces balance the load W = `wrench`. The spring forces x become `x - A q`, with the returned twist `q = T⁻¹ (Bᵀx +
-    /// W)`, the tangent stiffness T and its factors A and B.
+    /// Moves the object until forces balance the load W = `wrench`. The spring forces x become `x - A q`, with the returned twist
+    /// `q = T⁻¹ (Bᵀx + W)`, the tangent stiffness T and its factors A and B.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);

@@ -58,7 +58,8 @@ impl Imbalance {
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-/// The response of a contact according to its law in `problem`: the return map of its elastic force onto the friction cone.
+/// The response of a contact according to its law in `problem`. Its elastic force, which its springs would have if it stuck, is mapped back onto the
+/// friction cone (return map).
 pub(super) fn on_cones(
     problem: &Problem,
 ) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {

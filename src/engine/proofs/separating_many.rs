@@ -96,8 +96,8 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // The search ends six rounds after the penalty ρ has stopped growing, or four rounds after a first proof. These four rounds remove rounding from
-    // the separating motion, which is shown to users.
+    // The search ends after six rounds with the largest penalty ρ, or three rounds after a first proof. These three rounds remove rounding from the
+    // separating motion, which is shown to users.
     while more < 6 && clearer < 4 {
         // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Before a proof is found this is 1e-3 / ρ, with
         // the penalty ρ, to save Newton steps. Afterwards it is 1e-14, to remove rounding.

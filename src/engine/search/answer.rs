@@ -68,7 +68,7 @@ pub(crate) struct SearchSolution {
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
     /// Sizes of force, N, and of displacement, m, to which the rounding errors of the solution are proportional. On a load path the solution is a sum
-    /// of changes along the path, and the sizes are those of the largest terms. Both are zero for a solution that was not reached along a path.
+    /// of changes along the path, and the sizes are those of the terms of this sum. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest difference, N, of a contact force from the solution on polygonal cones with which Newton's method started.
     /// `None` if Newton's method did not start from such a solution.

@@ -203,7 +203,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
 }
 
 /// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a motion along
-/// which the rate of the load does work. It is assumed that every contact on the edge of its cone slides; then no contact resists this motion.
+/// which the rate of the load does work. If every contact on the edge of its cone slides, no contact resists this motion; in all other states the
+/// contacts do not resist it more.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))

@@ -54,8 +54,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     found
 }
 
-/// The shortest motion that no spring resists and that closes certain gaps in the sense of least squares. They are the gaps of open contacts that
-/// touched before anything moved.
+/// Returns the shortest motion that no spring resists and that closes, in the sense of least squares, the gaps of open contacts that touched before
+/// anything moved.
 fn to_what_touches(problem: &Problem, found: &SearchSolution, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];

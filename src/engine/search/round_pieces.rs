@@ -82,8 +82,8 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &linear_problem) {
                 return Some(found);
             }
-            // If no spring resists some motion, the gaps along this motion are arbitrary until Newton's method has converged. A gap that seems closed
-            // is therefore no reason to close a contact before.
+            // If no spring resists some motion, the gaps along this motion are arbitrary until Newton's method has converged. Until then, a gap that
+            // seems closed does not close the contact.
             let closing = sharp || linear_problem.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {

@@ -1,5 +1,5 @@
-//! Free motions (which no spring resists) of a solution that is one end of an interval of solutions with equal forces. Without this file the motion
-//! along such an interval would be missing from the free motions.
+//! A solution may be one end of an interval of solutions with equal forces. The motion along such an interval is then added to its free motions, i.e.
+//! motions that no spring resists.
 //!
 //! If friction is at its limit at every contact that could resist a motion, forces do not determine the object's position along this motion. The
 //! possible positions form an interval. At one end of it, one of these contacts has not slipped yet, and may be taken as sticking. The solution with
