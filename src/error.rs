@@ -14,8 +14,8 @@ pub(crate) const LARGEST: f64 = 1e50;
 /// The wording of the range of [`is_moderate`] in error messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
-/// The end of the message of [`Error::Part`]: the names of the `allowed` parts. Without such parts it says that no part has a load, command or force
-/// of its own.
+/// The end of the message of [`Error::Part`]: the names of the `allowed` parts. If there are none, it says that no part of the scene has a load,
+/// command or force of its own.
 fn one_of(allowed: &str) -> String {
     match allowed {
         "" => "and no other part has: what presses by overlap is the squeeze, and a `mass` presses as given"
@@ -178,7 +178,8 @@ pub enum Error {
         /// The allowed values.
         allowed: &'static str,
     },
-    /// The library panicked on this item: a fault of the library, not of the input. In a batch the other items are still answered.
+    /// The library panicked while it answered one grasp or question: a fault of the library, not of the input. In a batch all others are still
+    /// answered.
     #[error("internal: this question made the library fail, which is a fault of the library ({fault})")]
     Internal {
         /// The message of the panic.
@@ -188,7 +189,7 @@ pub enum Error {
     /// of events have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// The load of a turn does not act before its leg, so that it would jump there.
+    /// The load of a turn must already act, as the load before, when its leg begins; otherwise the load would jump there.
     #[error(
         "leg {leg}: its turn begins with {}, and {} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`",
         load_text(begins),
@@ -202,7 +203,8 @@ pub enum Error {
         /// The load before the leg.
         before: Vec<f64>,
     },
-    /// A first slip is sought, but neither the load nor a command changes along the ramp. Or the load that is to grow in proportion is zero.
+    /// The question has no change of load. Either a first slip is sought and neither the load nor a command changes along the ramp, or the load that
+    /// is to grow in proportion is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
     /// The legs (sections) of a load cycle do not return to the load or the commands with which the cycle begins.
@@ -379,8 +381,8 @@ pub enum Field {
     KineticFriction,
     /// Commanded finger displacement, in the contact frame, m.
     Command,
-    /// Change of the commanded finger displacement along a ramp or along a leg of a load program, in the contact frame, m. For a leg that is given by
-    /// its end, the command at that end.
+    /// Change of the commanded finger displacement along a ramp or along a leg of a load program, in the contact frame, m. If a leg gives the command
+    /// at its end instead of the change, this is that command.
     CommandChange,
     /// Normal force with which the finger is commanded to press, N.
     Press,
@@ -393,8 +395,8 @@ pub enum Field {
 }
 
 impl Field {
-    /// The words between the name and the value of a quantity in an error message. For a tangent "of length", since the error gives the tangent's
-    /// length; else "is".
+    /// The words between the name and the value of a quantity in an error message: "is", but "of length" for a tangent, since the error gives the
+    /// length of the tangent.
     pub(crate) fn is(self) -> &'static str {
         if self == Self::Tangent { "of length" } else { "is" }
     }

@@ -23,8 +23,8 @@ use crate::numerics::{mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// The projection Π of a trial value ζ = r − ρ u onto the contact force of a contact with friction μ. Returns Π(ζ) and its derivative with
-/// respect to ζ; `trial` is ζ.
+/// The law r = Π(ζ) of a contact with friction μ. Returns the contact force Π(ζ) and its derivative with respect to ζ, for the value ζ = r − ρ u,
+/// which is `trial`.
 pub(super) fn answer<const C: usize>(
     trial: &SVector<f64, C>,
     mu: f64,
@@ -63,9 +63,9 @@ pub(super) struct Anchored<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// The equations of Alart and Curnier with the proximal term δ (r − a), where a are the forces `anchor`. The line search reduces a weighted
-    /// norm of the residuals. Each squared residual is divided by ρ, which makes it an energy. If `by_contact`, it is divided by the squared
-    /// size of the contact's own force and velocity instead.
+    /// The equations of Alart and Curnier with the proximal term −δ (r − a), where a are the forces `anchor`. The line search reduces a weighted norm
+    /// of the residuals. If `by_contact` is false, each squared residual is divided by ρ, which makes it an energy. If true, it is divided by the
+    /// squared size of the contact's own force and velocity, so that every contact counts alike.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
@@ -79,8 +79,8 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            // Lower limit of the size of a contact's force and velocity, relative to the largest size of all contacts. Below it, a contact with
-            // almost no force would dominate the norm of the residuals.
+            // Lower limit of the size of a contact's force and velocity, relative to the largest size of all contacts. Residuals are divided by this
+            // size. Without the limit, a contact with almost no force would dominate the norm of the residuals.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

@@ -43,7 +43,8 @@ pub(super) struct IslandSolve<'a, 'w, const C: usize> {
     pub(super) best: BestForces,
 }
 
-/// The best forces so far: of all forces that the methods have produced, the forces whose largest residual over all contacts is smallest.
+/// The best forces so far. Of all forces that the methods have produced, these have the smallest residual, i.e. the smallest value of the largest
+/// residual over all contacts.
 #[derive(Debug, Clone)]
 pub(super) struct BestForces {
     pub(super) r: DVector<f64>,
@@ -124,7 +125,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             let equations = self.anchored_at(&r, (delta, self.best.residual < WORTH_POLISHING));
             let initial_size = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            // The line search gives up below a hundredth of a Newton step (`shortest`): so short a step is not worth the factorisation of its matrix.
+            // The line search gives up below a hundredth of a Newton step (`shortest`). A shorter step gains less than the factorisation of its
+            // matrix costs.
             let patience =
                 IterationLimits { steps, enough: 0.0, rounding: FEW_ROUNDINGS, shortest: 1e-2, leaps: 6 };
             let (point, made) = descend(&equations, &self.order, r.clone(), patience);
@@ -159,7 +161,8 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
             let equations = self.anchored_at(&r, (0.0, false));
             let step = newton_step(&equations, &self.order, &equations.at(r.clone()));
             self.best.steps += 1;
-            // Newton steps end when neither a step nor sweeps reduce the residual to this fraction of its previous value.
+            // A Newton step, or the sweeps that replace it, must reduce the residual to at most this fraction of its previous value; otherwise the
+            // polish ends.
             let worthwhile = 0.9;
             if step.is_some_and(|step| self.record_if_best(&(&r + step)) <= worthwhile * before) {
                 continue;

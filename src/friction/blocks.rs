@@ -1,6 +1,5 @@
-//! The matrix W, from contact forces to velocities, in blocks: one for each pair of coupled contacts.
-//!
-//! In piles and stacks each contact is coupled with few others, so most of W is zero.
+//! The matrix W, which maps contact forces to velocities, stored as blocks of C × C entries. A block is the velocity of one contact per unit force at
+//! another contact, or at itself (diagonal block).
 
 use super::problem::{FrictionProblem, part};
 use crate::numerics::numbered;
@@ -47,7 +46,8 @@ impl<const C: usize> Blocks<C> {
         &self.others[i]
     }
 
-    /// The size of a contact's block row: the largest entry of its diagonal block or, if that is zero, of the whole row.
+    /// The size of a contact's block row: the largest magnitude of an entry of its diagonal block. If that block is zero, the largest magnitude of an
+    /// entry of all other blocks of the row.
     pub(super) fn size(&self, i: usize) -> f64 {
         let own = self.own[i].amax();
         let any = || self.others[i].iter().fold(0.0_f64, |size, (_, w)| size.max(w.amax()));
@@ -60,7 +60,7 @@ impl<const C: usize> Blocks<C> {
         numbered(self.len(), &scale)
     }
 
-    /// The velocity of contact i due to the forces r of all other contacts: its part of W r without the diagonal block.
+    /// The velocity of contact i due to the forces r of all other contacts; its own force does not contribute.
     pub(super) fn by_others(&self, i: usize, r: &DVector<f64>) -> SVector<f64, C> {
         self.others[i].iter().fold(SVector::zeros(), |sum, (j, w)| sum + w * part::<C>(r, *j))
     }

@@ -68,12 +68,13 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // The parameter τ of the last point on the central path, and the factor by which τ is reduced for the next point.
+    // The parameter τ of the last point on the central path, the factor by which τ is reduced for the next point, and the number of Newton steps made
+    // so far.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     // Factor of τ between the first two points of the path; later factors adapt to the number of Newton steps.
     let slow = 0.2;
-    // The path ends where its parameter τ is 1e-16 of the mean energy of a contact, near the relative working precision. Newton's method has lost the
-    // path if it converges only for a factor of τ above 0.9.
+    // The path ends where τ is 1e-16 of the mean energy of a contact, near the relative working precision. The factor of τ moves towards 1 whenever
+    // Newton's method fails. Once it exceeds 0.9, Newton's method has lost the path.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made
@@ -97,7 +98,8 @@ pub(super) fn follow<const C: usize>(
                 factor
             };
         } else if first {
-            // A larger parameter τ puts the starting point of the path farther inside the cones.
+            // Newton's method has not reached the first point of the path. A larger τ puts this point farther inside the cones, where Newton's method
+            // finds it more easily.
             tau /= slow;
             if tau > 1e3 * energy {
                 break;

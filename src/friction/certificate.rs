@@ -48,8 +48,8 @@ impl<const C: usize> FrictionProblem<C> {
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
             }
-            // A tangential component of a = W_Nᵀ y, relative to the normal component. Both are pairs of mantissa and binary exponent, since the
-            // exponent may be outside the range of doubles.
+            // The ratio of a tangential component of a = W_Nᵀ y to its normal component. Both components are pairs of mantissa and binary exponent,
+            // since the exponents may be outside the range of doubles.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + PROOF_ROUNDING) <= 1.0
@@ -63,7 +63,7 @@ impl<const C: usize> FrictionProblem<C> {
         // For many contacts each polygon has fewer facets: at most 512 for all contacts together, but at least four for each contact.
         let count = if C == 2 { 2 } else { (512 / n.max(1)).clamp(4, 32) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
-        // A regular polygon with `count` corners contains the unit circle if the distance of its corners from the centre is this factor.
+        // The corners of a regular polygon around the unit circle have this distance from its centre; it is rounded up.
         let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + PROOF_ROUNDING) };
         let mut normals = DMatrix::zeros(n, count * n);
         for (i, directions) in facets.0.iter().enumerate() {
@@ -87,14 +87,15 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) over contacts i, which is at most zero if y is a proof. W_iN and W_iT are entries of the
-/// normal and tangential columns of one contact in the matrix W. `None` if the product of y_i and μ underflows or overflows; otherwise this
-/// product is split into two doubles without error.
+/// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) for one edge of a contact's cone. It is the weighted normal velocity of all contacts i per unit
+/// normal force on this edge; in a proof y it is at most zero. W_iN and W_iT are the entries of `columns`, the contact's normal and tangential
+/// columns of W, in the normal row of contact i. The products of y_i and μ are split into two doubles without error; `None` if one of them underflows
+/// or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {
         let product = mu * y;
-        // Factors and products in this range lose no digits by underflow and do not overflow.
+        // Products of numbers in this range, and their rounding errors, neither underflow nor overflow, so no digit is lost.
         let kept = 1e-280..1e280;
         if product != 0.0 && [product, mu, *y].iter().any(|x| !kept.contains(&x.abs())) {
             return None;

@@ -1,4 +1,5 @@
-//! Acceptance of forces as a solution, after removal of rounding errors. For the forces r the velocities are W r + q.
+//! Acceptance of forces as a solution, after removal of rounding errors. For contact forces r the velocities of the contacts are u = W r + q, where q
+//! are the velocities without contact forces.
 
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
@@ -66,8 +67,8 @@ impl<const C: usize> FrictionProblem<C> {
         if !residuals.within(tolerance) {
             return None;
         }
-        // Forces are rejected if the terms W r of the velocities exceed q by many orders of magnitude. Within rounding such forces would solve the
-        // problem for any q.
+        // Forces are rejected if the terms of W r exceed q by many orders of magnitude. These terms then cancel, and their rounding error hides q:
+        // the same forces would pass the check for any other q as small as this one.
         let terms = (self.w.abs() * r.abs()).amax();
         if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms
@@ -78,8 +79,8 @@ impl<const C: usize> FrictionProblem<C> {
         Some(Solution { r, u, states: found, residuals, pivots: 0, steps: 0 })
     }
 
-    /// Whether some contact's friction exceeds its limit, μ times its normal force, by more than rounding. For a steep cone the excess may be
-    /// small relative to the force but large relative to its normal component.
+    /// Whether some contact's friction exceeds its limit, μ times its normal force, by more than rounding. The residual of the cone is relative to
+    /// the whole force. With a large μ it may be small although the excess is large relative to the normal force.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);
@@ -87,7 +88,8 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// The forces r, in which a contact's force is set to zero if it contributes only rounding to the velocities of all contacts.
+    /// The forces r, except that a contact's force is set to zero if it is too small to matter: it changes every velocity by less than the rounding
+    /// error of that velocity.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

@@ -99,7 +99,7 @@ pub(super) fn solve<const C: usize>(
     for (k, i) in order.iter().enumerate() {
         position[*i] = k;
     }
-    // By position of the contact in the elimination order: inverses of the pivot blocks, and the block rows of the upper triangle.
+    // Both lists follow the elimination order. `pivots` has the inverses of the pivot blocks, `uppers` the block rows of the upper triangle.
     let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
     let mut uppers: Vec<SparseRow<C>> = Vec::with_capacity(n);
     let mut work: Vec<ContactBlock<C>> = vec![ContactBlock::zeros(); n];

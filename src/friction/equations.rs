@@ -22,7 +22,8 @@ pub(super) struct Linearisation<const C: usize> {
     pub(super) by_velocity: Vec<ContactBlock<C>>,
     /// Weighted norm of the residuals of all contacts.
     pub(super) size: f64,
-    /// Weighted norm of the large terms whose small differences are the residuals. Along the central path it is not computed and stays 0.
+    /// Weighted norm of the terms whose differences are the residuals. Residuals that are small relative to it are rounding errors. The equations of
+    /// the central path do not compute it; it stays 0.
     pub(super) terms: f64,
 }
 
@@ -51,7 +52,7 @@ impl<const C: usize> Linearisation<C> {
     }
 }
 
-/// Equations for the forces of all contacts.
+/// Equations for the forces of all contacts, given by their residuals at trial forces; [`descend`] solves them.
 pub(super) trait Equations<const C: usize> {
     /// Residuals and derivatives at the forces r.
     fn at(&self, r: DVector<f64>) -> Linearisation<C>;
@@ -74,7 +75,8 @@ pub(super) struct IterationLimits {
     pub(super) rounding: f64,
     /// The line search tries no smaller fraction of a Newton step than this.
     pub(super) shortest: f64,
-    /// Limit of the number of full Newton steps that are taken although the line search found no shorter step that reduces the residuals enough.
+    /// Upper limit of the number of full Newton steps that are made in spite of a failed line search. The line search fails if no fraction of a step,
+    /// down to `shortest`, reduces the residuals enough.
     pub(super) leaps: usize,
 }
 
@@ -112,7 +114,7 @@ pub(super) fn descend<const C: usize>(
     (point, made)
 }
 
-/// The Newton step at a point, a change of the forces of all contacts; `None` if a diagonal block is singular in the elimination.
+/// The Newton step at `point`: a change of the forces of all contacts. `None` if a pivot block of the elimination is singular.
 pub(super) fn newton_step<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],

@@ -1,7 +1,8 @@
 //! The linear complementarity problem in which a polygon replaces each friction cone.
 //!
-//! A contact has the normal force r_N, normal velocity u_N and tangential velocity u_T. With facet directions d_1 … d_k, the tangential force r_T = Σ
-//! β_j d_j, and the slip speed λ,
+//! A contact has the normal force r_N, the normal velocity u_N, the tangential velocity u_T, the friction coefficient μ and the slip speed λ. Its
+//! tangential force is r_T = Σ β_j d_j, with a unit vector d_j for each of the k facets (facet directions) and forces β_j along these vectors.
+//! Coulomb's law on the polygon is
 //!
 //! ```text
 //! 0 ≤ u_N             ⟂ r_N ≥ 0
@@ -9,8 +10,8 @@
 //! 0 ≤ μ r_N − Σ β_j   ⟂ λ ≥ 0
 //! ```
 //!
-//! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix is copositive if the matrix W from forces to velocities is
-//! positive semidefinite.
+//! (D. E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996). The matrix of this complementarity problem is copositive if W, the matrix
+//! from contact forces to velocities, is positive semidefinite. There are n contacts with C components each (2 in the plane, 3 in space).
 
 use super::problem::FrictionProblem;
 use super::settings::MOST_CONE_FACETS;
@@ -25,8 +26,8 @@ use nalgebra::{DMatrix, DVector, SVector};
 pub(super) struct Facets<const C: usize>(pub(super) Vec<Vec<SVector<f64, C>>>);
 
 impl<const C: usize> Facets<C> {
-    /// Regular facet directions: both directions in the plane, `count` directions in space. In space `angles` has the angle of the first
-    /// direction of each contact, in rad from the first tangential axis.
+    /// Facet directions at equal angles. In the plane they are the two opposite tangential directions of each contact, whatever `count` is. In space
+    /// there are `count` directions, and `angles` has the angle of each contact's first direction, in rad from the first tangential axis.
     pub(super) fn regular(count: usize, angles: &[f64]) -> Self {
         let direction = |angle: f64| {
             let mut d = SVector::zeros();
@@ -64,8 +65,8 @@ pub struct FacetedProblem<const C: usize> {
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// Selects the entries of the contacts' normal forces from a vector z with an entry for each unknown of the complementarity problem. From a
-    /// vector of slacks w it selects the normal velocities.
+    /// The normal forces of the contacts, selected from a vector z that has an entry for each unknown of the complementarity problem. If z is a
+    /// vector of slacks instead, the result has the normal velocities.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         vector_of(self.facets.0.len(), &|i| z[self.facets.width() * i])
     }
@@ -92,8 +93,8 @@ impl<const C: usize> FacetedProblem<C> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem with a polygon of `facets` facets in place of each cone. A number below 3 counts as 3, a number above 128 as 128. In the plane two
-    /// facets are the cone itself. In space the polygon lies inside the cone.
+    /// The problem with a polygon of `facets` facets in place of each cone. A number below 3 counts as 3, a number above 128 as 128. In the plane
+    /// `facets` is ignored: two facets are the cone itself. In space the polygon lies inside the cone.
     ///
     /// # Errors
     ///

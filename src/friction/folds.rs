@@ -40,7 +40,8 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // Shortest step along the path; the path ends where a step would have to be shorter.
+        // Shortest step along the path; the path ends where a step would have to be shorter. A step of length 1 changes the forces by about their own
+        // size, or ln τ by 1.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);
@@ -52,8 +53,8 @@ pub(super) fn around_folds<const C: usize>(
             if let Some((next, corrections)) = onward {
                 x = next;
                 if 2 * corrections <= MOST_FOLD_CORRECTIONS {
-                    // Few corrections were needed, so the next step is longer. Its limit is a relative change of 1 of the forces, or a factor e of
-                    // the path's parameter τ.
+                    // Few corrections were needed, so the next step is longer. A step of length 1, the longest, changes the forces by about their own
+                    // size, or τ by a factor e.
                     length = (1.5 * length).min(1.0);
                 }
                 break;
@@ -79,7 +80,8 @@ impl<const C: usize> Path<'_, C> {
     /// method does not reach the path.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        // The initial τ is a million times `energy`, the mean of ρ_i ‖q_i‖² over the contacts.
+        // The initial τ is a million times `energy`, the mean over the contacts of ρ_i ‖q_i‖², where ρ_i converts a velocity of contact i to a force.
+        // With so large a τ the path is far inside the cones, where Newton's method finds its point.
         let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {
@@ -95,8 +97,8 @@ impl<const C: usize> Path<'_, C> {
         (point.size <= enough).then_some(x)
     }
 
-    /// The residuals at a point x, their root mean square relative to √τ, and their derivatives with respect to forces and ln τ. x has the
-    /// forces, then ln τ.
+    /// At a point x (the forces, then ln τ): the residuals of the equations, the root mean square of these residuals relative to √τ, and the
+    /// derivatives of the residuals with respect to forces and ln τ.
     fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();
@@ -122,8 +124,8 @@ impl<const C: usize> Path<'_, C> {
         (residual, near, change)
     }
 
-    /// Diagonal of the metric for changes of forces and ln τ along the path with the parameter τ. Forces are measured relative to their size at
-    /// x.
+    /// Diagonal of the metric in which steps along the path are measured. A change of ln τ counts as it is; a change of the forces counts relative to
+    /// the size of the forces at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy = total(self.problem.len(), &|i| x.rows(C * i, C).norm_squared() / self.rho[i]);
@@ -150,8 +152,8 @@ impl<const C: usize> Path<'_, C> {
         tangent.iter().all(|x| x.is_finite()).then_some(tangent)
     }
 
-    /// Newton correction of x back to the path, within the hyperplane through x normal to `ahead`. Returns the point and the number of corrections,
-    /// or `None` after more than [`MOST_FOLD_CORRECTIONS`] corrections.
+    /// Moves x back to the path by Newton steps, within the hyperplane through x that is normal to `ahead`. Returns the point reached and the number
+    /// of corrections, or `None` after more than [`MOST_FOLD_CORRECTIONS`] corrections.
     fn corrected(
         &self,
         mut x: DVector<f64>,

@@ -17,7 +17,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
     let mut near = vec![Vec::new(); n];
     for i in 0..n {
         for (j, _) in blocks.off_diagonal(i) {
-            // The matrix W need not be symmetric, so coupling in one direction suffices.
+            // If W couples contact i to contact j only in one direction (W need not be symmetric), they are in one island, too.
             near[i].push(*j);
             near[*j].push(i);
         }
@@ -56,8 +56,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Solves all islands and combines their solutions. A proof that an island has no solution also holds for the whole problem, and is returned at
-    /// once. So is a stop by the caller's function `watch`. Otherwise the first failure is returned, if any.
+    /// Solves all islands and combines their solutions. If an island is proved to have no solution, or the caller's function `watch` stops the solve,
+    /// this outcome is returned at once. If islands fail in another way, the outcome of the first of them is returned after all have been tried.
     pub(super) fn solve_islands(
         &self,
         islands: &[Vec<usize>],
@@ -94,7 +94,8 @@ impl<const C: usize> FrictionProblem<C> {
                     let cause = BreakdownCause::NoConvergence { residual, contact: island[contact] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots, cause }));
                 }
-                // A ray of one island's complementarity problem is not a ray of the whole problem, and is not returned.
+                // Lemke's method has ended on a ray, which is a ray of this island's complementarity problem only. The outcome for the whole problem
+                // is therefore `NoConvergence`.
                 Outcome::Ray(ray) => {
                     let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots: ray.pivots, cause }));
@@ -110,7 +111,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// Extends the certificate of an island to all contacts, with weight zero on the others.
+/// The certificate (proof that no solution exists) of an island as a certificate of the whole problem: the weights of all other contacts are zero.
 fn extend_to_all(certificate: &Certificate, island: &[usize], n: usize) -> Certificate {
     let mut y = DVector::zeros(n);
     for (weight, i) in certificate.y.iter().zip(island) {

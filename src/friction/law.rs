@@ -75,8 +75,8 @@ pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVecto
     out
 }
 
-/// The residuals of one contact; `size` is the magnitude of its velocity's terms. Force and velocity are scaled first, so that no square
-/// overflows or underflows.
+/// The residuals of one contact with the force `force` and the velocity `velocity`. `size` is the largest magnitude of the terms of W r + q that add
+/// up to this velocity. Force and velocity are scaled first, so that no square overflows or underflows.
 fn contact_residuals<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,
@@ -119,7 +119,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// The residuals of the given forces r and velocities u, each the largest over all contacts. Also the index (from 0) of the contact with the
-    /// largest residual. `terms` has the magnitudes of the velocities' terms.
+    /// largest residual. `terms` has, for each component of u, the sum of the magnitudes of the terms of W r + q that add up to it.
     pub(super) fn residuals_from(
         &self,
         r: &DVector<f64>,
@@ -144,8 +144,8 @@ impl<const C: usize> FrictionProblem<C> {
         (out, worst)
     }
 
-    /// The state of a contact from the position of ζ = r − ρ u, with the force r, the velocity u and a factor ρ. The contact is open if ζ_N ≤ 0,
-    /// sticks if ζ is inside the friction cone, and slides elsewhere.
+    /// The state of a contact from ζ = r − ρ u, with its force r, its velocity u and a factor ρ > 0 that converts velocities to forces. The contact
+    /// is open if ζ_N ≤ 0, sticks if ζ is inside the friction cone, and slides elsewhere.
     pub(super) fn state(
         force: &SVector<f64, C>,
         velocity: &SVector<f64, C>,

@@ -13,13 +13,14 @@ use nalgebra::{DMatrix, DVector, SMatrix};
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,
-    /// The residual r − Π(ζ): r are the forces, Π is the return map, and ζ = r − ρ u are its trial values for the velocities u.
+    /// The residual r − Π(ζ) of the law r = Π(ζ), with the forces r, the velocities u and ζ = r − ρ u. The map Π takes ζ to the force of the contact
+    /// (see `alart_curnier`).
     residual: DVector<f64>,
     /// Derivative of each contact's return map Π, from the trial value ζ to the force, with respect to ζ.
     changes: Vec<SMatrix<f64, C, C>>,
     /// Norm √(Σ ‖·‖² / ρ) of the residual, summed over all contacts; ρ converts velocities to forces.
     size: f64,
-    /// Norm, as for `size`, of the forces r and the scaled velocities ρ u together: the terms whose differences are the residual.
+    /// Norm of the terms whose differences are the residual: the forces r and the scaled velocities ρ u. It has the same weights 1/ρ as `size`.
     terms: f64,
 }
 
@@ -59,7 +60,8 @@ impl<'a, const C: usize> Newton<'a, C> {
             }
             if part <= shortest {
                 if point.size <= SOLVED_ROUNDING * point.terms {
-                    // No fraction of the step reduces the residual enough, and the residual is at the level of rounding errors.
+                    // The line search has failed: no fraction of the step reduces the residual enough. Since the residual is at the level of rounding
+                    // errors, Newton's method ends.
                     break;
                 }
                 next = self.iterate_at(&point.r + &step);
@@ -86,13 +88,13 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, residual, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The Newton step; it is zero along forces that the equations do not determine, as those of redundant contacts. `None` if the step is not
-    /// finite.
+    /// The Newton step. Forces that the equations do not determine, such as those of redundant contacts, do not change in it. `None` if the step is
+    /// not finite.
     fn step(&self, point: &Iterate<C>) -> Option<DVector<f64>> {
         let size = point.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
         for (i, change) in point.changes.iter().enumerate() {
-            // The Jacobian of the residual r − Π(r − ρ (W r + q)) with respect to the forces r.
+            // The Jacobian of the residual r − Π(r − ρ (W r + q)) with respect to the forces r, row by row; `change` is the derivative of Π.
             for a in 0..C {
                 for column in 0..size {
                     let row = (0..C).map(|b| change[(a, b)] * self.problem.w[(C * i + b, column)]);
@@ -109,8 +111,8 @@ impl<'a, const C: usize> Newton<'a, C> {
     }
 }
 
-/// Least-squares solution of A x ≈ b by Gram–Schmidt orthogonalisation of b and the columns, the longest first. Unknowns that A does not determine
-/// are zero.
+/// Least-squares solution x of A x ≈ b by Gram–Schmidt orthogonalisation of the columns of A, the longest remaining column first. Unknowns that A
+/// does not determine are zero.
 fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
     let size = b.len();
     let mut columns: Vec<Vec<f64>> = numbered(size, &|j| a.as_slice()[size * j..][..size].to_vec());

@@ -40,7 +40,8 @@ pub(super) fn answer<const C: usize>(
     if let Some(stuck) = stuck.filter(|r| miss(r) <= 0.0) {
         return Some(stuck);
     }
-    // Brackets the root κ, the ratio of slip speed to friction force: the force is outside the cone at κ = `least` and inside at κ = `most`.
+    // First an interval is sought that contains the root κ, the ratio of slip speed to friction force. At κ = `least` the force is outside the cone,
+    // at κ = `most` inside.
     let (mut least, mut most) = (0.0, slide.size);
     while slide.at(most).is_none_or(|r| miss(&r) > 0.0) {
         least = most;
@@ -49,11 +50,11 @@ pub(super) fn answer<const C: usize>(
             return None;
         }
     }
-    // A ratio κ whose force overflows counts as infinitely far outside the cone.
+    // If the force at a trial κ overflows, it counts as infinitely far outside the cone.
     let mut left = |kappa: f64| slide.at(kappa).map_or(f64::INFINITY, |r| miss(&r));
     let bracket = [(least, left(least)), (most, left(most))];
     let mut r = slide.at(regula_falsi(bracket, 0.0, &mut left)?)?;
-    // Moves the force exactly onto the edge of the cone, to remove the rounding of κ.
+    // The rounding error of κ leaves the force slightly off the edge of the cone. It is moved exactly onto the edge.
     let size = tangent(&r).norm();
     if size > 0.0 {
         for k in 1..C {
@@ -65,8 +66,8 @@ pub(super) fn answer<const C: usize>(
 
 /// The forces of a sliding contact with normal velocity zero, as functions of κ, the slip speed per unit of friction force.
 struct Slide<const C: usize> {
-    /// The matrix S of the slip velocity u_T = S r_T + c, as a function of the friction force r_T. The normal row and column are taken from the
-    /// identity.
+    /// The matrix S of the slip velocity u_T = S r_T + c, as a function of the friction force r_T. Its normal row and column are those of the
+    /// identity matrix, so that S can be inverted as a C × C matrix.
     s: ContactBlock<C>,
     c: SVector<f64, C>,
     /// −b_N / A_NN: the normal force without friction. A is the contact's diagonal block of the matrix W, b its velocity without its own force.
@@ -91,7 +92,7 @@ impl<const C: usize> Slide<C> {
         Self { s, c, normal: -b[0] / own, coupling, size: if size > 0.0 { size } else { own } }
     }
 
-    /// The contact force for a ratio κ of slip speed to friction force; `None` if it is not finite.
+    /// The contact force for a given κ, the ratio of slip speed to friction force; `None` if this force is not finite.
     fn at(&self, kappa: f64) -> Option<SVector<f64, C>> {
         let mut shifted = self.s;
         for k in 1..C {

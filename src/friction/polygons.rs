@@ -119,8 +119,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts a certificate of the problem with polygons, which has a weight for each row, to one with a weight for each contact. This is the weight of
-/// the contact's normal row. Other outcomes are returned unchanged.
+/// Converts a certificate of the problem with polygons, which has a weight for each row, to one with a weight for each contact: the weight of the
+/// contact's normal row. Other outcomes are returned unchanged.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

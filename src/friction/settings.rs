@@ -14,11 +14,11 @@ pub struct Settings {
     /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
     /// to the round cone, but make the complementarity problem larger.
     pub facets: usize,
-    /// Largest number of restarts from another polygon after Newton's method did not converge, in space (default 4). Each restart uses 1.5 times as
-    /// many facets, rotated towards the slip directions.
+    /// In space, the largest number of restarts if Newton's method does not converge (default 4). Each restart uses polygons with 1.5 times as many
+    /// facets, rotated towards the slip directions.
     pub turns: usize,
-    /// Largest number of Newton steps from the forces of each polygon, and in each round of anchored Newton steps (default 30). A proximal term holds
-    /// anchored steps near given forces, the anchor.
+    /// Largest number of Newton steps in one run of Newton's method (default 30). A run starts from the forces of a polygon, or is a round of
+    /// anchored Newton steps, in which a proximal term holds the forces near given forces, the anchor.
     pub steps: usize,
     /// Largest number of starts for many contacts, or if polygons of facets have given no solution (default and maximum 4). Each start makes
     /// Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.

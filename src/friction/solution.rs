@@ -1,4 +1,5 @@
-//! The solution of a frictional contact problem. An island is a set of contacts that the matrix W couples, directly or through other contacts.
+//! The solution of a frictional contact problem: n contacts with C components each (2 in the plane, 3 in space). An island is a set of contacts that
+//! the matrix W couples, directly or through other contacts.
 
 use super::law::{ContactMode, Residuals};
 use crate::numerics::{Each, counted};
@@ -17,11 +18,12 @@ pub struct Solution {
     /// Velocities u = W r + q (C n entries): the matrix W times the forces r, plus the velocities q without contact forces.
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
-    /// State of each contact (n entries). On the border of two states, rounding decides which of them is reported.
+    /// State of each contact (n entries). If a contact is on the border between two states, such as sliding with zero slip, rounding decides which of
+    /// them is reported.
     pub states: Vec<ContactMode>,
     /// Residuals of Coulomb's law for these forces, recomputed from the given W, q and μ.
     pub residuals: Residuals,
-    /// Number of pivots of Lemke's method on polygons, over all islands.
+    /// Number of pivots of Lemke's method, over all islands. Lemke's method solves the problem with a polygon in place of each friction cone.
     pub pivots: usize,
     /// Number of Newton steps of all methods, over all islands.
     pub steps: usize,

@@ -28,7 +28,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// | outcome | means |
     /// |---|---|
     /// | [`Solved`](Outcome::Solved) | the law is satisfied to the tolerance of the settings |
-    /// | [`Infeasible`](Outcome::Infeasible) | no solution: some contact approaches for all forces in the cones. `y` has a weight per contact, see [`Self::proves_infeasible`] |
+    /// | [`Infeasible`](Outcome::Infeasible) | no solution: whatever forces in the cones act, some contact approaches. `y` has a weight per contact, see [`Self::proves_infeasible`] |
     /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of states of an island is excluded without rounding |
     /// | others | undecided. A [`Ray`](crate::lcp::Ray) is a ray of the complementarity problem of [`Self::facets`] |
     #[must_use]
@@ -75,8 +75,8 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_island(&blocks, settings, (&all, watch))
     }
 
-    /// Solves one island, a set of contacts that the matrix W couples. `names` are the contacts' indices in the caller's problem; they are used
-    /// in progress reports.
+    /// Solves one island, a set of contacts that the matrix W couples. `names` has the indices of its contacts in the caller's problem, for progress
+    /// reports.
     pub(super) fn solve_island<'a>(
         &'a self,
         blocks: &'a Blocks<C>,
@@ -131,8 +131,8 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Breakdown { pivots, cause };
             }
         }
-        // If all else has failed, the problem with polygons in place of the cones is tried once. For more than 600 rows this would take more
-        // than seconds.
+        // All other methods have failed. If the problem with polygons in place of the cones has not been tried yet, it is tried now. With more than
+        // 600 rows this would take many seconds.
         if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {
@@ -166,7 +166,8 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// The outcome of the problem with polygons, in which infeasible becomes nearly infeasible unless the certificate also holds for the round cones.
+    /// The outcome of the problem with polygons, as the outcome of the problem with round cones. A proof that no solution exists stays a proof only
+    /// if its certificate holds for the round cones, too; otherwise the outcome is `NearlyInfeasible`.
     fn proved(&self, polygon: Outcome<Solution>) -> Outcome<Solution> {
         match polygon {
             Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {

@@ -10,8 +10,8 @@ use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// Updates the force of every contact once. Returns the relative change of the forces, √(Σ Δrᵀ A Δr / Σ rᵀ A r). The sums run over contacts with
-/// force r, change of force Δr and diagonal block A of the matrix W.
+/// Updates the force of every contact once. Returns the relative change of the forces, √(Σ Δrᵀ A Δr / Σ rᵀ A r), summed over the contacts. Here r is
+/// a contact's force, Δr its change, and A the contact's diagonal block of the matrix W.
 pub(super) fn sweep<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,

@@ -8,48 +8,51 @@
 /// If smaller, rounds that stop at rounding count as failed, and the proximal term grows; if larger, later rounds start from worse forces.
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
-/// Residual below which forces are refined by final Newton steps without a proximal term. Below it, residuals are also weighted contact by
-/// contact instead of as energy.
+/// If the residual of forces is below this number, final Newton steps without a proximal term (the polish) follow. Newton steps with a proximal term
+/// then also weigh residuals relative to each contact's own force and velocity, not as energies.
 ///
-/// If smaller, unnecessary rounds precede the polish; if larger, polishing starts where Newton's method does not converge.
+/// If smaller, more rounds with a proximal term are made than necessary; if larger, the final Newton steps start where they do not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;
 
-/// Lower limit of the weight δ of the proximal term in the linear equations of a Newton step, relative to the contact's diagonal block of the
-/// matrix W. It makes the equations of redundant contacts regular.
+/// Lower limit of the weight δ of the proximal term in the linear equations of a Newton step, relative to the contact's diagonal block of the matrix
+/// W. The proximal term makes the equations of redundant contacts regular, although their forces are not determined.
 ///
-/// Undetermined force components lose half of their digits by this weight, determined components lose no digits. If smaller, equations become
+/// With this limit, the undetermined force components are accurate to half of the digits, all others to all digits. If smaller, equations become
 /// singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
-/// Multiple of the size of a contact's diagonal block of the matrix W that is added to the block along the central path. It makes the equations
-/// of redundant contacts regular.
+/// Along the central path a multiple of the identity is added to each contact's diagonal block of the matrix W. This number is its ratio to the size
+/// of the block. The addition makes the equations of redundant contacts regular.
 ///
 /// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path solve a visibly different problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
-/// Root mean square of the residuals up to which a point counts as on the central path, when the path is followed around its folds. It is
-/// relative to √τ, with the path's parameter τ.
+/// A point counts as on the central path, followed around its folds, if the root mean square of the residuals is at most this fraction of √τ. τ is
+/// the parameter of the path.
 ///
 /// If smaller, each step needs more corrections; if larger, the path jumps to another branch.
 pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;
 
-/// Pivot of the linear equations of a Newton step, relative to the largest pivot, below which a force is not changed. The forces of redundant
-/// contacts are not determined.
+/// If the pivot of a force in the linear equations of a Newton step is below this fraction of the largest pivot, the step does not change this force.
+/// Such small pivots belong to redundant contacts, whose forces are not determined.
 ///
 /// If smaller, undetermined forces follow rounding; if larger, determined forces of soft contacts are not updated.
 pub(super) const UNDETERMINED_FORCE: f64 = 1e-12;
 
-/// Relative excess of friction over its limit μ r_N, for a normal force r_N, from which a force counts as outside the cone.
+/// A force counts as outside its cone if its friction exceeds the limit μ r_N, for a normal force r_N, by more than this fraction of the limit.
 ///
 /// If smaller, the rounding of a projection counts as outside; if larger, visible violations remain.
 pub(super) const OUTSIDE_CONE: f64 = 1e-13;
 
-/// Relative rounding error assumed in a proof: of sums rounded once, and of a few further operations.
+/// Bound of the relative rounding error of a number on which a proof rests. The number comes from sums that are exact until they are rounded once,
+/// and from a few further operations.
 ///
 /// If smaller, a proof could be wrong; if larger, proofs with contacts at the edge of their cones are refused.
 pub(super) const PROOF_ROUNDING: f64 = 8.0 * 1e-15;
 
-/// Largest number of rows of a complementarity problem with polygons for which the facets are tried first.
+/// Up to this number of rows, the complementarity problem with polygons in place of the cones is solved first, by Lemke's method; above it, the
+/// iterative methods come first.
 ///
-/// Up to this size Lemke's method takes milliseconds, and in the plane it decides the problem. If larger, it takes longer than Newton's method.
+/// Up to this number Lemke's method takes milliseconds, and in the plane it decides the problem. With more rows it takes longer than the iterative
+/// methods.
 pub(super) const MOST_ROWS_FACETS_FIRST: usize = 160;

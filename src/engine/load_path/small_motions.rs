@@ -78,8 +78,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The place (leg, from 0, and fraction of it) from which on every contact with friction that presses slides, up to the place `until`. It is the
-    /// beginning of a stored piece of the path. `None` if such a contact sticks just before `until`.
+    /// The place from which on, up to the place `until`, every contact with friction that presses slides. A place is a leg (from 0) and the fraction
+    /// of it that is done. The result is the beginning of a stored piece of the path. `None` if such a contact sticks just before `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {
@@ -114,8 +114,8 @@ impl<'g> StoredPiece<'g> {
         }
         let bracket = [(self.from, -excess(&start)), (self.to, -excess(&at_the_end))];
         let mut which = at_the_end;
-        // On an arc each evaluation repeats the integration step up to the trial fraction. At the fraction found, the motion exceeds its limit
-        // only by rounding.
+        // The root is sought where the largest motion is just at its limit. On an arc each trial repeats the integration step up to the trial
+        // fraction. `which` is the motion that exceeds its limit there.
         let place = regula_falsi(bracket, ROUNDED_SUM, &mut |trial| {
             let motion = farthest_at(trial);
             if excess(&motion) >= 0.0 {
@@ -126,7 +126,7 @@ impl<'g> StoredPiece<'g> {
         (place.unwrap_or(self.to), which)
     }
 
-    /// The first point of a piece along which the load turns where a motion exceeds its limit. Each motion is a harmonic function of the angle,
+    /// For a piece along which the load turns: the first point where a motion exceeds its limit. Each motion is a harmonic function of the angle,
     /// which its values at three angles determine. `None` if no motion exceeds its limit, or if the load does not turn along the piece.
     fn turns_too_far(&self, grasp: &'g Engine, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;

@@ -49,7 +49,7 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
 pub(super) struct StateAfterSnap<'g> {
-    /// The static problem with the slips after the motion. Its load is exactly in balance with the contact forces, and nearly the load of the leg.
+    /// The static problem with the slips after the motion. Its load is changed slightly, so that the contact forces balance it exactly.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
@@ -93,8 +93,8 @@ impl<'g> StateAfterSnap<'g> {
                 problem.local(i).tangent(&here.contacts[i].state).matrix() + damper(&problem, i) / length
             };
             let factors = PartialPivoting::new(&tangent_stiffness(problem.sites, &both));
-            // The determinant of the matrix of a step in time is not positive if the step is too long near an unstable equilibrium. An implicit
-            // step would then go back to this equilibrium.
+            // Near an unstable equilibrium a long implicit step goes back to this equilibrium. The determinant of the matrix of the step is then not
+            // positive, and a shorter step is tried.
             let Some(factors) = factors.filter(PartialPivoting::is_positive) else {
                 length *= SHORTER;
                 if length < SHORTEST_SNAPPING_STEP {
@@ -123,9 +123,9 @@ impl<'g> StateAfterSnap<'g> {
     }
 }
 
-/// The small step of the load factor beyond a loss of equilibrium, after which the object moves to another equilibrium. This step puts forces
-/// out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the rates of the contacts' spring offsets, and
-/// `rate` is the rate of the load.
+/// The step of the load factor with which the load is increased beyond a loss of equilibrium, so that the object moves to another equilibrium. The
+/// step puts forces out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the rates of the contacts' spring
+/// offsets, and `rate` is the rate of the load.
 ///
 /// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the step would be
 /// zero for a grasp without any force.
@@ -176,8 +176,8 @@ impl MovingObject {
 
 impl<'g> PiecewiseFollower<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if the object does not come to rest within small motions. It is not tried, and `None` returned, for other kinds of loss, for
-    /// suction cups and at the end of a leg. The same holds after a failed jump and after [`MOST_SNAPS`] snaps.
+    /// continues. `None` if the object does not come to rest within small motions. Also `None`, without a try, for other kinds of loss, for grasps
+    /// with suction cups, at the end of a leg, after a jump that failed, and after [`MOST_SNAPS`] snaps.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -192,12 +192,13 @@ impl<'g> PiecewiseFollower<'g> {
         }
         let Segment { grasp, change, trajectory, .. } = &self.segment;
         let (load, rate) = (trajectory.at(self.factor), trajectory.rate_at(self.factor));
-        // The largest force includes the load, and the force that the displacements would cause in the softest spring. Contacts may carry no force at
-        // all.
+        // Contacts may carry no force at all. The largest force is therefore the maximum over the contact forces, the load, and the force that the
+        // displacements would cause in the softest spring.
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
-        // If an object sticks and snaps over again and again, the step of the load factor after which it moves grows each time.
+        // If an object snaps over again within the last step of the load factor, this step is doubled. An object that sticks and snaps over again and
+        // again would otherwise need too many snaps.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
@@ -217,8 +218,8 @@ impl<'g> PiecewiseFollower<'g> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
         let goal = self.segment.trajectory.at(beyond);
-        // Just before the end of a leg, the remaining change of the load would move the object by rounding only. The object therefore moves under the
-        // load at `factor + step`, even beyond the end of the leg.
+        // Just before the end of a leg the rest of the leg changes the load by rounding only, too little to move the object. The object therefore
+        // moves under the load at `factor + step`, even if that is beyond the end of the leg.
         let rests = self.rests_again(self.factor + step)?;
         let (leg, changes) = self.back_to_balance(rests, beyond);
         let mut jump = JumpInProgress::after(leg, &self.segment.problem.slips);

@@ -19,7 +19,7 @@ use crate::search::{Doubt, FoundBy, SearchOutcome, SearchSolution, Settings, set
 /// A ramp or a turn of the load, followed while no contact slides, and the load factor reached so far.
 pub(super) struct StickingPath<'a> {
     pub(super) segment: Segment<'a>,
-    /// The caller's load as a function of the load factor.
+    /// The caller's load (ramp or turn) as a function of the load factor.
     pub(super) trajectory: Trajectory<Wrench<3>>,
     /// The load factor up to which an onset is searched for: infinite along a ramp, the last angle of a turn.
     pub(super) end: f64,
@@ -52,7 +52,8 @@ impl StickingPath<'_> {
                 let stays = |found: &SearchSolution| {
                     at_edge.iter().all(|&(i, _)| {
                         let state = &found.states[i];
-                        // A contact that carries no force under the base load and opens at once does not count as a contact that stops sticking.
+                        // The path goes on if the contact sticks or was open already. It also goes on if the contact opens under the base load: such
+                        // a contact carries no force and did not stick before.
                         state.is_sticking() || state.is_open() && (at_base || states[i].is_open())
                     })
                 };
@@ -84,9 +85,9 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). Either the step to an exit is
-    /// zero up to rounding, or the contact touches without force. In both cases only the rates of the forces show whether the forces leave their
-    /// cones.
+    /// Contacts that are on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). These are the contacts
+    /// whose force is on the edge up to rounding, so that the step to an exit has length zero, and contacts that touch without force. Only the rates
+    /// of the forces show whether these forces leave their cones as the load grows.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

@@ -19,9 +19,9 @@ impl PiecewiseFollower<'_> {
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
     }
 
-    /// Whether a contact that has the state `state` clearly violates the condition of this state after each of three trial steps, ever shorter.
+    /// Whether a contact in the state `state` clearly violates the condition of this state after three trial steps, each shorter than the one before.
     /// The condition is a force inside the friction cone or, if the contact slides, a slip that friction opposes. Trial steps whose estimated
-    /// relative error exceeds `tolerance` are skipped. False if the condition holds after any other trial step.
+    /// relative error exceeds `tolerance` do not count. False as soon as the condition holds after a step that counts.
     fn fails_at_once(&self, contact: usize, state: State, tolerance: f64) -> bool {
         let mut states = self.node.states.clone();
         states[contact] = state;

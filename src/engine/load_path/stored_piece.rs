@@ -135,7 +135,8 @@ impl<'g> StoredPiece<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // While the load turns, the sizes of force and displacement are already the largest over all angles, so no change is added.
+        // On a straight leg the sizes of force and displacement grow along the piece. While the load turns, they are already the largest over all
+        // angles, so nothing is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = SearchSolution {
             free_motions: self.here.free_motions.clone(),
@@ -191,7 +192,8 @@ impl<'g> StoredPiece<'g> {
     ) -> Option<ForcesAndTwist> {
         let (mut from, mut point, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = arc_step.length;
-        // A step to this fraction that fails is made in at most sixty parts, each half as long as the part before.
+        // If the step to this fraction fails, it is made in parts, of which each is half as long as the part before. Sixty halvings reach the limit
+        // of rounding.
         for _ in 0..60 {
             let flow = Flow::new(segment, &states, from, &point, arc_step.unit);
             if let Some(reached) = flow.step_to_factor(fraction, length, arc_step.rule) {
@@ -210,10 +212,10 @@ impl<'g> StoredPiece<'g> {
                 }
             }
         }
-        // If the object moves under a load that is constant up to rounding, a load factor cannot be located within the step. Every state of the step
-        // is then valid.
+        // All these steps have failed. The object may move in this step while the load is constant up to rounding; the state then does not depend on
+        // the load factor, and every state of the step is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
-        // Fractions of the leg closer to each other than this have equal loads up to the rounding with which forces balance them.
+        // At fractions of the leg that differ by less than this, the loads are equal up to rounding.
         let near = to_the_start.min(to_the_end) <= 1e-15;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }

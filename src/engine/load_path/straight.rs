@@ -30,7 +30,7 @@ impl<'g> PiecewiseFollower<'g> {
         };
         let (step, reached, leg_done) = match exits {
             Some((_, reached)) if at_the_end(&reached) => (rest, reached, true),
-            // While the load turns, the step is a refined root of a trigonometric polynomial already, and needs no correction.
+            // While the load turns, the step was computed as a root of a trigonometric polynomial and refined, so it needs no correction.
             Some((step, reached)) if point.turned.is_some() && self.factor + step < 1.0 => {
                 (step, reached, false)
             }
@@ -42,15 +42,15 @@ impl<'g> PiecewiseFollower<'g> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        // A step along the path that is no longer than its own rounding error may be zero. If rounding chooses between two continuations of the
-        // path, each of which leads back to the other, the path would make such steps for ever.
+        // A step that is no longer than its own rounding error may in truth have length zero. Rounding may choose between two continuations of the
+        // path that lead back to each other. The path would then make such steps for ever.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Up to this many steps in a row, each no longer than its own rounding error, may be events at one load. More such steps mean that
         // rounding makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // The path alternates between continuations, and only rounding would determine which one it finally takes.
+            // Two continuations of the path alternate, and only rounding would decide between them.
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);
@@ -76,9 +76,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.segment.state(&point.linear_problem, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step `step` (change of the load factor) to the exits `reached`, corrected with the state at its end, which is solved for directly.
-    /// Without the correction the step has the rounding error of the present state, from which it is extrapolated. A correction that is too
-    /// large is not made.
+    /// Corrects `step`, the change of the load factor up to the exits `reached`. As extrapolated from the present state, the step has the rounding
+    /// error of this state. The correction follows from the state at the end of the step, which is solved for directly. A correction that is too
+    /// large is not applied.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

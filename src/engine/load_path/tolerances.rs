@@ -7,23 +7,24 @@
 
 use crate::contact::ZERO_SLACK;
 
-/// A turn of the load must begin with the load before its leg. Each component may differ by this fraction of the largest component of the turn's
-/// first load.
+/// At the beginning of a leg along which the load turns, the turn must have the load at which the leg before has ended. Each component may differ by
+/// this fraction of the largest component of the turn's first load.
 ///
 /// If smaller, loads that people write with six digits are refused; if larger, loads jump where a leg begins.
 pub(super) const AS_WRITTEN: f64 = 1e-6;
 
-/// First distance beyond the end of a path at which another equilibrium is searched for. Its unit is the change of the load factor that would build
-/// up the whole load or all spring offsets at their present rates. If both are zero, its unit is the whole leg.
+/// Beyond the end of a path, another equilibrium is first searched for at this distance, measured along the load factor. The unit of the distance is
+/// the change of the load factor that would build up the whole load or all spring offsets at their present rates; if both are zero, it is the whole
+/// leg. For an object that snaps over, this number is the imbalance beyond the end of its path, as a fraction of the largest force.
 ///
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// After a loss of equilibrium the object moves under a load slightly beyond the end of its path; the distance beyond is proportional to the
-/// largest force. In this rule the largest force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
+/// An object that snaps over moves under a load slightly beyond the end of its path. This distance is proportional to the largest force; in this rule
+/// the largest force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
 ///
-/// If smaller, an object without force at the end of its path is moved under the same load again and again. If larger, it may be moved under a
-/// load beyond a later event.
+/// If smaller, an object without force at the end of its path is moved under the same load again and again. If larger, it may be moved under a load
+/// beyond a later event.
 pub(super) const LEAST_FORCE: f64 = 1e-3;
 
 /// An object that snaps over is at rest once the imbalance of contact forces and load is at most this fraction of the initial imbalance. The
@@ -38,9 +39,9 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 
 /// Upper limit of the number of times that an object snaps over on one leg. If it would snap over once more, the equilibrium is taken as lost.
 ///
-/// Steps of the load factor double if the object sticks and snaps over again and again. Twenty doublings lead from the shortest step to the whole
-/// leg, and forty more to the load at which the object is lost. Each snap takes as long to compute as a complete search for an equilibrium under a
-/// load. Before it, a search for rates of forces and motion must fail.
+/// If the object sticks and snaps over again and again, the step of the load factor doubles each time. Twenty doublings lead from the shortest step
+/// to the whole leg, and forty more to the load at which the object is lost. The limit exists because a snap is expensive: it takes as long as a
+/// complete search for an equilibrium, after a search for rates of forces and motion has failed.
 pub(super) const MOST_SNAPS: usize = 64;
 
 /// While an object snaps over, a step in time is accepted if the imbalance of forces after it is nearly that expected from the dampers. The
@@ -66,8 +67,9 @@ pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// If close events make steps too short to advance, small gaps and margins are set to zero: up to this fraction of the terms whose difference
-/// they are. A margin is the distance of a contact force from the edge of its cone.
+/// Events may be so close together that the steps between them are too short to advance. Gaps and margins are then set to zero if they are at most
+/// this fraction of the terms whose difference they are, so that these events become one. A margin is the distance of a contact force from the edge
+/// of its cone.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
@@ -85,8 +87,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// A decreasing normal force of a sliding contact no longer determines the direction of friction if it is at most this fraction of its terms. The
-/// error of that direction is the error of the steps divided by this fraction.
+/// If the decreasing normal force of a sliding contact is at most this fraction of the terms whose sum it is, it no longer determines the direction
+/// of friction. The error of that direction is the integration error of the steps, divided by this fraction.
 ///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.
@@ -94,7 +96,7 @@ pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 
 /// Shortest step of a path followed in steps, as a fraction of a leg: if shorter steps would be necessary, the path ends.
 ///
-/// If smaller, steps are made of rounding; if larger, paths end before an equilibrium that they could reach.
+/// If smaller, steps are made whose changes are only rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;
 
 /// A value that must stay positive along an arc, such as a gap, is taken as zero up to this fraction of its terms. The fraction is the sum of
@@ -103,8 +105,8 @@ pub(super) const SHORTEST_STEP: f64 = 1e-12;
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// Directions of friction turn fast if the normal force of a sliding contact is small: below this fraction of the largest contact force at the first
-/// slip. `in_slips` then gives no answer, and the grasp is followed as a load path.
+/// Directions of friction turn fast if the normal force of a sliding contact is small. Below this fraction of the largest contact force at the first
+/// slip, the method that follows a grasp by the slips of its contacts alone (`in_slips`) gives no answer, and the grasp is followed as a load path.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

@@ -13,8 +13,8 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, combinations, search_among};
 
-/// The guess that every contact keeps its state, as contact states of `rates`, the complementarity problem for the rates of forces and motion.
-/// `states` are the present contact states. `None` if the laws of the rates exclude that some contact keeps its state.
+/// The contact states of the rate problem `rates` (for rates of forces and motion) in which every contact keeps its present state, given in `states`.
+/// They are tried first. `None` if some contact cannot keep its state according to its law in `rates`.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     all_some(locals.map(|((local, law), state)| local.in_the_rates(law, *state)))
@@ -44,7 +44,8 @@ pub(super) fn change(
 /// rates apart from free motions. Zero if the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all
 /// combinations of contact states are tried. `None` if there are too many combinations, or with a contact at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
-    // With a contact at the apex of a round cone the number of solutions is not known. It may differ from the number with a polygonal cone.
+    // With a contact at the apex of a round cone the solutions cannot be counted. Their number may differ from that with a polygonal cone, on which
+    // combinations of states are tried.
     if rates.round {
         return None;
     }
@@ -83,7 +84,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form (a linear complementarity problem) of the problem for the rates of forces and motion. It has few complementary pairs.
+/// The kinematic form (a linear complementarity problem for gaps and slips) of the problem for the rates of forces and motion. It has so few
+/// complementary pairs that tests on it are cheap.
 struct FewRows {
     form: Form,
     /// The largest component of a contact force in the elastic trial, in which all contacts stick. Each component is divided by the square root of

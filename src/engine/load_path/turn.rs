@@ -144,8 +144,8 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// The turn of a force from three forces: its component along the axis, its component across the axis at θ = 0, and its component across the
-    /// axis a quarter revolution later. `wrench` makes the wrench of each of these forces.
+    /// The turn of a force, from three forces: its component along the axis, its component across the axis at θ = 0, and the force into which this
+    /// second component has turned a quarter revolution later. `wrench` makes the wrench of each of these forces.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.each(wrench);
         Self::new(constant, cosine, sine)

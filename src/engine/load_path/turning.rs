@@ -33,8 +33,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Tries one step along the arc. The step ends early if an event comes first. If its error is too large, the step is refused: the path does
-    /// not advance, and the next step is shorter. Returns whether the leg is complete. The error is the end of the path.
+    /// Tries one step along the arc. The step ends early if an event comes first. If the integration error of the step is too large, the step is
+    /// refused: the path does not advance, and the next step is shorter. Returns whether the leg is complete; an `Err` is the end of the path.
     pub(super) fn advance_along_arc(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         // An object that snaps over to another equilibrium may come to rest under the load at the end of the leg. The leg is then complete.
         if self.factor >= 1.0 {
@@ -69,8 +69,8 @@ impl<'g> PiecewiseFollower<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = run.settings.step_error * self.pace.error_factor;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // Steps shorter than this fraction of the load factor do not advance. The arc then cannot be followed further with the present contact
-        // states.
+        // A step shorter than this fraction of the load factor would leave the load factor unchanged, up to rounding. The arc then cannot be followed
+        // further with the present contact states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -100,8 +100,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.finish_step(run, &point, &end)
     }
 
-    /// The step `end` from `point`, shortened to end where a condition of the list at the head of this file first becomes zero. A condition that is
-    /// violated only within the step, and holds again at its end, is found, too. `None` if the end of the shortened step is not found.
+    /// The step `end` from `point`, shortened so that it ends where the value of a condition (see the list at the head of this file) first becomes
+    /// zero. A condition that is violated only within the step, and holds again at its end, is found, too. `None` if the end of the shortened step is
+    /// not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -131,13 +132,13 @@ impl<'g> PiecewiseFollower<'g> {
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether close events may now be treated as one event: not if they were treated so at this load factor already.
+    /// Whether events that are close together may now be treated as one event. This is done at most once at the same load factor.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
-    /// The arclength along which the load turns by a quarter of a radian; infinite for a straight load. Along a longer step a contact could
-    /// violate the condition of its state, and yet satisfy it again at the end.
+    /// The arclength along which the load turns by a quarter of a radian; infinite for a load that changes linearly. Along a longer step a contact
+    /// could violate the condition of its state, and yet satisfy it again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.trajectory {
             // In one integration step the load turns by at most this angle, rad.
@@ -151,8 +152,8 @@ impl<'g> PiecewiseFollower<'g> {
     fn stable(&mut self, point: &PathPoint, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
-        // The longest explicit step is four times the length over which the fastest direction of friction relaxes towards the slip. From six
-        // times this length on, the integration is unstable.
+        // The longest explicit step is four times the length over which the fastest direction of friction relaxes towards the slip. Steps longer than
+        // about six such lengths would be unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.implicit |= self.pace.needs_implicit_steps(stable, rest);
@@ -178,21 +179,22 @@ impl<'g> PiecewiseFollower<'g> {
         point.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Arclength of a straight step along the tangent; `None` if no such step is to be made. A straight step is made from the apex of a cone, at
-    /// which a friction force has no direction yet. It is also made up to the point at which a normal force that is almost zero vanishes.
+    /// Arclength of a step straight along the tangent of the path; `None` if the next step need not be straight. A straight step leads away from the
+    /// apex of a cone, where a friction force has no direction yet. It also leads to the point at which a normal force that is almost zero vanishes.
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // If a normal force vanishes a little beyond the end of the leg, the step ends with the leg. A shorter step could end where the force
-        // counts as zero already.
+        // A normal force vanishes within the leg or a little beyond its end. If beyond, the step ends with the leg: a further step from before the
+        // end would begin with a force that counts as zero already.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // If forces would double within this fraction of the rest of the leg, they vanish and are only rounding.
+        // `force_way` is the arclength along which forces change by their own size. If it is this small a fraction of the rest of the leg, all forces
+        // are rounding errors, and it means nothing.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // The first step from the apex of a cone is this fraction of the length along which forces change by their own size. Within this step
-        // directions of friction turn by about the square of this fraction.
+        // The first step from the apex of a cone is 1e-6 of the length along which forces change by their own size. The direction of friction is
+        // taken as constant in this step, with an error of about the square of 1e-6.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
 
@@ -230,7 +232,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to their active
-    /// sets. Returns whether the leg is complete; the error is a loss at a maximum of the load factor.
+    /// sets. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum of the load factor.
     fn finish_step(
         &mut self,
         run: &ProgramRun<'g>,
@@ -269,8 +271,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         for (i, state) in self.node.states.iter().enumerate() {
             let (size, force) = (next.lines[i].force_size, &next.lines[i].force);
-            // After a straight step along the tangent, a remainder of the normal force may be left. It is too small to determine the direction
-            // of friction.
+            // A straight step up to the point at which a normal force vanishes may leave a small remainder of this force. The remainder is too small
+            // to determine the direction of friction, so the contact is taken as without force.
             let is_gone = end.rule == Rule::Straight
                 && way_to_nothing((&point.lines[i], state)).is_some_and(|way| way <= end.length);
             if state.slides() && (is_gone || ActiveSet::is_weightless(force, size)) {
@@ -284,8 +286,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         self.take_step(run, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
-        // If another event happens at the same point, contacts that have not slipped during the step get their states from the solution at that
-        // event.
+        // If no other event happens at this point, the contacts whose slip has ended stick. Otherwise contacts that did not slip at all in the step
+        // are left out: the solution for the rates at that event determines their states.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
@@ -296,8 +298,8 @@ impl<'g> PiecewiseFollower<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// The contacts among `contacts` that do not slip at all in a step. `contacts` are those whose slip rate is zero at the end of the step; the
-    /// slip rate of the result is zero already at `point`, its beginning.
+    /// Those of the contacts `contacts` that do not slip at all in a step. All of `contacts` have a slip rate of zero at the end of the step.
+    /// Returned are those whose slip rate is zero already at `point`, the beginning of the step.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -322,7 +324,7 @@ impl<'g> PiecewiseFollower<'g> {
 /// vanishes. `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A decreasing normal force below this fraction of the terms whose sum it is, is followed to zero along the tangent.
+    // A decreasing normal force is followed to zero along the tangent once it is below this fraction of the terms whose sum it is.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }

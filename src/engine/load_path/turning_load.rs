@@ -19,7 +19,8 @@ impl Segment<'_> {
     /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
-        // A rate of the load below this fraction of its fastest rate is taken as zero. Rounding of the angle causes a rate of about this size.
+        // The rate of the load is taken as zero below this fraction of the largest rate that the load has while it turns. Rounding of the angle
+        // causes a rate of about this size.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
@@ -101,7 +102,8 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Accumulated slips are subtracted from the commands. If a slip and its command cancel, the rounding error of the slip remains.
+            // The size of a stretch includes the accumulated slip, which is subtracted from the command. If both cancel, their rounding errors do
+            // not.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

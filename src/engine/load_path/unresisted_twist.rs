@@ -7,9 +7,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, changed along all motions that leave forces in balance. Along these the object moves at the twist rate
-    /// `pushed`. `pushed` comes from the solution of the problem for the rates of forces and motion, in which contacts that touch without force may
-    /// push; if it is `None`, `rate` is returned unchanged.
+    /// The rates `rate` of forces and twist, made to agree with the twist rate `pushed` along all motions that leave forces in balance. Other
+    /// components of `rate` stay. `pushed` comes from the rate problem (for rates of forces and motion), in which contacts that touch without force
+    /// may push the object. If it is `None`, `rate` is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,
@@ -18,7 +18,8 @@ impl Segment<'_> {
     ) -> ForcesAndTwist {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        // A velocity along a free motion is rounding if it is below this fraction of the velocity `pushed`.
+        // The difference between `pushed` and the twist rate of `rate`, along a free or neutral motion, is rounding if it is below this fraction of
+        // `pushed`.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves = linear_problem.free_motions().iter().any(is_driven)
             || linear_problem.neutral_motions().iter().any(is_driven);

@@ -76,8 +76,8 @@ pub(super) fn watch(
     states: &[State],
     (factor, point): (f64, &PathPoint),
 ) -> Vec<ConditionValue> {
-    // The rate of the load factor (at most 1) is taken as zero up to 1e-8. Near a maximum the load factor itself then changes by less than the square
-    // of this rate.
+    // The rate of the load factor, which is at most 1, is taken as zero up to 1e-8. The load factor then differs from its value at the maximum by
+    // about the square of this rate, i.e. by rounding.
     let mut list = vec![
         ConditionValue {
             what: WatchedCondition::Growth,
@@ -95,7 +95,8 @@ pub(super) fn watch(
     // A value that changes by less than its rounding over the rest of a straight leg is taken as constant. While the load turns, a rate that is
     // zero at this point may grow, so no value is taken as constant.
     let straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-    // The change of a value over the rest of the leg is compared with rounding. That rest is taken as at least a hundredth of the leg.
+    // A rate is rounding if over the rest of the leg it would change the value by less than rounding. The rest is taken as at least a hundredth of
+    // the leg, so that the limit stays finite at its end.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&point.lines[contact], segment.problem.local(contact));

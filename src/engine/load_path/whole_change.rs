@@ -69,7 +69,7 @@ impl<const C: usize> fmt::Display for PadChange<C> {
     }
 }
 
-/// For example "left begins to slide".
+/// Writes the change as text, for example "left begins to slide".
 impl<const C: usize> fmt::Display for WholeChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.contact.text();
@@ -110,7 +110,7 @@ impl<const C: usize> Event<C> {
     }
 }
 
-/// For example "leg 0 at 0.5, (0, -4) N: left begins to slide".
+/// Writes the event as text, for example "leg 0 at 0.5, (0, -4) N: left begins to slide".
 impl<const C: usize> fmt::Display for Event<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
@@ -219,9 +219,9 @@ impl PointState {
         }
     }
 
-    /// The states of a point of a fingertip before and after `change`. `state` is the state of the point in the equilibrium that the event
-    /// stores, which tells whether a point that opens slid before. It is the state before the change. At the very start of a path there is no
-    /// earlier equilibrium, so that `state` is the state after the change.
+    /// The states of a point of a fingertip before and after `change`. `state` is the state of the point in the equilibrium that the event stores: as
+    /// a rule the equilibrium before the event. It is needed only for a point that opens, which may have slid or stuck before. At the very start of a
+    /// path there is no earlier equilibrium, and `state` is the state after the change.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],

@@ -33,9 +33,9 @@ pub(super) struct BoundedCubic {
     allowed_violation: f64,
 }
 
-/// The least fraction of a step, over the sticking and open contacts, at which a contact clearly violates the condition of its state; the
-/// condition may hold again at the end. If the step is too long for a decision about a contact, the fraction for this contact is one half.
-/// `None` if all conditions hold within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
+/// The least fraction of a step at which a sticking or open contact clearly violates the condition of its state; the condition may hold again at the
+/// end. If the step is too long to decide this for a contact, one half is taken as its fraction. `None` if all conditions hold within the step. Rates
+/// at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],
@@ -87,8 +87,9 @@ impl BoundedCubic {
         let allowed_violation = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The interpolating cubic neglects the term of fourth order. An upper estimate of this term is the larger of the term of third order and
-        // 0.05 times the term of second order. In accepted steps each term is at most 0.05 times the term of the order before.
+        // The cubic neglects the terms of fourth order and higher in the true motion. They are at most as large as the larger of two numbers: the
+        // term of third order, and 0.05 times the term of second order. For in accepted steps each term is at most 0.05 times the term of the order
+        // before.
         let error_factor = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, error_factor, allowed_violation }
     }
@@ -97,8 +98,8 @@ impl BoundedCubic {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`, the error of margins. One half if this
-    /// is not decided. `None` if the margin is nowhere negative by more than `allowed_violation`.
+    /// A fraction of the step at which the margin is certainly negative by more than `allowed_violation`. `None` if the margin is nowhere so
+    /// negative. One half if neither can be decided, because the step is too long.
     pub(super) fn violated_at(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         // At most two hundred pieces of the cubic are examined; if that decides nothing, the step is taken as too long.

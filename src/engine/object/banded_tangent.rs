@@ -45,7 +45,7 @@ pub(crate) struct BandedTangent {
     pub(super) factors: BandFactors,
 }
 
-/// For each contact the coordinates that stretch its springs: those with nonzero entries in its grasp map.
+/// For each contact: its springs, and the coordinates of the twist that stretch them, i.e. those with nonzero entries in its grasp map.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
     /// For each contact in turn, the coordinates with entries in its grasp map. Each is given by its position in the order in which the stiffness
@@ -125,8 +125,8 @@ impl BandedTangent {
         Some(Self { numbers, springs: lists, stretches, pushes, factors })
     }
 
-    /// Lets the object give way until forces balance the load W = `wrench`: replaces the spring forces x by `x - A q` and returns the twist
-    /// `q = T⁻¹ (Bᵀx + W)`, with the tangent stiffness T and its factors A and B.
+    /// Moves the object until forces balance the load W = `wrench`. The spring forces x become `x - A q`, with the returned twist
+    /// `q = T⁻¹ (Bᵀx + W)`, the tangent stiffness T and its factors A and B.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);

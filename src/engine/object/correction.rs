@@ -30,9 +30,9 @@ pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The exact twist minus the given twist, without components along motions that no spring resists.
     pub(crate) twist: Vector,
-    /// Uncertainty of the corrected forces, N: machine precision times the largest force that the residual e_r of a spring causes along this spring.
-    /// If refinement did not converge, the largest force of the last correction is added. The uncertainty is large if the linear problem is nearly
-    /// singular.
+    /// Uncertainty of the corrected forces, N. The residual e_r of each spring is a force along this spring; the uncertainty is machine precision
+    /// times the largest of these forces. If refinement did not converge, the largest force of the last correction is added. The uncertainty is large
+    /// if the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 
@@ -54,7 +54,8 @@ impl LinearProblem {
             let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.push_direction.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
-            // Stiff springs turn rounding errors of the twist into forces of this size, N.
+            // Uncertainty of this correction, N. The correction follows from residual forces as large as `largest(&change)`, with a relative error of
+            // machine precision.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
@@ -125,9 +126,8 @@ impl LinearProblem {
     }
 }
 
-/// For a contact that slides on the round cone: the component `c·w` of its residual displacement w in the tangential direction c perpendicular
-/// to the friction force F_t, `c = (-F_2, F_1) / |F_t|`. The direction c is taken from the force, since w may have any direction before
-/// convergence.
+/// The component `c·w` of the residual displacement w of a contact that slides on the round cone. Here `c = (-F_2, F_1) / |F_t|` is the tangential
+/// direction perpendicular to the friction force F_t. The direction is not taken from w itself, since w may have any direction before convergence.
 struct TransverseResidual {
     along: [DoubleDouble; 3],
     length: f64,

@@ -3,8 +3,8 @@
 use super::tolerances::NO_WORK;
 use crate::numerics::Vector;
 
-/// The unit motion along which the load does the most work, in the span of the orthonormal motions `free`, along which no spring pushes. `None` if
-/// that work is zero up to rounding.
+/// The unit motion along which the load `wrench` does the most work, among the motions that no spring resists. `free` is an orthonormal basis of
+/// these motions. `None` if the load does no work along them, up to rounding.
 pub(crate) fn motion_of_work(free: &[Vector], wrench: &Vector) -> Option<Vector> {
     let along = free.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(wrench));
     let work = along.norm();

@@ -22,16 +22,16 @@ pub(super) struct Limited {
 /// The directions in which a contact may slide, according to the shape of its friction cone.
 enum SlideDirections {
     Never,
-    /// In the plane: indices of the facets of the friction cone whose friction force lies along -t and along +t. `None` without such a facet:
-    /// friction in this direction has no limit.
+    /// In the plane: two facets of the friction cone, by index. The first limits friction along -t, the second along +t. `None` if there is no such
+    /// facet, so that friction in this direction has no limit.
     Along([Option<u16>; 2]),
-    /// In space: on the facets `h·F_t = r` of a polygonal friction cone, with outward normals h and the friction limit r. `corners` are the corners
-    /// of the polygon for r = 1.
+    /// In space: the contact may slide on the facets `h·F_t = r` of a polygonal friction cone, with outward normals h and the friction limit r.
+    /// `corners` are the corners of the polygon for r = 1.
     OnPolygon {
         normals: Vec<SVector<f64, 3>>,
         corners: Vec<SVector<f64, 3>>,
     },
-    /// In space: in any tangential direction, on the round friction cone.
+    /// In space: the contact may slide in any tangential direction, on the round friction cone.
     Round,
 }
 
@@ -121,8 +121,8 @@ impl Limited {
     /// The response at the friction limit `limit`, if the tangential part of `force` exceeds it, otherwise `None`. `force` is the force that the
     /// springs would have if the contact stuck.
     fn at_limit(&self, force: &SVector<f64, 3>, limit: f64) -> Option<AtLimit> {
-        // Stiffness in the tangential directions perpendicular to `normal`, the outward normal of the limit curve of friction. In these directions
-        // friction still changes with the stretch.
+        // The stiffness that is left at the friction limit. It acts in the tangential directions perpendicular to `normal`, the outward normal of the
+        // curve that limits friction; in these directions friction still changes with the stretch.
         let along = |normal: &SVector<f64, 3>| {
             let mut across = SMatrix::<f64, 3, 3>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;

@@ -188,10 +188,10 @@ impl LinearProblem {
         motions
     }
 
-    /// A virtual motion y along which no motion of the object changes the work of the springs: a left null vector of the tangent stiffness,
-    /// `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. Of the left null vectors along which no spring
-    /// pushes, y is that along which the load does the most work. If the load does no work along any of these, y is another left null vector, along
-    /// which springs push. Offsets and load together do work along it. `None` if offsets and load do no work along any left null vector.
+    /// A virtual motion y along which no motion of the object changes the work of the springs. It is a left null vector of the tangent stiffness,
+    /// `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. If the load does work along left null vectors along
+    /// which no spring pushes, y is the one along which the load does the most work. Otherwise y is a left null vector along which springs push, and
+    /// along which offsets and load together do work. `None` if offsets and load do no work along any left null vector.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],

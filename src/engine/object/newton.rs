@@ -47,7 +47,7 @@ impl Imbalance {
         self.size += force.norm();
     }
 
-    /// The sum of this imbalance, over some contacts, and `other`, over other contacts.
+    /// The imbalance of two groups of contacts together: this imbalance is that of one group, `other` that of the other group.
     fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }
@@ -58,7 +58,8 @@ impl Imbalance {
 pub(super) type Response<'r> =
     dyn Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync + 'r;
 
-/// The response of a contact according to its law in `problem`: the return map of its elastic force onto the friction cone.
+/// The response of a contact according to its law in `problem`. Its elastic force, which its springs would have if it stuck, is mapped back onto the
+/// friction cone (return map).
 pub(super) fn on_cones(
     problem: &Problem,
 ) -> impl Fn(usize, &SVector<f64, 3>, &ContactResponse) -> ContactResponse + Sync {
@@ -78,13 +79,13 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from the twist `twist`. It ends when the imbalance is at most the fraction `settled` of a sum: the norms of contact forces and
-/// load, plus `beside`, N. The imbalance `settled * beside` is thus accepted even if all forces are zero, because it may be rounding. Returns the
-/// twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list `contacts` is overwritten: it finally
-/// holds the responses at the returned twist. Every contact starts open.
+/// Newton's method from the twist `twist`, with every contact open at first. It ends when the norm of the imbalance is at most the fraction `settled`
+/// of the sum of the norms of contact forces and load, plus `beside`, N. An imbalance up to `settled * beside` is thus accepted even if all forces
+/// are zero, because it may be rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not
+/// converge. The list `contacts` is overwritten, and finally holds the responses at the returned twist.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
-/// shorter step reduces it enough, the whole step is taken.
+/// shorter step reduces the norm enough, the whole step is taken.
 pub(crate) fn newton(
     problem: &Problem,
     (mut twist, settled, beside): (Vector, f64, f64),

@@ -43,8 +43,8 @@ struct SortedNullVectors {
 }
 
 impl NullMotions {
-    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix; empty if T is regular. `None` if T is nearly, but not
-    /// exactly, singular.
+    /// The null motions of the tangent stiffness T, from its LU factors as a band matrix. All lists are empty if T is regular. `None` if T is nearly,
+    /// but not exactly, singular.
     pub(super) fn of(band: &BandedTangent) -> Option<Self> {
         let nothing = Self {
             free: Vec::new(),
@@ -90,9 +90,9 @@ impl NullMotions {
     }
 
     /// Whether no spring forces can balance the load under the given contact offsets. `x` holds the scaled force of each spring that the offsets
-    /// cause at zero twist. Along a motion z in `without_response` no twist changes the work of the springs: it stays the work of the forces
-    /// `x`. If the load and the forces `x` together do more work along z than rounding explains, they cannot be in balance. `growth` is the
-    /// factor by which the LU factors amplify rounding.
+    /// cause at zero twist. Along a motion z in `without_response`, no twist changes the work of the spring forces, so this work is that of `x`. If
+    /// the load and the forces `x` together do more work along z than rounding explains, there is no balance. `growth` is the factor by which the LU
+    /// factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: &dyn Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + (a * b).abs());
@@ -103,9 +103,9 @@ impl NullMotions {
     }
 }
 
-/// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. `side` is A for null vectors of T, and
-/// B for null vectors of the transpose; `other` is the other of these two matrices. The entries of `vectors` refer to columns of `side` that are
-/// scaled to length one. `None` if a vector that stretches springs is not a null vector to within rounding.
+/// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. For null vectors of T, `side` is A and
+/// `other` is B; for null vectors of the transpose, `side` is B and `other` is A. The entries of `vectors` refer to columns of `side` that are scaled
+/// to length one. `None` if a vector stretches springs and, beyond rounding, is no null vector.
 fn sorted_null_vectors(
     band: &BandedTangent,
     [side, other]: [&SpringRows; 2],
@@ -117,7 +117,8 @@ fn sorted_null_vectors(
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
-        // Two corrections remove the residual stretches of a null vector, which stem from rounding of T and its factors.
+        // A null vector should cause stretches whose forces balance. Rounding of T and its factors leaves a small imbalance, which two corrections
+        // remove.
         for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);
@@ -152,8 +153,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if it stretches springs hardly at all: the norm of the stretches is at most this fraction of the largest stretch of a
-        // spring under any unit motion. A motion that stretches even the softest springs exceeds the fraction 1e-6.
+        // A unit motion is free if it hardly stretches any spring: the norm of the stretches is at most this fraction of the largest stretch of a
+        // spring under any unit motion. For motions that do stretch springs, even the softest ones, this fraction is above 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;

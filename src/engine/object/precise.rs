@@ -33,7 +33,8 @@ impl Precise {
         (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
-    /// The parts `high` and `low` as arrays of fixed size; `None` if there are more coordinates than those of one object.
+    /// The parts `high` and `low` as arrays of fixed size, for which the compiler makes faster code. `None` if there are more coordinates than those
+    /// of one object.
     #[inline(always)]
     fn arrays(&self) -> Option<DoublePrecisionPair<'_>> {
         Some([self.high.array()?, self.low.array()?])

@@ -56,7 +56,8 @@ pub(crate) struct Problem<'g> {
     pub(crate) near: &'g [State],
 }
 
-/// Three lists of a [`Problem`] with an entry for each contact, passed in so that a new problem reuses the memory of an earlier problem.
+/// Three lists of a [`Problem`], each with an entry for each contact. The caller passes them in, so that a new problem reuses the memory of an
+/// earlier one.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ProblemLists {
     pub(crate) laws: Vec<Law>,

@@ -35,7 +35,7 @@ pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     stuck: Vector,
     twist: Vector,
     last: Option<Vector>,
-    /// Factor, at least 1, by which the last step was longer than `T⁻¹R`. This is the displacement that the imbalance R causes in the stuck grasp of
+    /// Factor, at least 1, by which the last step was longer than the displacement `T⁻¹R` that the imbalance R of forces causes in the stuck grasp of
     /// stiffness T.
     step_factor: f64,
     steps: usize,
@@ -74,8 +74,8 @@ impl Iterator for SpringDashpotRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // If steps keep shrinking by the same ratio, the estimated remaining displacement is `whole` times this step. Steps that grow, as
-            // past an unstable equilibrium, give no estimate.
+            // If the steps keep shrinking by the same ratio, the estimated remaining displacement is `whole` times this step. Growing steps give no
+            // estimate; they occur where the object moves away from an unstable equilibrium.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {
                 let before = last.norm();

@@ -11,9 +11,9 @@ use crate::contact::SpringState;
 use crate::grasp::Site;
 use crate::prelude::*;
 
-/// The least force, N, that the displacements of a contact could cause in its springs; forces far below it are mere rounding. It is the minimum over
-/// the contacts of the stiffness of the softest spring times the size of the displacements of this contact. `spans` has this size for each contact,
-/// m.
+/// The least force, N, that the displacements of a contact could cause in its softest spring; forces far below it are mere rounding. For each contact
+/// this force is the stiffness of its softest spring times its entry of `spans`, m, the size of its displacements. Returns the minimum over the
+/// contacts.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
@@ -45,8 +45,8 @@ impl Problem<'_> {
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
     }
 
-    /// For each contact the size, N, to which the rounding error of its force in `state` is proportional. The problem has the offsets `offsets` and a
-    /// load of norm `load`.
+    /// For each contact the size, N, to which the rounding error of its force in `state` is proportional. `offsets` are the spring offsets of the
+    /// contacts, m, and `load` is the norm of the load, N.
     pub(crate) fn force_sizes(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -62,7 +62,7 @@ impl Problem<'_> {
     }
 
     /// Size, m, to which the rounding error of a twist is proportional: the norm of the twist, plus the stretch of the stiffest spring under the
-    /// force `largest`, N. Opposite commands cancel, so that the norm alone may be zero.
+    /// force `largest`, N. The norm alone would not do: if opposite commands cancel, the twist is zero although it has a rounding error.
     pub(crate) fn size_of_motion(&self, twist: &Vector, largest: f64) -> f64 {
         twist.norm() + self.least_stretch(largest)
     }

@@ -85,8 +85,8 @@ impl LinearProblem {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is smaller than the correction before only by a constant factor. Refinement ends when a
-            // correction is at most this fraction of the largest force.
+            // With band factors each correction is smaller than the one before by a constant factor, which may be moderate. Refinement therefore
+            // continues until a correction is at most this fraction of the largest force.
             if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -102,8 +102,8 @@ impl LinearProblem {
             None => pushed + &loaded,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
-                // The generalised forces `pushed` of the springs and `loaded` of the load may cancel. A remainder below the rounding of the
-                // larger of both is taken as zero.
+                // `unreached` is the part of the generalised forces of springs (`pushed`) and load (`loaded`) that the springs cannot take up. It is
+                // taken as zero if it is below the rounding of the larger of both.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -205,8 +205,8 @@ impl LinearProblem {
         self.forces(&x, problem.len())
     }
 
-    /// The scaled forces of all springs for given stretches v of the contacts: `x_r = s_r · v` for each spring r of a contact, along whose
-    /// vector s_r it is stretched.
+    /// The scaled force `x_r = s_r · v` of each spring r, for given stretches v of the contacts; s_r is the vector along which the spring is
+    /// stretched.
     pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
@@ -251,13 +251,13 @@ impl LinearProblem {
         let mut balance = PreciseBalance::new(self.size(), load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);
-            // A contact has at most one spring per axis.
+            // The residuals of this contact's springs. It has at most three springs, one per axis.
             let mut left = [DoubleDouble::default(); 3];
             for (left, x) in left.iter_mut().zip(x) {
                 left.add(-x);
             }
             for a in 0..3 {
-                // Most springs lie along the axes and have one component each.
+                // Axes along which no spring of the contact is stretched are skipped; most springs lie along one axis.
                 if springs.iter().any(|spring| spring.stretch_direction[a] != 0.0) {
                     let v = twist.stretch(site, a, offsets[contact][a]);
                     for (left, spring) in

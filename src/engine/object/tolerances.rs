@@ -10,8 +10,8 @@
 pub(super) const NO_WORK: f64 = 1e-13;
 
 /// Forces below this fraction of the force that the displacements could cause in the springs are rounding. If commands alone move a statically
-/// determinate grasp, its exact contact forces are zero. The computed forces are then about 1e-45 of that spring force, after three projections.
-/// With this lower bound of the size of forces, such rounding errors are not compared with each other.
+/// determinate grasp, its exact contact forces are zero. Computed forces are then about 1e-45 of that spring force, since each of three projections
+/// leaves about 1e-15 of it. With this lower bound of the size of forces, such rounding errors are not compared with each other.
 ///
 /// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
@@ -23,7 +23,8 @@ pub(crate) const NO_FORCE: f64 = 1e-25;
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 
-/// Upper limit of the number of refinement steps. If the exact force is zero, each step reduces the computed force by a factor of about 1e-16.
+/// Upper limit of the number of refinement steps. If the exact force is zero, no correction is small relative to the force: each step reduces the
+/// computed force by a factor of about 1e-16. This limit then ends the refinement.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Upper limit of the number of steps of the relaxation in `relaxing`, from the stuck grasp towards an equilibrium; as a rule ten to thirty

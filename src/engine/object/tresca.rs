@@ -43,7 +43,7 @@ struct GivenLimits {
     band: PositiveBand,
 }
 
-/// The forces and states of all contacts at a twist of the object, for given friction limits.
+/// The forces and states of all contacts at a twist of the object, if the friction limits are given numbers.
 struct ContactResponses {
     of: Vec<LimitedAnswer>,
     /// The imbalance `Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.

@@ -26,17 +26,17 @@ use crate::numerics::{Vector, increasing, mapped, summed, total, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The largest radius ρ for which it is proved that no equilibrium exists at any motion `q* + δ` of the object with δ within the radius; q* is the
-/// argument `at`. The argument `motion` is the virtual motion v of the proof. Within the radius, δ moves the centroid of the contacts by at most ρ.
-/// It turns the object by at most ρ divided by the engine's unit of length, and moves each further coordinate by at most ρ. Infinite if no
-/// equilibrium exists at all; `None` if nothing is proved even at q*.
+/// Returns a radius ρ such that no equilibrium exists at motions `q* + δ` of the object with δ within this radius. Within the radius, δ moves the
+/// centroid of the contacts by at most ρ, turns the object by at most ρ divided by the engine's unit of length, and moves each further coordinate by
+/// at most ρ. q* is the argument `at`, and `motion` is the virtual motion v of the proof. Infinite if it is proved that no equilibrium exists at all;
+/// `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::zeros();
-    // For each contact that may open: the radius ρ at which it may first open. From there on the bound h on negative work grows faster with ρ; the
-    // second number is the increase of dh/dρ.
+    // A pair of numbers for each contact that may open. The first is the radius ρ at which the contact may first open; from there on the bound h on
+    // negative work grows faster with ρ. The second is the increase of dh/dρ at this radius.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -48,9 +48,9 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if largest_product > 0.0 {
                     openings.push((stretch[0].max(0.0) / largest_product, c * largest_product));
                 }
-                // The bound h (see the top of the file) has a negative term for a contact that is open at the motion `at`. This term is
-                // cancelled here, since an open contact does no negative work at `at`. Elsewhere it does at most c times the distance by which
-                // it closes.
+                // The bound h (see the top of the file) has a negative term for a contact that is open at the motion `at`. This term is cancelled
+                // here, since an open contact does no negative work there. If another motion closes the contact, its negative work is at most c times
+                // the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }

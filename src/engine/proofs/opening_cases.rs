@@ -40,8 +40,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether a contact may open or has friction, and so has an inequality in the linear system `Γ x + w = 0`. In this system the equations of
-/// equilibrium come first, then these inequalities in the order of contacts.
+/// Whether the linear system `Γ x + w = 0` has a row for this contact. Its first rows are the equations of equilibrium. Then comes, in the order of
+/// contacts, one inequality for each contact that may open or has friction.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -56,9 +56,9 @@ fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// A vector with an entry for each equation and inequality of the linear system `Γ x + w = 0`. First comes `wrench` plus the wrench that the
-/// springs of closed contacts exert at the stretches `stretch`, without friction. Then comes, for each contact with an inequality, its normal
-/// spring force at this stretch, with the opposite sign if the contact is open.
+/// What given stretches of the contacts contribute to the equations and inequalities of the linear system `Γ x + w = 0`, without friction. The first
+/// entries are `wrench` plus the wrench of the spring forces of closed contacts. Then each contact with an inequality has an entry: the normal force
+/// of its springs at the stretch `stretch`, with the opposite sign if the contact is open.
 fn response(
     problem: &Problem,
     open: &[bool],

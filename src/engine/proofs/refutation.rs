@@ -1,15 +1,16 @@
 //! A proof that no equilibrium exists on the round cone, case by case, as a certificate that can be checked.
 //!
-//! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y of the
-//! object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. In an equilibrium under the load W, the stretches `v_i = a_i - G_iᵀq` (offset a_i,
-//! i.e. commanded displacement minus clearance and slip, grasp map G_i, twist q) and the contact forces F_i satisfy
+//! The states of the contacts are divided into cases, one contact at a time, until each case is contradicted. A label restricts the state of a
+//! contact, or the direction of its friction; a case gives every contact a label. A contradiction of a case is a virtual motion y of the object with
+//! virtual contact forces φ_i that balance one another, `Σ G_i φ_i = 0`. Contact i has the grasp map G_i, the offset a_i (commanded displacement
+//! minus clearance and slip), the stretch `v_i = a_i - G_iᵀq` at the twist q, and the contact force F_i. In an equilibrium under the load W
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! for every q. A label restricts the state of a contact, or the direction of its friction. If, under the labels of a case, no contact's term on the
-//! left side can be positive, the case has no equilibrium. In the elastic trial state every contact sticks.
+//! holds for every q; that the right side is positive is checked. If, under the labels of the case, no contact's term on the left side can be
+//! positive, the case has no equilibrium. In the elastic trial state every contact sticks.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
@@ -31,8 +32,9 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof without searching. Returns a factor: an equilibrium that rounding has hidden from the proof is larger than the elastic trial state
-/// by at least this factor. Both are measured in √J. `None` if the steps omit a case, or contradict a case by less than the factor [`ESCAPE`].
+/// Checks a proof without searching. The proof may miss an equilibrium because of rounding. Returns the factor by which such an equilibrium is at
+/// least larger than the elastic trial state, both measured by the norm of stretches and forces in energy units (√J). `None` if the steps omit a
+/// case, or contradict a case by less than the factor [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -63,11 +65,13 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the least factor by which an equilibrium that
-/// rounding hides is larger than the elastic trial state, as [`check`] does; `None` without a proof. In a rate problem (for derivatives along a load
-/// path) let every contact that may slide or open do so. With tangent stiffnesses C_i and grasp maps G_i, the matrix Σ G_i C_i G_iᵀ may then have a
-/// left null vector. This is a virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. In any other contact state, the
-/// contacts do no more negative work along y.
+/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the same factor as [`check`], or `None` without
+/// a proof.
+///
+/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness
+/// `Σ G_i C_i G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a
+/// virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. This proves something for all contact states, since in no other
+/// state do the contacts do more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion =
@@ -82,8 +86,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// The least size that an equilibrium of one case must have if rounding hides it from the contradiction of the case. The size, in √J, is the
-/// norm of the stretches and forces of all contacts together. `None` if there is no contradiction.
+/// Rounding may hide an equilibrium from the contradiction of a case. Returns the least size of such an equilibrium: the norm, in √J, of the
+/// stretches and forces of all contacts together. `None` if there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
@@ -101,9 +105,9 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the balance of virtual forces, relative to the wrenches of these forces and of the spring forces that the virtual motion
-    // would cause. A smaller imbalance can only hide an equilibrium whose motion is larger than the elastic trial state by the reciprocal of
-    // this tolerance.
+    // Tolerance of the imbalance of virtual forces. It is a fraction of the sizes of their wrenches and of the wrenches of the spring forces that the
+    // virtual motion would cause. An imbalance below it hides an equilibrium only if the motion in this equilibrium is larger than the elastic trial
+    // state by a factor of 1e13.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

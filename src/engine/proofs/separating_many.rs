@@ -28,8 +28,8 @@ use crate::prelude::*;
 /// The round friction cone of a contact, or one generator of a cone that is not round, as a part of the augmented Lagrangian. It responds to a
 /// motion with a force.
 struct PenalisedCone {
-    /// The coordinates of motion that the contact moves: the position of each in the order of elimination, and its row of the contact's grasp map.
-    /// The map is scaled so that a unit force along the first axis has a wrench of length one.
+    /// The coordinates that move the contact. Each has its position in the order of elimination, and its row of the contact's grasp map. The grasp
+    /// map is scaled so that a unit force along the first axis has a wrench of length one.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// μ of a round cone; `None` for a cone that is a single ray, along the first axis.
     cone: Option<f64>,
@@ -96,11 +96,11 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // The search ends six rounds after the penalty ρ has stopped growing. After a first proof four rounds follow, which remove rounding from the
-    // separating motion, since users see it.
+    // The search ends after six rounds with the largest penalty ρ, or three rounds after a first proof. These three rounds remove rounding from the
+    // separating motion, which is shown to users.
     while more < 6 && clearer < 4 {
-        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Before a proof is found this is 1e-3 / ρ with the
-        // penalty ρ, to save Newton steps. Afterwards it is the least value, to remove rounding.
+        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Before a proof is found this is 1e-3 / ρ, with
+        // the penalty ρ, to save Newton steps. Afterwards it is 1e-14, to remove rounding.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };

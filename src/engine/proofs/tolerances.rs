@@ -6,8 +6,8 @@
 /// If smaller, proofs are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
-/// Rounding error of the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. A negative work of smaller magnitude
-/// is replaced by this magnitude.
+/// Size of the rounding error in the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. If the computed negative
+/// work of all generators is smaller, it is taken as this number.
 ///
 /// If smaller, rounded work makes contradictions seem clear; if larger, clear contradictions are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;

@@ -34,16 +34,15 @@ pub(crate) struct Generator {
 }
 
 impl Generator {
-    /// The generator with the direction of a force of any length.
+    /// The generator along the force `force` of a contact. The length of `force` does not matter.
     pub(crate) fn along(contact: usize, site: &Site, force: SVector<f64, 3>) -> Self {
         let wrench = &site.map * force;
         let size = wrench.norm();
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator (a unit wrench) along a motion, divided by the ratio of its normal force to its whole force. The work thus
-    /// refers to a unit normal force. With large friction the ratio is small, and a normal force as large as the load takes a large multiple of the
-    /// generator.
+    /// Negative work of the generator along a motion, per unit of normal force. The generator has a wrench of length one. With large friction its
+    /// normal force is small, so that forces of the size of the load need large multiples of it, and the work counts accordingly more.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -60,8 +59,8 @@ pub(crate) struct NearestForces {
     pub(crate) coefficients: Vec<(Generator, f64)>,
 }
 
-/// The sum of generators nearest to a target wrench. `straight` lists the generators of polygonal or one-dimensional cones. For a motion,
-/// `round` returns the generator of each round cone that does the most negative work along this motion.
+/// Finds the sum of generators, with coefficients β >= 0, that is nearest to the wrench `target`. `straight` lists the generators of polygonal or
+/// one-dimensional cones. `round(v)` returns, for each round cone, the generator that does the most negative work along the motion v.
 pub(crate) fn nearest_forces(
     size: Size,
     straight: &[Generator],
@@ -71,7 +70,7 @@ pub(crate) fn nearest_forces(
     let mut target = target.clone();
     target.grow(size);
     let mut nearest = NearestPoint::new(target.as_slice());
-    // Generators of round cones that have been added to the sum. Their tags, the numbers by which `nearest` identifies generators, follow the tags of
+    // Generators of round cones that have been added to the sum. `nearest` identifies each generator by a number, its tag; their tags follow those of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
     // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES`
@@ -91,7 +90,8 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator is added only if its negative work along the residual exceeds this fraction of the norm of the residual.
+        // A generator is added only if its negative work along the residual exceeds this fraction of the norm of the residual; smaller work is
+        // rounding.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -115,8 +115,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// Size of the load and of the squeezing forces together, since fingers may squeeze with forces far larger than the load. A proof is
-    /// accepted only if an equilibrium that rounding hides would exceed this size by far.
+    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze, which may be far larger. A
+    /// proof is accepted only if an equilibrium that rounding hides from it would have forces far beyond this size.
     data: f64,
 }
 

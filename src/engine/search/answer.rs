@@ -67,8 +67,8 @@ pub(crate) struct SearchSolution {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// Sizes of force, N, and of displacement, m, to which rounding errors are proportional. On a load path the solution is a sum of changes along
-    /// the path, and these are the sizes of the summed terms. Both are zero for a solution that was not reached along a path.
+    /// Sizes of force, N, and of displacement, m, to which the rounding errors of the solution are proportional. On a load path the solution is a sum
+    /// of changes along the path, and the sizes are those of the terms of this sum. Both are zero for a solution that was not reached along a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest difference, N, of a contact force from the solution on polygonal cones with which Newton's method started.
     /// `None` if Newton's method did not start from such a solution.
@@ -160,7 +160,7 @@ pub(crate) struct SearchCounts {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Flag: true if the complementarity problem for gaps and slips (kinematic form), with a dense matrix, was proved up to rounding to have no
-    /// solution. Always false with round cones.
+    /// Flag: true if the complementarity problem for gaps and slips (kinematic form), with a dense matrix, was proved to have no solution, up to
+    /// rounding. Always false with round cones.
     pub(crate) no_slips: bool,
 }

@@ -66,9 +66,9 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = linear_problem.free_motions().to_vec();
     let neutral_motions = linear_problem.neutral_motions();
-    // An inequality counts as satisfied if its value, divided by the size of its terms, is at least minus a tolerance. The tolerance is this number,
-    // times the factor by which the linear problem amplifies rounding errors. In symmetric grasps equalities are common: a slack that is exactly zero
-    // is computed as a few roundings of 1e-16.
+    // An inequality counts as satisfied if its value, divided by the size of its terms, is not more negative than a tolerance. The tolerance is
+    // `ZERO_SLACK`, times the factor by which the linear problem amplifies rounding errors. It is needed because in symmetric grasps a value is often
+    // exactly zero, and is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // In these contact states the solution is not unique. The solution of least norm violates an inequality, but another solution may
         // satisfy all inequalities.
@@ -83,15 +83,15 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // The solution has been shifted along motions that leave it undetermined. Violations are divided by the sizes of terms before the shift.
-            // A shift so long that its rounding exceeds the tolerance is thus refused.
+            // The solution has been shifted to another solution. Violations are divided by the sizes that the terms had before the shift. A shift so
+            // long that its rounding exceeds the tolerance is thus refused.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if exceeds(worst, ZERO_SLACK) {
-        // A violation of up to 1e-12 of its terms, times the amplification of rounding errors, is larger than rounding. But it is too small to be a
-        // clear violation. The proposed states are refused, but this proves nothing.
+        // A violation above the tolerance, but below 1e-12 times the amplification of rounding errors, may or may not be rounding. The proposed
+        // states are refused, but they are marked as doubtful, so that the refusal counts as no proof.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
@@ -149,9 +149,10 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// The norm of the imbalance `Σ G_i F_i + W` of contact forces and load, divided by the sum of the norms of the forces plus the largest force. If
-/// commands alone move a statically determinate grasp, its exact forces are zero and the computed forces are rounding errors. The largest force is
-/// therefore taken to be at least the fraction `NO_FORCE` of the least force that its springs could have.
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces F_i (grasp maps G_i) and load W, divided by a size of the forces: the sum of the norms
+/// of contact forces, plus the larger of the load and the largest contact force. If commands alone move a statically determinate grasp, its exact
+/// forces are zero, and the computed forces are rounding errors. The largest force is therefore at least the fraction `NO_FORCE` of the force that
+/// the displacements could cause in the softest spring.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
@@ -182,9 +183,9 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The coefficients τ of least norm, one for each motion in `motions`: after the object has moved by `Σ τ_k · motion_k`, the inequalities of all
-/// contact states hold. `None` if there are no such coefficients. The motions are orthonormal in the engine's coordinates; each comes with its change
-/// of forces.
+/// The shortest shift of a solution after which the inequalities of all contact states hold: coefficients τ_k of least norm, so that the object moves
+/// by `Σ τ_k · motion_k`. Each entry of `motions` is such a motion with the change of all contact forces along it; the motions are orthonormal in the
+/// engine's coordinates. `None` if no shift satisfies the inequalities.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],
@@ -204,8 +205,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, &mut |rate, rate_size| {
-                // If an inequality's value changes per unit motion by less than this fraction of its size, the change is rounding of zero.
-                // Otherwise a very long motion could seem to satisfy the inequality.
+                // If a unit motion changes the value of an inequality by less than this fraction of the terms of the change, the change is rounding
+                // of zero. Otherwise a very long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -12,8 +12,8 @@ use crate::numerics::mapped;
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every
-/// contact sticks. In that solution some contact breaks a condition.
+/// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every contact
+/// sticks. In that solution some contact breaks a condition of its state, for example by a force outside its cone.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
@@ -46,8 +46,8 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// The problem of [`Self::proposing`] with friction-cone facets for contacts with infinite friction; `None` if no contact has infinite friction.
-    /// A contact with infinite friction loses its tangential force when it opens. In the complementarity problem only facets can express this loss.
+    /// The problem of [`Self::proposing`] in which contacts with infinite friction have friction-cone facets, too; `None` if no contact has infinite
+    /// friction. Such a contact loses its tangential force when it opens. Without facets the complementarity problem would keep this force.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =

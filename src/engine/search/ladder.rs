@@ -24,8 +24,7 @@ use crate::object::{Problem, SpringDashpotRelaxation, newton_on_cones, twist_by_
 use crate::prelude::*;
 use crate::{forms, proofs};
 
-/// A method of the ladder, the sequence of methods of the search. `applies` is the condition under which the method is tried, and `climb` runs
-/// it.
+/// A rung: one method of the search. The method is tried if its condition `applies` is true, and `climb` runs it.
 pub(super) struct Rung {
     #[cfg_attr(
         not(feature = "std"),
@@ -59,8 +58,8 @@ pub(super) const LADDER: [Rung; 9] = [
     },
     Rung { name: "everything yields", applies: is_on_an_edge, climb: everything_yields, finds: None },
     Rung {
-        // With many contacts or coordinates, the search for a separating motion costs less than any sequence of Lemke pivots. It ends early if no
-        // such motion exists.
+        // With many contacts or coordinates, the search for a separating motion takes less time than Lemke's method, so it comes first. It ends early
+        // if no such motion exists.
         name: "separating motion of many",
         applies: is_large,
         climb: separating_motion,
@@ -75,8 +74,8 @@ pub(super) const LADDER: [Rung; 9] = [
     Rung { name: "force form", applies: may_be_dense, climb: force_form, finds: Some(FoundBy::ForceForm) },
     Rung {
         name: "separating motion of few",
-        // With few contacts and many coordinates, the augmented Lagrangian of `separating motion of many` takes small residuals for zero. This
-        // method distinguishes them from zero, so it runs there, too.
+        // This method is also tried with few contacts and many coordinates, after `separating motion of many` has failed. The augmented Lagrangian of
+        // that method takes small residuals for zero; this method distinguishes them from zero.
         applies: |scene| !has_many_contacts(scene),
         climb: separating_motion_of_few,
         finds: None,
@@ -133,7 +132,8 @@ fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
-/// Whether Newton's method is expected to converge on polygons: with many contacts, or with several contacts if there are few coordinates.
+/// Whether Newton's method seldom cycles on polygons, so that it is worth a try. This is so with many contacts, and with several contacts if there
+/// are few coordinates.
 fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     let several = || scene.problem.len() >= SEVERAL_CONTACTS && scene.problem.size().count() <= WHOLE;
     has_many_contacts(scene) || several()
@@ -155,20 +155,20 @@ fn may_be_dense(scene: &ElasticTrial<'_, '_>) -> bool {
     !has_many_contacts(scene) || dense_is_affordable(scene.proposing(), 1)
 }
 
-/// Lemke's method on the contacts that break a condition in the contact states of a similar grasp.
+/// Lemke's method from the contact states of a similar grasp, in which only the contacts that break a condition may change their states.
 fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let propose = |problem: &Problem, log: &mut SearchLog| propose_near_a_similar_one(scene, problem, log);
     Attempt::of(equilibrium_by_proposals(scene.problem, &propose, log))
 }
 
-/// Tries the states in which contacts that would pull are open and all others stick.
+/// Tries combinations of states in which contacts that would pull are open, and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. With round cones it starts first, if there are few
-/// contacts, at points of the relaxation (`object/relaxing`). Then it starts at the elastic trial, and last at the twist from Tresca friction. On
-/// polygons it only starts at the elastic trial.
+/// Newton's method for the motion of the object, of which each contact force is a function. On polygons it starts at the elastic trial only. On round
+/// cones it has three starts, one after the other: with few contacts, points of the relaxation (`object/relaxing`); then the elastic trial; last the
+/// twist from Tresca friction.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -186,9 +186,9 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(found.or_else(|| twist_by_tresca(scene.problem).and_then(from)))
 }
 
-/// The equilibrium near which the relaxation ends, an artificial viscous motion of the object that starts at the elastic trial (`object/relaxing`).
-/// Newton's method starts from points of this motion. If its result is far from its start, the next point is tried. The distant equilibrium is
-/// returned only if no point leads to a near equilibrium. `None` if Newton's method finds no equilibrium.
+/// The equilibrium to which the relaxation leads. The relaxation is an artificial viscous motion of the object from the elastic trial
+/// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried, and the
+/// distant equilibrium is returned only if no point leads to a near one. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -202,8 +202,9 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     another
 }
 
-/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution at a limit load. The proof is a motion along which
-/// the load's rate does work. Nothing resists it once all contacts on the edge of their cones slide.
+/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a motion along
+/// which the rate of the load does work. If every contact on the edge of its cone slides, no contact resists this motion; in all other states the
+/// contacts do not resist it more.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
@@ -223,9 +224,9 @@ fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> 
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
-/// Lemke's method on the kinematic form. With many coordinates it pivots first on the contacts that break a condition in the elastic trial. If that
-/// fails, it pivots on the matrix of all contacts, provided that this takes acceptable time. The form in which contacts with infinite friction have
-/// facets of a friction cone is tried last.
+/// Lemke's method on the kinematic form. With many coordinates it pivots first only on the contacts that break a condition in the elastic trial. If
+/// that fails, it pivots on all contacts, provided that this takes acceptable time. Last it tries the kinematic form in which contacts with infinite
+/// friction have facets of a friction cone.
 fn kinematic_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let of_the_leaving = |problem: &Problem, log: &mut SearchLog| propose_of_the_leaving(scene, problem, log);
     let on_a_matrix = |problem: &Problem, log: &mut SearchLog| {

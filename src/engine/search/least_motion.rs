@@ -15,8 +15,8 @@ use crate::numerics::{IntoList, Singular, Vector, chosen, least_distance, mapped
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The solution, shifted along motions that no spring resists to the admissible position nearest to q₀ (see the top of the file). At q₀ contacts that
-/// touched before anything moved touch again, in the sense of least squares.
+/// The solution, shifted along motions that no spring resists to the position nearest to q₀ at which gaps and slips keep their signs (see the top of
+/// the file). q₀ is the position at which contacts that touched before anything moved touch again, in the sense of least squares.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) -> SearchSolution {
     // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
@@ -54,8 +54,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     found
 }
 
-/// The shortest motion that no spring resists and that closes certain gaps in the sense of least squares. They are the gaps of open contacts that
-/// touched before anything moved.
+/// Returns the shortest motion that no spring resists and that closes, in the sense of least squares, the gaps of open contacts that touched before
+/// anything moved.
 fn to_what_touches(problem: &Problem, found: &SearchSolution, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.offsets[*i][0];
@@ -69,7 +69,7 @@ fn to_what_touches(problem: &Problem, found: &SearchSolution, base: &Vector) -> 
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
-    // `rows` has the normal components of the free motions at the open contacts; singular values below 1e-9 are taken as zero.
+    // `rows` has the normal components of the free motions at the open contacts. Singular values of this matrix below 1e-9 are taken as zero.
     let mut motion = Vector::zeros();
     for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
         motion += v * *part;

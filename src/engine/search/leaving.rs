@@ -18,8 +18,8 @@ use crate::forms::{UnitDisplacements, kinematic_form_among, kinematic_states};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, states_by_tresca};
 use crate::prelude::*;
 
-/// The start of a run of Lemke's method: contact states, `linear_problem` in these states, and its solution `at`. The contacts that pivot (may
-/// change their states) stick in it.
+/// The start of a run of Lemke's method: contact states, `linear_problem` in these states, and its solution `at`. The contacts that pivot, i.e. may
+/// change their states in the run, stick in these states.
 struct PivotStart {
     states: Vec<State>,
     linear_problem: Arc<LinearProblem>,
@@ -34,8 +34,9 @@ impl PivotStart {
         Some(Self { states, linear_problem, at })
     }
 
-    /// This start of Lemke's method with the contacts in `among` sticking; unchanged if they stick already. Otherwise the displacements per unit gap
-    /// or slip of a contact, `moved`, are no longer valid and are cleared. `None` if the tangent stiffness is then singular.
+    /// This start of Lemke's method, changed so that the contacts in `among` stick. `moved` stores displacements of the object per unit gap or slip
+    /// of a contact; if a state changes, they are no longer valid and are cleared. `None` if the tangent stiffness is then singular, or if no forces
+    /// balance the load.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -49,16 +50,16 @@ impl PivotStart {
     }
 }
 
-/// Contact states in which no contact breaks a condition, from Lemke's method on the contacts that break a condition in the elastic trial.
-/// `None` if the method finds no such states.
+/// Proposes contact states by Lemke's method, in which only contacts that break a condition in the elastic trial may change their states. In the
+/// states returned no contact breaks a condition. `None` if the method finds no such states.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.trial_states, &scene.state);
-    // If at least this many contacts leave the elastic trial, states from Tresca friction are computed first. The cost of a run of Lemke's method
-    // grows with the cube of the number of contacts that pivot.
+    // If at least this many contacts leave the elastic trial, Lemke's method starts from states from Tresca friction, in which fewer contacts break a
+    // condition. The cost of a run grows with the cube of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = PivotStart::of(problem, near)
@@ -76,8 +77,8 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (PivotStart { states, linear_problem, at }, leaving, 0), log)
 }
 
-/// Contact states in which no contact breaks a condition, from Lemke's method that starts at the states of a similar grasp. `None` if the method
-/// finds no such states, or if many contacts break a condition in the states of the similar grasp.
+/// Proposes contact states by Lemke's method that starts at the states of a similar grasp. In the states returned no contact breaks a condition.
+/// `None` if the method finds no such states, or if in the states of the similar grasp more than 24 contacts break a condition.
 pub(super) fn propose_near_a_similar_one(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -103,8 +104,8 @@ fn pivoted(
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let mut moved = UnitDisplacements::default();
-    // Upper limit of the number of rounds in which further contacts begin to pivot (may change their states). A changed state disturbs
-    // neighbouring contacts, but less in each further round.
+    // Upper limit of the number of rounds. In each round the contacts that now break a condition begin to pivot (may change their states). As a rule
+    // there are fewer of them in each round.
     for _ in 0..32 {
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
@@ -134,7 +135,8 @@ fn pivoted(
     None
 }
 
-/// The contacts in `among` and their neighbours, by ascending index. Neighbours share a coordinate with a contact in `among`.
+/// The contacts in `among` and their neighbours, by ascending index. A neighbour is a contact that moves with one of the coordinates that move a
+/// contact in `among`.
 fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {
@@ -148,8 +150,9 @@ fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &feels)
 }
 
-/// Makes further contacts stick until the tangent stiffness is regular. For each motion in its null space, the contact that moves most along it,
-/// among those that do not stick yet, is made to stick. `None` if the tangent stiffness is still singular after all rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion along which the tangent stiffness is singular, the contact
+/// that moves most begins to stick; contacts that stick already are not considered. `None` if the tangent stiffness is still singular after all
+/// rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();

@@ -30,7 +30,7 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
     }
 }
 
-/// The solution of the linear problem with these contact states on polygonal friction cones, from which Newton's method starts. This solution may
+/// The start for Newton's method on the round cone: the solution of the linear problem with these contact states on polygonal friction cones. It may
 /// break inequalities of the contact states. `None` if no forces in these states balance the load.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     if let Some(near) = regular_solution(problem, states) {
@@ -45,7 +45,8 @@ pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<Force
     }
 }
 
-/// The solution of the linear problem with these contact states; `None` if the tangent stiffness is singular, or too ill-conditioned for balance.
+/// The solution of the linear problem with these contact states. `None` if the tangent stiffness is singular, or so ill-conditioned that Newton steps
+/// do not reach balance of forces and load.
 fn regular_solution(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).list();
@@ -63,8 +64,8 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<SearchSolu
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution with round friction cones that is close to `near`, the solution with polygonal cones in the contact states `states`. Newton's method
-/// starts from the twist of `near` and, if that fails, from the contact states. `None` if it does not converge.
+/// The solution with round friction cones near `near`, a solution with polygonal cones in the contact states `states`. Newton's method starts from
+/// the twist of `near` and, if that fails, from the contact states. `None` if both starts fail.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &ForcesAndTwist) -> Option<SearchSolution> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

@@ -14,8 +14,9 @@ use crate::lcp::{self, Basis, Outcome};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether Lemke's method takes acceptable time on a dense matrix. It has `times` times as many rows as the kinematic form, the problem for gaps and
-/// slips. The work is the cube of the number of rows: about as many pivots as rows, each of which changes the whole matrix.
+/// Whether Lemke's method takes acceptable time on a dense matrix. The matrix has `times` times as many rows as that of the kinematic form, the
+/// complementarity problem for gaps and slips. The work grows with the cube of the number of rows: there are about as many pivots as rows, and each
+/// pivot changes the whole matrix.
 pub(crate) fn dense_is_affordable(problem: &Problem, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
@@ -63,8 +64,9 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // The solver may do more than one run of Lemke's method, but it never enumerates bases: trying all contact states, next in the search, costs
-    // less. On the round cone one run is enough, since branch and bound comes next and decides more searches than another run.
+    // The solver may run Lemke's method more than once, but it never enumerates bases: trying all contact states, which comes next in the search,
+    // costs less. On the round cone it runs once, since branch and bound comes next. Branch and bound more often finds an equilibrium or a proof than
+    // another run would.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The solver is given the limit `affordable` of the number of pivots in two cases: the caller set it, or it is below the solver's own limit.
@@ -74,8 +76,8 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // The number of further covering vectors, one for each further run, after Lemke's method has ended on a ray. It is larger if there are too
-        // many combinations of contact states to try them all next.
+        // If Lemke's method ends on a ray, it may run again with other covering vectors (vectors along which it starts). The number of these runs is
+        // larger if there are too many combinations of contact states to try them all next.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);

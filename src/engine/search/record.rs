@@ -23,7 +23,7 @@ pub enum RungResult {
     Proved,
 }
 
-/// One search for an equilibrium that did not end with the elastic trial. Each method (rung) of the ladder was tried by itself.
+/// A search for an equilibrium that went beyond the elastic trial, with the result of each method (rung) of the ladder, tried by itself.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
     /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.

@@ -38,7 +38,7 @@ pub(super) struct BalanceEquation {
     projector: Vec<f64>,
     /// The forces f⁰ of the elastic trial in energy units, scaled to length one.
     target: Vec<f64>,
-    /// The norm of f⁰, the forces of the elastic trial in energy units, before it was scaled to one, √J.
+    /// The norm of f⁰ (forces of the elastic trial in energy units) before it was scaled to one. Its unit is the square root of an energy, √J.
     unit: f64,
     /// The square roots of stiffness, K^{1/2}, of each contact.
     roots: Vec<SVector<f64, 3>>,
@@ -49,8 +49,8 @@ pub(super) enum Relaxed {
     /// The case is not contradicted. The fields are stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to
     /// a solution. If the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. Such an equilibrium would be larger than the elastic trial
-    /// state, in which every contact sticks, by at least this factor.
+    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. The stretches and forces of such an equilibrium, measured in
+    /// energy units, would be larger than those of the elastic trial by at least the factor `escape`.
     Contradicted { escape: f64 },
 }
 
@@ -107,7 +107,7 @@ impl BalanceEquation {
         }
     }
 
-    /// Writes the projection `P y`, with the projector P of the equation, into `projected`.
+    /// Writes the projection `P y` of the vector `y` into `projected`, with the projector P of the equation.
     fn projected(&self, y: &[f64], projected: &mut Vec<f64>) {
         let size = y.len();
         projected.clear();
@@ -144,8 +144,8 @@ impl BalanceEquation {
     ) -> Relaxed {
         let (mut column, mut projected) = (Vec::new(), Vec::new());
         nearest.move_to_closest(&self.target);
-        // Generators that have been added since the distance last decreased. They are not added again before it decreases, so that the loop
-        // cannot cycle.
+        // The generators that have been added since the distance last decreased. They are not added again before the distance decreases, so that the
+        // loop cannot cycle.
         let mut tried: Vec<GeneratorIndex> = Vec::new();
         let mut least = f64::INFINITY;
         // At most forty generators are added for each row of the equation that expresses balance and compatibility.
@@ -161,7 +161,8 @@ impl BalanceEquation {
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
-            // A generator is added if its work along the residual exceeds this fraction of the norm of the residual.
+            // The work of a generator is its scalar product with the residual (target minus nearest point). A generator is added only if its work
+            // exceeds this fraction of the norm of the residual; smaller work is rounding.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works_of_generators(nearest.residual(), &projected, hulls) {
@@ -172,7 +173,8 @@ impl BalanceEquation {
             }
             let Some(tag) = best else {
                 let escape = distance * distance / hardest;
-                // A distance below this limit, for a target of length one, is too close to rounding to prove a contradiction.
+                // A contradiction is proved only if the distance of the nearest point from the target, which has length one, is clearly larger than
+                // rounding, here 1e-10.
                 if escape >= ESCAPE && distance >= 1e-10 {
                     return Relaxed::Contradicted { escape };
                 }
@@ -185,7 +187,8 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // The case is not clearly contradicted. The caller divides it into smaller cases, which never excludes an equilibrium.
+        // The case is not clearly contradicted. The caller then divides it into smaller cases. This is safe, since a case is only given up once it is
+        // contradicted.
         self.sum(hulls, nearest)
     }
 

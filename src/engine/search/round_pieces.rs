@@ -23,7 +23,7 @@ pub(super) struct RoundPieces {
     twist: PreciseTwist,
 }
 
-/// Sizes of the changes of forces and twist in a Newton step. Each flag is true if the changes were at most the bounds named.
+/// How much forces and twist changed in a Newton step: each flag is true if the changes were at most the bounds given for it.
 struct NewtonChange {
     /// The twist changed by at most 1e-14 of its norm, and each force by at most 1e-14 of itself plus 1e-20 of the largest force.
     sharp: bool,
@@ -82,14 +82,15 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &linear_problem) {
                 return Some(found);
             }
-            // If no spring resists some motion, the gaps that this motion changes are arbitrary: open contacts then stay open until Newton's
-            // method has converged.
+            // If no spring resists some motion, the gaps along this motion are arbitrary until Newton's method has converged. Until then, a gap that
+            // seems closed does not close the contact.
             let closing = sharp || linear_problem.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
                 return None;
             }
-            // Close to the solution the present factorisation is good enough: steps then shrink by a constant factor, without a new factorisation.
+            // A new factorisation is needed if contact states have changed, or if the solution is not near yet. Near the solution the present
+            // factorisation is good enough: each step reduces the error by a constant factor.
             if left || !near {
                 linear_problem = LinearProblem::new(problem, &self.states);
             }
@@ -116,11 +117,11 @@ impl RoundPieces {
         let missing = linear_problem.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        // Newton's method has converged if a step changes the twist and each force by less than this fraction of themselves.
+        // Newton's method has converged if a step changes the twist and each force by less than this fraction of themselves (`sharp`).
         let last = 1e-14;
-        // If only rounding determines the direction of a small force, no step is `sharp`. But a step that changes each force by less than this
-        // fraction of itself leaves a relative error of only the square of the fraction. The rounding error of the largest force is allowed in
-        // addition.
+        // If rounding alone determines the direction of a small force, no step is `sharp`. Another criterion is then a change of each force by less
+        // than this fraction of itself: Newton's method converges quadratically, so the remaining relative error is only the square of the fraction.
+        // The rounding error of the largest force is allowed in addition (`settled`).
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
@@ -153,8 +154,8 @@ impl RoundPieces {
         admit(problem, states, linear_problem, at).ok()
     }
 
-    /// Whether a motion that no spring seems to resist turns the friction force of a sliding contact. Friction resists such a motion, but its
-    /// resistance is lost in the rounding of the stiffest spring. The component of the solution along this motion is then not known.
+    /// Whether `motion`, which no spring seems to resist, turns the friction force of a sliding contact. Friction does resist such a motion, but its
+    /// resistance is lost in the rounding of the stiffest spring. The component of the solution along this motion is then unknown.
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
@@ -187,8 +188,9 @@ impl RoundPieces {
     }
 }
 
-/// The next state of a contact; sets its force if it opens or slides on the round cone. `touches` is true for an open contact that touches again.
-/// Normal and friction forces up to `rounding` are taken as zero.
+/// The next state of a contact whose force is `force` and whose stretch is `stretch`. If the contact opens or slides on the round cone, `force` is
+/// set to the force in the next state. `touches` is true for an open contact that touches again. Normal and friction forces up to `rounding` are
+/// taken as zero.
 fn next_state(
     local: &LocalLaw<'_>,
     state: &State,
@@ -227,9 +229,10 @@ fn next_state(
     }
 }
 
-/// Whether contact forces balance the load up to rounding. Without a load all forces may be rounding errors. They are then compared with the largest
-/// contact force, or with the fraction `NO_FORCE` of the force that the twist would cause in the springs. With a load they are compared with the
-/// load: a huge twist would make any imbalance small beside the forces of its springs.
+/// Whether contact forces balance the load up to rounding. The imbalance is compared with the sum of the norms of the contact forces, plus the load.
+/// Without a load all forces may be rounding errors. The load is then replaced by the largest contact force, or by the fraction `NO_FORCE` of the
+/// force that the twist would cause in the springs if that is larger. With a load the twist does not count: a huge twist would make any imbalance
+/// seem small.
 fn balanced(problem: &Problem, at: &ForcesAndTwist) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();

@@ -48,8 +48,8 @@ pub struct Settings {
     /// contacts slide on the round cone; refused steps are included. The same number (default 20 000) limits the jumps from static to kinetic
     /// friction. A path that needs more ends [undecided](crate::load_path::PathEnd::Undecided) at the point reached.
     pub most_steps: usize,
-    /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load asked about (default 100). With a value
-    /// of at most 1 the search stops at this load itself.
+    /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load in the question (default 100). With a
+    /// value of at most 1 the search stops at this load itself.
     pub most_load: f64,
     /// Upper limit of the number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
@@ -91,8 +91,7 @@ impl Settings {
     }
 
     setters! {
-        /// These settings with another upper limit of the number of combinations of contact states up to which all are tried, see
-        /// [`Settings::most_states`].
+        /// These settings with another [`Settings::most_states`], the largest number of combinations of contact states that are all tried.
         pub fn with_most_states(mut self, most_states: usize) { self.most_states = most_states; }
 
         /// These settings with another allowed error of a step along an arc (a part of a load path on which contacts slide in turning directions).
@@ -103,8 +102,8 @@ impl Settings {
         /// the jumps from static to kinetic friction.
         pub fn with_most_steps(mut self, most_steps: usize) { self.most_steps = most_steps; }
 
-        /// These settings with another upper limit of the search for the loss of the grasp. [`hold`](crate::ask::Grasp::hold) follows the load no
-        /// farther than this multiple of the load asked about, see [`Settings::most_load`].
+        /// These settings with another [`Settings::most_load`]: [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this
+        /// multiple of the load in the question.
         pub fn with_most_load(mut self, most_load: f64) { self.most_load = most_load; }
 
         /// These settings with another upper limit of the number of cycles of a repeated load that are followed.

@@ -1,9 +1,9 @@
-//! If a solution is one end of an interval of solutions with equal forces, adds the motion along that interval to its free motions (which no spring
-//! resists).
+//! A solution may be one end of an interval of solutions with equal forces. The motion along such an interval is then added to its free motions, i.e.
+//! motions that no spring resists.
 //!
-//! If friction is at its limit at every contact that could resist a motion, forces do not determine the object's position along this motion. At one
-//! end of the interval of positions one of these contacts has not slipped, and may be taken as sticking. The solution with this contact sticking
-//! satisfies every condition, but has no free motion.
+//! If friction is at its limit at every contact that could resist a motion, forces do not determine the object's position along this motion. The
+//! possible positions form an interval. At one end of it, one of these contacts has not slipped yet, and may be taken as sticking. The solution with
+//! this contact sticking satisfies every condition, but has no free motion.
 
 use nalgebra::{Matrix, SVector};
 
@@ -16,12 +16,12 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Looks, in the plane, for a solution with the same forces in states that allow a free motion: contacts on the edge of their cone slide, and
-/// contacts without force are open. Returns `found` itself in space. Also returns `found` itself if these states break a condition, change
-/// forces or have no further free motion.
+/// Looks, in the plane, for a solution with the same forces as `found`, but with a free motion. In its states contacts on the edge of their cone
+/// slide, and contacts without force are open. Returns `found` itself in space, and if these other states break a condition, change forces or have no
+/// further free motion.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
-    // In space a tangential spring perpendicular to the slip still resists, so that no motion stays free. Searches that start near given contact
-    // states do not report free motions of this kind.
+    // In space a contact that slides still has a tangential spring perpendicular to its slip, which resists, so that no motion becomes free. If
+    // `near` gives contact states from which a search starts, free motions of this kind are not reported.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }

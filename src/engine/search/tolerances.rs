@@ -1,20 +1,22 @@
 //! Limits that several methods of the search for an equilibrium share: numbers of contacts, covering vectors and multiplications.
 
-/// Number of further covering vectors, one for each further run, after Lemke's method has ended on a ray. This number is used if all combinations of
-/// contact states are tried next. Each run costs as much as the first.
+/// If Lemke's method ends on a ray, it runs again with another covering vector (the vector along which it starts), at most this many times. The
+/// number holds if all combinations of contact states can be tried afterwards. Each run costs as much as the first.
 ///
 /// If smaller, equilibria that a second run finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;
 
-/// From this number of contacts on, Newton's method and the search for a separating motion precede Lemke's method. With few contacts Newton's method
-/// often cycles; with many hardly ever, unless stiffnesses and friction differ by orders of magnitude. From this number on a linear program hardly
-/// ever finds a proof that the search for a separating motion has missed.
+/// From this number of contacts on, Newton's method and the search for a separating motion are tried before Lemke's method. With few contacts
+/// Newton's method often cycles. With many it hardly ever does, unless stiffnesses and friction differ by orders of magnitude. With fewer contacts
+/// the solver of the complementarity problem also searches for a proof by a linear program. With more contacts such a program hardly ever finds a
+/// proof that the search for a separating motion has not found before.
 ///
-/// If smaller, some grasps with few contacts get no proof; if larger, grasps with many contacts wait for a search that finds nothing.
+/// If smaller, some grasps with few contacts get no proof that no equilibrium exists; if larger, grasps with many contacts wait for a linear program
+/// that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// In the plane and on polygons, Newton's method precedes Lemke's method from this number of contacts on, if there are at most six coordinates. With
-/// 8 to 20 contacts Newton's method needs two thirds of the time of Lemke's method on a matrix. With more coordinates it often cycles.
+/// In the plane and on polygons, Newton's method is tried before Lemke's method from this number of contacts on, if the twist has at most six
+/// coordinates (one object). With 8 to 20 contacts it needs two thirds of the time of Lemke's method. With more coordinates it often cycles.
 ///
 /// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.
 pub(super) const SEVERAL_CONTACTS: usize = 8;
@@ -25,9 +27,9 @@ pub(super) const SEVERAL_CONTACTS: usize = 8;
 pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// An artificial viscous motion leads from the elastic trial (every contact sticks) towards an equilibrium (`object/relaxing`), and Newton's method
-/// continues from points of this motion. Newton's method has found that equilibrium if its result differs from its start by less than this fraction
-/// of the displacement so far.
+/// continues from points of this motion. The result of Newton's method is taken as this equilibrium if it is near the point from which Newton's
+/// method started. Their distance must be less than this fraction of the displacement from the elastic trial to that point.
 ///
-/// If smaller, that equilibrium is refused if the motion is slow and more of it remains than its steps suggest. If larger, other equilibria, to
-/// which only a jump of Newton's method leads, are taken for it.
+/// If smaller, this equilibrium is refused if the viscous motion has not come close enough to it yet. If larger, other equilibria, to which Newton's
+/// method has jumped, are taken for it.
 pub(super) const NEAR_THE_RELAXED_STATE: f64 = 0.3;

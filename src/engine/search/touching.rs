@@ -6,9 +6,9 @@ use crate::contact::{Mode, State};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// Starts from the contact states `states` with the solution `trial`. Opens contacts that pull and closes open contacts that penetrate, until no
-/// contact pulls or penetrates. Returns the equilibrium reached if it satisfies every condition of its contact states, otherwise `None`. Thus a
-/// finger far from the object does not change the equilibrium.
+/// Looks for an equilibrium in which some contacts are open and all others stick. Starts from the contact states `states` with the solution `trial`.
+/// Contacts that pull are opened, and open contacts that penetrate the object stick again, until no contact pulls or penetrates. Returns the
+/// equilibrium reached if it satisfies every condition of its contact states, otherwise `None`.
 pub(super) fn touching_contacts(
     problem: &Problem,
     mut states: Vec<State>,
@@ -21,11 +21,11 @@ pub(super) fn touching_contacts(
     // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With
     // more contacts, all of them change together.
     let one_by_one = 64;
-    // Every contact usually changes its state once; this limit of rounds ends cycles.
+    // A contact usually changes its state once, if at all. The limit of the number of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // With few contacts one contact opens at a time: as long as it pulls, other contacts may pull that would not once it is open. The
-        // contact with the largest initial gap opens first.
+        // With few contacts one contact opens at a time, since other contacts may pull only because this contact pulls. The contact with the largest
+        // initial gap opens first.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
         let may_open = |i: &usize| problem.local(*i).may_open();

@@ -39,13 +39,13 @@ struct Case {
     labels: Vec<Label>,
     hulls: Vec<Hull>,
     nearest: Rc<NearestPoint<GeneratorIndex>>,
-    /// The contact whose label was divided to make this case; `None` for the first case.
+    /// The contact whose label was divided into two labels to make this case and its sibling; `None` for the first case.
     divided: Option<usize>,
 }
 
-/// Whether branch and bound is needed because some contact has a round cone. Otherwise trying all combinations of states is a complete search.
-/// False if a contact is on the edge of its cone in a rate problem (for derivatives along a load path): the law of such a contact is a plane
-/// facet.
+/// Whether branch and bound is needed because some contact has a round cone. Without round cones it suffices to try all combinations of states. A
+/// contact on the edge of its cone in a rate problem (for derivatives along a load path) does not count: its law has a plane facet in place of the
+/// cone.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -104,8 +104,8 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case only, since it takes as long as a few cases.
         let every = 4;
-        // If forces deviate from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to rounding.
-        // Newton's method then starts from this case, too.
+        // If the forces of a case deviate from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to
+        // rounding. Newton's method then starts from it, whatever its number.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -152,9 +152,9 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
     }
 }
 
-/// The contact whose label is to be divided next, and the largest distance of all contacts. The distance of a contact is the difference between
-/// its force and the force that its law gives at its stretch. It is measured in energy units, as a fraction of the norm of the elastic trial
-/// state. The contact with the largest distance is divided; distances count three times for contacts whose label restricts nothing yet.
+/// The contact whose label is to be divided next, and the largest distance from the law. The distance of a contact from its law is the difference
+/// between its force and the force that the law gives at its stretch. It is in energy units, divided by the norm of the elastic trial state. The
+/// contact with the largest distance is divided; distances count three times if the label of the contact restricts nothing yet.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,
@@ -168,7 +168,8 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let imbalance = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(imbalance);
-        // Contacts whose label restricts nothing yet are divided first: until then, divisions of other contacts contribute little.
+        // Contacts whose label restricts nothing yet are divided first. As long as such contacts are left, dividing others contributes little to a
+        // contradiction.
         let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);

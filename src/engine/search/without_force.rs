@@ -39,8 +39,7 @@ pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> Sear
 }
 
 /// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if opening them would
-/// change forces or leave a gap. `None` also if no contact carries a force, because there is then nothing with which a small force could be
-/// compared.
+/// change forces or leave a gap. Also `None` if no contact carries a force: there is then no force with which a small force could be compared.
 fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since the displacement of a single contact may be zero.

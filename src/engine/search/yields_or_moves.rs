@@ -1,5 +1,6 @@
-//! Tests of [`yields`], a proof about a rate problem (for derivatives of forces and motion along a load path): if every contact that may slide or
-//! open does so, no forces balance offsets and load. If the proof succeeds, no combination of contact states may be an equilibrium.
+//! Tests of [`yields`], which searches for a proof about a rate problem (for derivatives of forces and motion along a load path). The proof says that
+//! no forces balance offsets and load if every contact that may slide or open does so. The tests check that in this case no combination of contact
+//! states is an equilibrium.
 
 use core::f64::consts::TAU;
 
@@ -13,8 +14,8 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{PolygonCone, PolygonFit, planar, spatial};
 
-/// Counts of random rate problems in the tests: all of them (`asked`), those for which the proof succeeds (`proved`), and those with an equilibrium
-/// in some combination of contact states (`held`).
+/// Counts of random rate problems in a test. `asked` counts all of them, `proved` those for which the proof succeeds, and `held` those with an
+/// equilibrium in some combination of contact states.
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,

@@ -15,7 +15,7 @@
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The second path, whose steps are made at once, and its distance from the first path, whose steps are made in two halves.
+/// A second path, which makes all its steps at once, and its distance from the first path, which makes the same steps in two halves.
 #[derive(Debug, Clone)]
 pub(super) struct CoarsePath {
     pub(super) present: SteppedState,
@@ -33,9 +33,10 @@ impl CoarsePath {
         Self { present: present.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes on the second path the step that the first path has made between the states `from` and `to`. `at_once` is the end of that step made at
-    /// once. The second path moves to `at_once` if it finds no step of its own, or only a step to a distant state. It also moves to `at_once` if it
-    /// nearly agrees with the first path. `beside` is overwritten with the end of the second path's own step.
+    /// Moves the second path on, after the first path has made a step from the state `from` to the state `to`. `at_once` is the end of that step of
+    /// the first path, made at once. As a rule the second path makes the same step from its own state, and `beside` is overwritten with the end of
+    /// this step. It moves to `at_once` instead, near the first path, if its own step fails or leads to a distant state, or if both paths nearly
+    /// agree already.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,
@@ -45,12 +46,13 @@ impl CoarsePath {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.distance_to(&self.present);
         let near = &to.twist + &self.present.twist - &from.twist;
-        // If the second path's own step ends farther than this from `at_once`, the second path moves to `at_once` instead. A smaller limit would
-        // be exceeded at each change of contact states, and errors would be added up although they decay.
+        // The second path moves to `at_once` if its own step ends farther than this from `at_once`. Each such move adds the distance of the paths to
+        // `lost`, although errors of earlier steps decay. A smaller limit would be exceeded at each change of contact states.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
-        // path then moves to `at_once`. With a larger fraction, errors would be added up although they decay.
+        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method, and the
+        // second path moves to `at_once`. With a larger fraction there would be more such moves, each of which adds the distance of the paths to
+        // `lost`, although errors decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

@@ -30,7 +30,7 @@ impl SteppedState {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
-    /// The distance of two states, N: the largest norm, over the contacts, of the difference between the forces of a contact.
+    /// The difference of two states, N: the largest change of a contact force from one state to the other.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
@@ -54,7 +54,8 @@ impl SteppedState {
     }
 }
 
-/// The static problem at the end of a step along the present leg. Each step writes the spring offsets and the load at its end into this problem.
+/// The static problem at the end of a step along the present leg of a load program. Each step overwrites the spring offsets and the load with their
+/// values at its end.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g> {
     pub(super) problem: Problem<'g>,
@@ -77,7 +78,7 @@ impl<'g> StepProblem<'g> {
         Self { problem, offsets, trajectory, before: Vec::new(), answers: Vec::new() }
     }
 
-    /// Prepares the present leg of `run`, after a change of legs, in the same memory.
+    /// Adapts this problem, in the same memory, to the present leg of `run` after the path has reached a new leg.
     pub(super) fn start_leg(&mut self, run: &ProgramRun<'g>) {
         self.trajectory = run.program.inside_trajectory(run.grasp);
         run.program.offsets_into(run.grasp, &mut self.offsets);
@@ -89,7 +90,7 @@ impl<'g> StepProblem<'g> {
     }
 
     /// Makes a step from the state `from` over the fraction `length` of the leg, and writes the state at its end to `to`. Newton's method starts at
-    /// the twist `near`. `None` if it does not converge, or if a contact would have to pull although it cannot.
+    /// the twist `near`. `None` if Newton's method does not converge, or if a contact would have to pull although it cannot.
     pub(super) fn step(
         &mut self,
         from: &SteppedState,
@@ -121,8 +122,8 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // Newton's method cannot reduce the imbalance of forces below the rounding of spring forces. It is taken as 1e-15 of the forces that the
-    // displacements would cause in the springs. Since `newton` multiplies the size given here by [`SOLVED_ROUNDING`], the factor here is 1e-3.
+    // The rounding error of the spring forces limits how far Newton's method can reduce the imbalance. This error is taken as 1e-15 of the forces
+    // that the displacements would cause in the springs. `newton` multiplies `rounded` by [`SOLVED_ROUNDING`], 1e-12, so the factor here is 1e-3.
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
@@ -143,8 +144,8 @@ fn equilibrium_after(
         to.forces.push(answer.force);
         to.states.push(answer.state);
     }
-    // If the law of a contact forbids that it opens, the computed force may pull. With limited friction the limit `μ F_n` has no meaning for a
-    // pull, and the step fails.
+    // A contact whose law forbids that it opens may have to pull. If its friction is limited, the limit `μ F_n` would then be negative, so the step
+    // fails.
     let least = -SOLVED_ROUNDING * to.largest_force();
     let pulls = |(i, force): (usize, &SVector<f64, 3>)| {
         force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()

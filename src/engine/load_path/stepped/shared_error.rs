@@ -1,12 +1,14 @@
-//! Errors of contact forces that a step made at once shares with the same step made in two halves. The difference between the two does not reveal
-//! them.
+//! Errors of contact forces that a step made at once (in a single step of the same length) has in common with the same step made in two halves. The
+//! difference between both does not reveal these errors. Both assume that the twist and the stretches change along straight lines, in the whole step
+//! or in each half.
 //!
-//! Along a step of length h the twist deviates from a straight line by up to `off`, a change of the twist. Let a contact have the grasp map G,
-//! springs of stiffness K (k_n along the normal), the stretch v and the coefficient of friction μ. Over the step the rate of its spring force, times
-//! h, changes by `K v'' h² = 8 K Gᵀ off`. Let the contact slide along the unit vector p. A point P is the beginning, middle or end of the step. At P
-//! the motion drives the force out of the cone at the rate `a = (p·K v_t' - μ k_n v_n') h` per step. At the fraction s of the step beyond P this rate
-//! is a + c s, with `c = a' h` < 0. The contact stops where the rate is zero. In the computed step the stretch changes along a straight line in each
-//! half. There the contact stops at P, or slides on through the whole half. This causes an error of the contact force:
+//! Along a step of length h the true twist deviates from a straight line, in the middle by the twist `off`. Let a contact have the grasp map G,
+//! springs of stiffness K (k_n along the normal), the stretch v with the normal part v_n and the tangential part v_t, and the coefficient of friction
+//! μ. A prime is the derivative along the step. Over the step the rate of its spring force, times h, changes by `K v'' h² = 8 K Gᵀ off`. Let the
+//! contact slide along the unit vector p. A point P is the beginning, middle or end of the step. At P the motion drives the force out of the cone at
+//! the rate `a = (p·K v_t' - μ k_n v_n') h` per step. At the fraction s of the step beyond P this rate is a + c s, with `c = a' h` < 0. The contact
+//! stops where the rate is zero. In the computed step the rate is constant within each half, so that the contact stops at P or slides on through the
+//! whole half. This causes an error of the contact force:
 //!
 //! ```text
 //! stop at s = a / |c|,     error of the force a² / 2|c|,
@@ -28,8 +30,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers errors that the difference from the step
-    /// made at once does not show. `at` are the states at the beginning, middle and end of the step.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves, as far as the same step made at once has the same
+    /// error. `at` are the states at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }
@@ -42,7 +44,8 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // In the middle of each half step the twist deviates from a straight line by a quarter of its deviation in the whole step's middle.
+        // The middle state shows how far the twist deviates from a straight line over the whole step. Over half a step, in the middle of the half,
+        // the deviation is a quarter of that.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
@@ -50,8 +53,9 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // The derivative of the twist with respect to the load factor may jump in a half of the step. The twist then deviates from a straight
-            // line by up to twice its deviation in the middle. A friction force turns no farther than the direction of slip.
+            // If a contact begins to slide within a half of the step, the derivative of the twist with respect to the load factor jumps there. The
+            // twist then deviates from a straight line by up to twice its deviation in the middle. A friction force changes no more than its
+            // direction of slip turns.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -61,8 +65,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The contact slid during a fraction of the half step. Its state stores this fraction, as the factor by which slip softens the
-                // springs. It is exact if the normal force is constant. During the fraction `stuck` before, the contact stuck.
+                // The contact stuck during the fraction `stuck` of the half step, and slid during the rest. Its state stores the rest, as the factor
+                // by which slip softens the springs; this is exact if the normal force is constant.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }

@@ -18,8 +18,8 @@ impl SteppedState {
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is already subtracted from the offsets (command minus clearance) of the contact springs, so a sliding contact keeps only
-        // its direction of sliding.
+        // The slip so far is already subtracted from the offsets (command minus clearance) of the contact springs. A sliding contact therefore keeps
+        // its direction of sliding, but its slip in this state, proportional to λ, is zero.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -30,14 +30,15 @@ impl SteppedState {
         run.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The contact forces of this state, and the complementarity problem for the rates of forces and motion in this state. A contact force counts as
-    /// on the edge of its cone if it is at most 1e-9 of the largest force away from it. The last steps of a path cannot resolve smaller distances.
+    /// The contact forces of this state, and the problem for the rates of forces and motion in this state. A contact counts as on the edge of its
+    /// cone if the distance of its force from the edge is at most 1e-9 of the largest force. The last steps of a path cannot resolve smaller
+    /// distances.
     pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
         let segment = run.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // Two forces are taken as zero below this fraction of the largest force: the distance of a contact force from the edge of its cone, and the
-        // force that would close a gap. The last steps are 1e-12 of a leg. With a smaller fraction, a force that such a step brings to the edge would
-        // still be taken as inside its cone. The limit load would then not be recognised.
+        // Two forces of a contact are taken as zero below this fraction of the largest force: the distance of its force from the edge of its cone,
+        // and the spring force that would close its gap. The last steps of a path, 1e-12 of a leg, bring a force to the edge only within this
+        // tolerance. With a smaller fraction the force would still count as inside its cone, and the limit load would not be recognised.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

@@ -1,17 +1,17 @@
-//! The states at the ends of a step that is made in two halves and at once. The path takes the halves; a second path, which measures errors, makes
-//! the same steps at once.
+//! The states at the ends of a step that is made twice: in two halves, and at once, i.e. in a single step of the same length. The difference measures
+//! the error of the step. The path takes the two halves. A second path, which measures errors that accumulate, makes all its steps at once.
 
 use super::one_step::SteppedState;
 use crate::numerics::Each;
 
-/// The states of a step made twice: after each of two halves (`middle`, `to`), which the path takes, and at the end of the same step made at
-/// once (`at_once`).
+/// The states at the ends of a step made twice. The path takes the two halves: `middle` is the state after the first half, `to` the state after the
+/// second. `at_once` is the state at the end of the same step made at once.
 #[derive(Debug)]
 pub(super) struct StepDoubling {
     pub(super) middle: SteppedState,
     pub(super) to: SteppedState,
     pub(super) at_once: SteppedState,
-    /// Memory for the end of the second path's own step (see `coarse_path`).
+    /// Memory for the state at the end of the step that the second path makes from its own state (see `coarse_path`).
     pub(super) beside: SteppedState,
 }
 

@@ -1,5 +1,6 @@
-//! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits. A leg is a section of the
-//! load program. A second path has the same steps, each made at once.
+//! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits. Each step is made twice, in
+//! two halves and at once (in a single step of the same length), and the difference measures its error. A leg is a section of the load program. A
+//! second path makes all its steps at once.
 
 use super::one_step::SteppedState;
 use super::step_doubling::StepDoubling;
@@ -20,7 +21,8 @@ use crate::search::Doubt;
 struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
     largest: f64,
-    /// The largest error of a contact force that the step at once may share with its two halves, divided by the largest contact force.
+    /// The largest error of a contact force that both forms of the step, at once and in two halves, may have in common, divided by the largest
+    /// contact force. Their difference does not show this error.
     shared_error: f64,
     /// The largest change of a contact force, N, that the object's motion in the step would cause if all contacts stuck.
     force_change: f64,
@@ -54,7 +56,8 @@ impl<'g> SteppedFollower<'g> {
         // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of the present step.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // If even so short a step is refused, rounding errors exceed the allowed error.
+            // The step is refused. If the next step would have to be shorter than the shortest step, rounding errors exceed the allowed error, and
+            // the path ends.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(run, Doubt::Inaccurate))
             } else {
@@ -74,27 +77,27 @@ impl<'g> SteppedFollower<'g> {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let relative_change = to.distance_to(from) / largest;
-        // Half of the allowed error is divided among steps in proportion to their size, the largest of three measures. The first is the fraction
-        // of the leg that the step covers. The second is the change of contact forces, divided by the largest force. The third is the change of
-        // contact forces that the object's motion would cause if all contacts stuck, divided likewise. Errors in the directions of friction
-        // decay while the third measure grows to one.
+        // Half of the allowed error is divided among the steps in proportion to their size, the largest of three measures: the fraction of the leg
+        // that the step covers; the change of contact forces in the step, divided by the largest force; and the change of contact forces that the
+        // object's motion would cause if all contacts stuck, also divided by the largest force. The third measure counts because friction forces turn
+        // towards the directions of slip: along steps whose third measures add up to one, errors in these directions decay.
         let even = 0.5 * self.error * length.max(relative_change).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). It grows, up to twice the allowed
-        // error, with the sum of the relative changes of forces along the path. They are `self.relative_force_changes` before this step and
-        // `relative_change` in it. The error of the path is about a third of this difference.
+        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). The error of this path is about a
+        // third of this difference. The allowed difference grows with the sum of the relative changes of forces along the path, up to twice the
+        // allowed error. This sum is `self.relative_force_changes` before the step, and the step adds `relative_change`.
         let budget = self.error * (self.relative_force_changes + relative_change).min(2.0);
         // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let accumulated = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
-            // A step may use this fraction of the allowed difference that a contact has left. With a larger fraction, a few steps would use it
-            // up, and later steps would have too little. With a smaller fraction, steps are shorter than necessary.
+            // Each step may use up this fraction of what remains of a contact's allowed difference. With a larger fraction, a few steps would use all
+            // of it, and later steps would have too little. With a smaller fraction, steps are shorter than necessary.
             let allowed = even.max(0.05 * (budget - accumulated)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // Errors that a step made at once shares with its two halves may be a tenth of the allowed error. A contact makes such an error only a few
-        // times on a leg.
+        // The error that both forms of the step have in common may be a tenth of the allowed error. So much is allowed because a contact makes such
+        // an error only a few times on a leg.
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 

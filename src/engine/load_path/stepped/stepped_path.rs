@@ -36,11 +36,10 @@ pub(crate) struct SteppedFollower<'g> {
     pub(super) pace: StepPace,
     /// The allowed error of contact forces for each leg, divided by the largest contact force.
     pub(super) error: f64,
-    /// A second path with the same steps, each made at once instead of in two halves. Its distance from this path measures the error of this
-    /// path.
+    /// A second path, which makes each step at once where this path makes two halves. Its distance from this path measures the error of this path.
     pub(super) coarse: CoarsePath,
-    /// The largest error of a contact force that this path and the second path may have in common in one of the steps so far. It is divided by the
-    /// largest contact force of that step.
+    /// The largest error of a contact force in a step so far that both forms of the step, in two halves and at once, may have in common. It is
+    /// divided by the largest contact force of that step.
     pub(super) shared_error: f64,
     /// Sum of the relative changes of contact forces on the path so far. Each step adds the largest change of a contact force in the step, divided by
     /// the largest contact force at either end of the step.
