@@ -1,5 +1,6 @@
 //! Contact forces while all contacts stick, under loads and commands, by one of three methods. A command is the displacement that a finger would make
-//! without the object.
+//! without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap. A block holds as many
+//! grasps as a SIMD vector has numbers (lanes).
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};

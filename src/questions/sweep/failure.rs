@@ -83,7 +83,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad. Also the first-order reliability β in this direction:
+/// The direction, rad, in which a contact with a round cone most probably fails to first order, and the first-order reliability β in this direction:
 /// the margin over its standard deviation.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);

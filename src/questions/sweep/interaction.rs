@@ -1,6 +1,6 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
 //! the sum of the changes due to each datum alone. It is computed at the point of failure of a facet: the smallest errors at which the margin of this
-//! facet vanishes (see [`margin`](super::margin)).
+//! facet vanishes (see [`margin`](super::margin)). A drive is a motor, clutch or tendon of a joint.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -32,8 +32,8 @@ pub(super) struct PerturbedGrasp {
     pub(super) load_spread: f64,
 }
 
-/// A random set of errors, in standard deviations, and the exact forces with it, N. No forces if a datum leaves its allowed range,
-/// or the grasp cannot hold the tension of a link.
+/// A random set of errors, in standard deviations, and the exact forces with these errors, N. The forces are `None` if a datum leaves its allowed
+/// range, or the grasp cannot hold the tension of a link.
 pub(super) struct Probe {
     z: Vec<f64>,
     forces: Option<Vec<SVector<f64, 3>>>,

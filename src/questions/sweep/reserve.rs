@@ -1,5 +1,5 @@
-//! The load up to which all contacts of a grasp with uncertain data keep sticking with a given number of standard deviations in reserve. The base
-//! load acts before the load grows.
+//! The reserve: the load up to which all contacts of a grasp with uncertain data keep sticking, with a probability that is given as a number of
+//! standard deviations. The base load acts before the load grows.
 
 use super::interaction::PerturbedGrasp;
 use super::source_forces::{source_forces, unit};

@@ -20,9 +20,9 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. Its gradient at the point of failure is
-    /// stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The argument of
-    /// `joint` is the factor on friction.
+    /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. The gradient of the margin at the point of
+    /// failure is stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The
+    /// argument of `joint` is the factor on friction.
     pub(super) fn curved(
         &self,
         involves_friction: bool,
